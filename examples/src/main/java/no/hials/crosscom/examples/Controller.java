@@ -1,0 +1,43 @@
+package no.hials.crosscom.examples;
+
+import java.io.Closeable;
+import java.io.IOException;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.mock.MockServer;
+import org.jspecify.annotations.Nullable;
+
+/** Connects an example to the controller named on its command line, or to a simulated one. */
+final class Controller implements Closeable {
+  private final @Nullable MockServer mock;
+  private final CrossComClient client;
+
+  private Controller(@Nullable MockServer mock, CrossComClient client) {
+    this.mock = mock;
+    this.client = client;
+  }
+
+  /**
+   * Connects.
+   *
+   * @param args {@code HOST PORT}, or nothing for a simulated controller
+   */
+  static Controller of(String[] args) throws IOException {
+    if (args.length == 2) {
+      return new Controller(null, new CrossComClient(args[0], Integer.parseInt(args[1])));
+    }
+    MockServer mock = MockServer.start();
+    return new Controller(mock, new CrossComClient(mock.host(), mock.port()));
+  }
+
+  CrossComClient client() {
+    return client;
+  }
+
+  @Override
+  public void close() throws IOException {
+    client.close();
+    if (mock != null) {
+      mock.close();
+    }
+  }
+}

@@ -1,0 +1,53 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import java.time.Duration;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.CrossComAccessException;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.KRL.KRLInt;
+import no.hials.crosscom.mock.MockServer;
+
+/** Shows what a failed access looks like, and how time limits are set. */
+public final class HandleErrors {
+  private HandleErrors() {}
+
+  /**
+   * Runs the example.
+   *
+   * @param args not used
+   * @throws IOException if connecting failed
+   */
+  public static void main(String[] args) throws IOException {
+    try (MockServer robot = MockServer.start()) {
+      ClientConfig config =
+          ClientConfig.create(
+              robot.host(), cfg -> cfg.port(robot.port()).requestTimeout(Duration.ofMillis(500)));
+      try (CrossComClient client = new CrossComClient(config)) {
+        access(client);
+      }
+    }
+  }
+
+  private static void access(CrossComClient client) {
+    KRLInt speed = new KRLInt("MYSPEED");
+    try {
+      client.readVariable(speed);
+    } catch (CrossComAccessException e) {
+      System.out.println(e.getVariable() + ": " + e.getMessage());
+    } catch (IOException e) {
+      System.out.println("no answer: " + e.getMessage());
+    }
+
+    speed.setValue(10);
+    try {
+      client.writeVariable(speed);
+    } catch (CrossComException e) {
+      System.out.println(
+          e.isOutcomeUnknown() ? "look before you write again" : "nothing was written");
+    } catch (IOException e) {
+      System.out.println(e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,44 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.KRL.KRLInt;
+import no.hials.crosscom.KRL.KRLString;
+import no.hials.crosscom.KRL.structs.KRLPos;
+
+/** Writes a number, a text, a structure, and two fields of a structure. */
+public final class WriteVariables {
+  private WriteVariables() {}
+
+  /**
+   * Runs the example. On a real robot it changes the override and {@code MYPOS}.
+   *
+   * @param args {@code HOST PORT}, or nothing for a simulated controller
+   * @throws IOException if writing failed
+   */
+  public static void main(String[] args) throws IOException {
+    try (Controller controller = Controller.of(args)) {
+      write(controller.client());
+    }
+  }
+
+  private static void write(CrossComClient client) throws IOException {
+    KRLInt override = new KRLInt("$OV_PRO");
+    override.setValue(50);
+    client.writeVariable(override);
+
+    KRLString text = new KRLString("MYSTRING[]");
+    text.setValue("weld 12, left");
+    client.writeVariable(text);
+
+    KRLPos pos = new KRLPos("MYPOS").setX(2).setY(1);
+    client.writeVariable(pos); // all eight fields; those not set are written as 0.0
+
+    pos.setZ(30.5);
+    client.writeFields(pos, "Z"); // only Z; the controller leaves the others as they are
+
+    System.out.println("$OV_PRO = " + client.readText("$OV_PRO"));
+    System.out.println("MYSTRING[] = " + client.readText("MYSTRING[]"));
+    System.out.println("MYPOS = " + client.readText("MYPOS"));
+  }
+}

@@ -1,0 +1,107 @@
+package no.hials.crosscom.examples;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import no.hials.crosscom.mock.MockServer;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Runs every example as a user would. */
+class ExamplesTest {
+  private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+  private final PrintStream original = System.out;
+
+  @BeforeEach
+  void capture() {
+    System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
+  }
+
+  @AfterEach
+  void restore() {
+    System.setOut(original);
+  }
+
+  private String output() {
+    return printed.toString(StandardCharsets.UTF_8);
+  }
+
+  @Test
+  void quickstartPrintsTheHomePosition() throws Exception {
+    Quickstart.main(new String[0]);
+
+    assertThat(output()).startsWith("X 525.0 mm, Z 890.0 mm").contains("all: {X=525.0, Y=0.0");
+  }
+
+  @Test
+  void readVariablesPrintsAValueOfEveryType() throws Exception {
+    ReadVariables.main(new String[0]);
+
+    assertThat(output())
+        .contains("program override: 100 %")
+        .contains("operating mode: #T1")
+        .contains("input 1025: true")
+        .contains("model: #KR6R900 C4SR FLR 230")
+        .contains("A1 to A6: [0.0, -90.0, 90.0, 0.0, 0.0, 0.0]")
+        .contains("torques: [0.0, 0.0")
+        .contains("load: {LOAD: M 2.50000, CM {FRAME: X 0.0");
+  }
+
+  @Test
+  void writeVariablesPrintsWhatTheControllerHoldsAfterwards() throws Exception {
+    WriteVariables.main(new String[0]);
+
+    assertThat(output())
+        .contains("$OV_PRO = 50")
+        .contains("MYSTRING[] = \"weld 12, left\"")
+        .contains("MYPOS = {E6POS: X 2.00000, Y 1.00000, Z 30.5000");
+  }
+
+  @Test
+  void anExampleUsesTheControllerNamedOnItsCommandLine() throws Exception {
+    try (MockServer robot = MockServer.start()) {
+      robot.variables().set("$OV_PRO", "42");
+
+      ReadVariables.main(new String[] {robot.host(), String.valueOf(robot.port())});
+    }
+
+    assertThat(output()).contains("program override: 42 %");
+  }
+
+  @Test
+  void handleErrorsNamesTheVariableAndSaysThatNothingWasWritten() {
+    assertThat(run(() -> HandleErrors.main(new String[0])))
+        .contains("MYSPEED: the controller refused to read MYSPEED")
+        .contains("nothing was written");
+  }
+
+  @Test
+  void ownStructureChangesOneFieldAndWritesTheWhole() {
+    assertThat(run(() -> OwnStructure.main(new String[0])))
+        .contains("{WELD: SPEED 0.500000, SEAM 7}");
+  }
+
+  @Test
+  void watchVariablesPrintsFiveSamples() {
+    assertThat(run(() -> WatchVariables.main(new String[0])))
+        .contains("1: $OV_PRO = 100")
+        .contains("5: $OV_PRO = 100")
+        .contains("missed periods: ");
+  }
+
+  private interface Main {
+    void run() throws Exception;
+  }
+
+  private String run(Main main) {
+    try {
+      main.run();
+    } catch (Exception e) {
+      throw new AssertionError(e);
+    }
+    return output();
+  }
+}

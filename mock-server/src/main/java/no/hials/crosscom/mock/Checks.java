@@ -1,0 +1,20 @@
+package no.hials.crosscom.mock;
+
+import java.time.Duration;
+
+/** The checks of the records' constructors. */
+final class Checks {
+  private Checks() {}
+
+  static void notNegative(String field, int value) {
+    if (value < 0) {
+      throw new IllegalArgumentException(field + " must not be negative, is " + value);
+    }
+  }
+
+  static void notNegative(String field, Duration value) {
+    if (value.isNegative()) {
+      throw new IllegalArgumentException(field + " must not be negative, is " + value);
+    }
+  }
+}

@@ -1,0 +1,51 @@
+package no.hials.crosscom.mock;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Function;
+
+/** Says what goes wrong with which request. Safe for use by several threads. */
+final class FaultScript {
+  private static final Fault NONE = Fault.none();
+
+  private final Deque<Fault> queue = new ArrayDeque<>();
+  private final List<Function<? super RecordedRequest, Optional<Fault>>> rules =
+      new CopyOnWriteArrayList<>();
+
+  void enqueue(Fault... faults) {
+    synchronized (queue) {
+      queue.addAll(List.of(faults));
+    }
+  }
+
+  void add(Function<? super RecordedRequest, Optional<Fault>> rule) {
+    rules.add(rule);
+  }
+
+  void clear() {
+    rules.clear();
+    synchronized (queue) {
+      queue.clear();
+    }
+  }
+
+  /** Gives the fault of a request: the first in the queue, else that of the first rule with one. */
+  Fault next(RecordedRequest request) {
+    synchronized (queue) {
+      Fault fault = queue.poll();
+      if (fault != null) {
+        return fault;
+      }
+    }
+    for (Function<? super RecordedRequest, Optional<Fault>> rule : rules) {
+      Optional<Fault> fault = rule.apply(request);
+      if (fault.isPresent()) {
+        return fault.get();
+      }
+    }
+    return NONE;
+  }
+}

@@ -1,0 +1,103 @@
+package no.hials.crosscom.mock;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.jspecify.annotations.Nullable;
+
+/** The last requests of a server. Safe for use by several threads. */
+final class RequestLog {
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition added = lock.newCondition();
+  private final @Nullable RecordedRequest[] ring;
+
+  /** The number of the last request. */
+  private long last;
+
+  /** The number of the first request that has not been forgotten by {@link #clear}. */
+  private long first = 1;
+
+  /** The number of the next request to be taken. */
+  private long next = 1;
+
+  RequestLog(int capacity) {
+    ring = new RecordedRequest[capacity];
+  }
+
+  /** Adds a request, whose number is one more than that of the last. */
+  void add(RecordedRequest request) {
+    lock.lock();
+    try {
+      last = request.number();
+      if (ring.length > 0) {
+        ring[slot(last)] = request;
+        added.signal();
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private int slot(long number) {
+    return (int) (number % ring.length);
+  }
+
+  private long oldest() {
+    return Math.max(first, last - ring.length + 1);
+  }
+
+  long count() {
+    lock.lock();
+    try {
+      return last;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  List<RecordedRequest> all() {
+    lock.lock();
+    try {
+      List<RecordedRequest> all = new ArrayList<>();
+      for (long number = oldest(); number <= last; number++) {
+        RecordedRequest request = ring[slot(number)];
+        if (request != null) {
+          all.add(request);
+        }
+      }
+      return List.copyOf(all);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  Optional<RecordedRequest> take(long nanos) throws InterruptedException {
+    lock.lockInterruptibly();
+    try {
+      long left = nanos;
+      while (ring.length == 0 || Math.max(next, oldest()) > last) {
+        if (left <= 0) {
+          return Optional.empty();
+        }
+        left = added.awaitNanos(left);
+      }
+      next = Math.max(next, oldest());
+      return Optional.ofNullable(ring[slot(next++)]);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  void clear() {
+    lock.lock();
+    try {
+      first = last + 1;
+      Arrays.fill(ring, null);
+    } finally {
+      lock.unlock();
+    }
+  }
+}

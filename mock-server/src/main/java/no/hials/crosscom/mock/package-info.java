@@ -1,0 +1,27 @@
+/**
+ * A simulated KR C4 with KUKAVARPROXY, for tests and for trying out clients without a robot.
+ *
+ * <p>{@link no.hials.crosscom.mock.MockServer} speaks the protocol over real TCP, {@link
+ * no.hials.crosscom.mock.VariableTable} is the controller behind it: the variables of a KR 6 R900
+ * sixx, with types, access rights and the controller's way of printing. The server records what it
+ * is asked ({@link no.hials.crosscom.mock.RecordedRequest}) and can be told to misbehave ({@link
+ * no.hials.crosscom.mock.Fault}).
+ *
+ * <pre>{@code
+ * try (MockServer server = MockServer.start()) {
+ *   server.variables().declare("MYSPEED", "REAL", "0.5");
+ *   // a client connects to server.host(), server.port()
+ *   server.enqueue(Fault.oneByteAtATime());
+ *   // its next answer comes in pieces
+ *   assertThat(server.requests()).hasSize(1);
+ * }
+ * }</pre>
+ *
+ * <p>What the server does is told in kukavarproxy.md, what a value looks like in krl.md; where
+ * these leave a question open, a comment at the place in the code says what was assumed. Nothing
+ * here needs a test framework.
+ */
+@NullMarked
+package no.hials.crosscom.mock;
+
+import org.jspecify.annotations.NullMarked;

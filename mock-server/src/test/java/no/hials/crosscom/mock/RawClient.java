@@ -1,0 +1,89 @@
+package no.hials.crosscom.mock;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.Socket;
+import java.util.Arrays;
+import java.util.HexFormat;
+import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.FrameReader;
+import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.ReadResponse;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.protocol.WriteRequest;
+import no.hials.crosscom.protocol.WriteResponse;
+import org.jspecify.annotations.Nullable;
+
+/** A socket that sends and receives bytes as they are. */
+final class RawClient implements AutoCloseable {
+  /** Ends a test that would wait for ever; no test needs it to pass. */
+  private static final int GIVE_UP_MILLIS = 20_000;
+
+  private static final HexFormat HEX = HexFormat.ofDelimiter(" ").withUpperCase();
+
+  private final Socket socket;
+  private final InputStream in;
+  private @Nullable FrameReader frames;
+
+  RawClient(MockServer server) throws IOException {
+    socket = new Socket(server.host(), server.port());
+    socket.setTcpNoDelay(true);
+    socket.setSoTimeout(GIVE_UP_MILLIS);
+    in = socket.getInputStream();
+  }
+
+  void send(String hex) throws IOException {
+    send(HEX.parseHex(hex));
+  }
+
+  void send(byte[] bytes) throws IOException {
+    socket.getOutputStream().write(bytes);
+  }
+
+  /** Receives exactly this many bytes. */
+  String receive(int count) throws IOException {
+    return HEX.formatHex(in.readNBytes(count));
+  }
+
+  /** Receives as many bytes as this text has, which should be them. */
+  String receiveAsManyAs(String hex) throws IOException {
+    return receive(HEX.parseHex(hex).length);
+  }
+
+  /** Receives whatever comes until the server closes the connection. */
+  String receiveAll() throws IOException {
+    return HEX.formatHex(in.readAllBytes());
+  }
+
+  Response exchange(Request request) throws IOException {
+    send(Codec.encode(request));
+    return response();
+  }
+
+  /** Receives one frame. Not to be mixed with the methods that receive bytes. */
+  Response response() throws IOException {
+    if (frames == null) {
+      frames = new FrameReader(in);
+    }
+    int length = frames.next();
+    if (length < 0) {
+      throw new IOException("the server closed the connection");
+    }
+    byte[] frame = Arrays.copyOf(frames.buffer(), length);
+    return Codec.decodeResponse(frame);
+  }
+
+  ReadResponse read(String name) throws IOException {
+    return (ReadResponse) exchange(new ReadRequest(7, name));
+  }
+
+  WriteResponse write(String name, String value) throws IOException {
+    return (WriteResponse) exchange(new WriteRequest(8, name, value));
+  }
+
+  @Override
+  public void close() throws IOException {
+    socket.close();
+  }
+}

@@ -1,0 +1,67 @@
+package no.hials.crosscom.cli;
+
+import java.math.BigDecimal;
+import java.time.Duration;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** How the texts of options become values. */
+final class Converters {
+  private Converters() {}
+
+  private static int number(String text, int min, int max) {
+    try {
+      int number = Integer.parseInt(text);
+      if (number >= min && number <= max) {
+        return number;
+      }
+    } catch (NumberFormatException e) {
+      // said below
+    }
+    throw new TypeConversionException("must be " + min + " to " + max + ", is " + text);
+  }
+
+  /** A port to connect to. */
+  static final class Port implements ITypeConverter<Integer> {
+    @Override
+    public Integer convert(String text) {
+      return number(text, 1, 65_535);
+    }
+  }
+
+  /** A port to listen on, 0 for a free one. */
+  static final class ListeningPort implements ITypeConverter<Integer> {
+    @Override
+    public Integer convert(String text) {
+      return number(text, 0, 65_535);
+    }
+  }
+
+  /** A time of at least 1 ms: {@code 500}, {@code 500ms}, {@code 1.5s}, {@code 1m}. */
+  static final class Time implements ITypeConverter<Duration> {
+    private static final Pattern FORM =
+        Pattern.compile("(\\d{1,10}(?:\\.\\d{1,9})?)\\s?(ms|s|m|min|)", Pattern.CASE_INSENSITIVE);
+
+    @Override
+    public Duration convert(String text) {
+      Matcher matcher = FORM.matcher(text);
+      if (!matcher.matches()) {
+        throw new TypeConversionException("must be like 500, 500ms, 3s or 1m, is " + text);
+      }
+      int unit =
+          switch (matcher.group(2).toLowerCase(Locale.ROOT)) {
+            case "s" -> 1000;
+            case "m", "min" -> 60_000;
+            default -> 1;
+          };
+      long millis = new BigDecimal(matcher.group(1)).multiply(BigDecimal.valueOf(unit)).longValue();
+      if (millis < 1 || millis > Integer.MAX_VALUE) {
+        throw new TypeConversionException("must be 1ms to " + Integer.MAX_VALUE + "ms, is " + text);
+      }
+      return Duration.ofMillis(millis);
+    }
+  }
+}

@@ -1,0 +1,45 @@
+package no.hials.crosscom.cli;
+
+import no.hials.crosscom.CrossComAccessException;
+import no.hials.crosscom.CrossComConnectException;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComValueException;
+
+/** How a command ended, from the best to the gravest. {@link ConsoleCommand} documents them. */
+enum ExitCode {
+  DONE(0),
+  REFUSED(1),
+  USAGE(2),
+  NOT_CONNECTED(3),
+  LOST(4),
+  /** As EX_SOFTWARE of sysexits.h. */
+  INTERNAL_ERROR(70),
+  /** As EX_IOERR of sysexits.h. */
+  OUTPUT_LOST(74);
+
+  private final int code;
+
+  ExitCode(int code) {
+    this.code = code;
+  }
+
+  int code() {
+    return code;
+  }
+
+  ExitCode orGraver(ExitCode other) {
+    return compareTo(other) >= 0 ? this : other;
+  }
+
+  static ExitCode ofFailedRead(CrossComException e) {
+    if (e instanceof CrossComAccessException) {
+      return REFUSED;
+    }
+    return e instanceof CrossComConnectException ? NOT_CONNECTED : LOST;
+  }
+
+  static ExitCode ofFailedWrite(CrossComException e) {
+    // it was not sent: it is too long
+    return e instanceof CrossComValueException ? USAGE : ofFailedRead(e);
+  }
+}

@@ -1,0 +1,106 @@
+package no.hials.crosscom.cli;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.json.JsonWriteFeature;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.util.List;
+import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+
+/**
+ * Prints a variable as one line of JSON, such as <code>
+ * {"name":"$OV_PRO","type":"INT","value":100}</code>. The help of {@link ReadCommand} describes it.
+ */
+final class JsonLine {
+  // escaped, it is the same whatever the charset of stdout is
+  private static final JsonFactory FACTORY =
+      JsonFactory.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
+
+  private JsonLine() {}
+
+  static String of(String name, KrlValue value) {
+    boolean whole = name.endsWith("]") && (name.endsWith("[]") || name.endsWith(",]"));
+    KrlValue shown = whole && isElement(value) ? new KrlArray(List.of(value)) : value;
+    StringWriter text = new StringWriter();
+    try (JsonGenerator json = FACTORY.createGenerator(text)) {
+      json.writeStartObject();
+      json.writeStringField("name", name);
+      json.writeStringField("type", type(shown, whole));
+      if (shown instanceof KrlStruct struct) {
+        json.writeStringField("struc", struct.typeName());
+      }
+      json.writeFieldName("value");
+      write(json, shown);
+      json.writeEndObject();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return text.toString();
+  }
+
+  /**
+   * Says whether a value may be the only one of an array: without the blank behind it, which
+   * KUKAVARPROXY cuts off, the text of such an array is that of a scalar.
+   */
+  private static boolean isElement(KrlValue value) {
+    return value instanceof KrlInt
+        || value instanceof KrlReal
+        || value instanceof KrlBool
+        || value instanceof KrlEnum;
+  }
+
+  private static String type(KrlValue value, boolean whole) {
+    if (value instanceof KrlInt) {
+      return "INT";
+    } else if (value instanceof KrlReal) {
+      return "REAL";
+    } else if (value instanceof KrlBool) {
+      return "BOOL";
+    } else if (value instanceof KrlEnum) {
+      return "ENUM";
+    } else if (value instanceof KrlString string) {
+      return whole || string.text().length() != 1 ? "CHAR[]" : "CHAR";
+    } else if (value instanceof KrlArray array) {
+      return type(array.elements().get(0), false) + "[]";
+    } else {
+      return "STRUC";
+    }
+  }
+
+  private static void write(JsonGenerator json, KrlValue value) throws IOException {
+    if (value instanceof KrlInt number) {
+      json.writeNumber(number.value());
+    } else if (value instanceof KrlReal number) {
+      // the controller's digits, which a double would not keep
+      json.writeNumber(number.print());
+    } else if (value instanceof KrlBool bool) {
+      json.writeBoolean(bool.value());
+    } else if (value instanceof KrlString string) {
+      json.writeString(string.text());
+    } else if (value instanceof KrlEnum constant) {
+      json.writeString(constant.print());
+    } else if (value instanceof KrlArray array) {
+      json.writeStartArray();
+      for (KrlValue element : array.elements()) {
+        write(json, element);
+      }
+      json.writeEndArray();
+    } else if (value instanceof KrlStruct struct) {
+      json.writeStartObject();
+      for (KrlStruct.Field field : struct.fields()) {
+        json.writeFieldName(field.name());
+        write(json, field.value());
+      }
+      json.writeEndObject();
+    }
+  }
+}

@@ -1,0 +1,20 @@
+package no.hials.crosscom.cli;
+
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Sets how much is logged; {@link LogConfigurator} says where to and how. */
+final class Logging {
+  private Logging() {}
+
+  /**
+   * Sets the level.
+   *
+   * @param verbosity 0 for warnings, 1 for debug, more for trace
+   */
+  static void setVerbosity(int verbosity) {
+    Logger root = (Logger) LoggerFactory.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
+    root.setLevel(verbosity == 0 ? Level.WARN : verbosity == 1 ? Level.DEBUG : Level.TRACE);
+  }
+}

@@ -1,0 +1,143 @@
+package no.hials.crosscom.cli;
+
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import no.hials.crosscom.CrossComException;
+import picocli.CommandLine;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** Runs {@code jopenshowvar}, the command line. */
+public final class Main {
+  private Main() {}
+
+  /**
+   * Runs the command line on the streams of the process, and ends the process.
+   *
+   * @param args the arguments
+   */
+  public static void main(String... args) {
+    Writer out = writer(FileDescriptor.out, "stdout.encoding");
+    Writer err = writer(FileDescriptor.err, "stderr.encoding");
+    StopSignal.exit(run(args, out, err));
+  }
+
+  /**
+   * Runs the command line.
+   *
+   * @param args the arguments
+   * @param out gets the data
+   * @param err gets everything else
+   * @return the exit code
+   */
+  static int run(String[] args, Writer out, Writer err) {
+    Console console = new Console(out, err);
+    try {
+      return commandLine(console).execute(args);
+    } catch (Error e) {
+      return internalError(console, e, true).code();
+    }
+  }
+
+  /** Makes the tree of commands. */
+  static CommandLine commandLine(Console console) {
+    return new CommandLine(new MainCommand())
+        .addSubcommand(new ReadCommand(console))
+        .addSubcommand(new WriteCommand(console))
+        .addSubcommand(new MockCommand(console))
+        // an argument @NAME is not a file with arguments
+        .setExpandAtFiles(false)
+        .setOut(console.out())
+        .setErr(console.err())
+        .setParameterExceptionHandler((e, args) -> usageError(console, e).code())
+        .setExecutionExceptionHandler(
+            (e, command, parsed) -> {
+              boolean verbose =
+                  command.getCommand() instanceof ConsoleCommand own && own.isVerbose();
+              return failure(console, e, verbose).code();
+            });
+  }
+
+  private static ExitCode usageError(Console console, ParameterException e) {
+    console.error(message(e));
+    if (e instanceof MissingParameterException) {
+      console.hint("in a shell, names with $ need single quotes: '$OV_PRO'");
+    }
+    if (e instanceof UnmatchedArgumentException unmatched
+        && !unmatched.getSuggestions().isEmpty()) {
+      console.hint("did you mean: " + String.join(", or ", unmatched.getSuggestions()) + "?");
+    }
+    String command = e.getCommandLine().getCommandSpec().qualifiedName();
+    console.hint("try '" + command + " --help'");
+    return ExitCode.USAGE;
+  }
+
+  private static String message(ParameterException e) {
+    if (e instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
+      String argument = "'" + unmatched.getUnmatched().get(0) + "'";
+      return e.getCommandLine().getSubcommands().isEmpty()
+          ? "there is an argument too many, " + argument + "; one with blanks needs quotes"
+          : "unknown command: " + argument;
+    }
+    return lowerFirst(String.valueOf(e.getMessage()));
+  }
+
+  /**
+   * Makes a sentence of picocli fit to stand behind the program's name; not one with NAME first.
+   */
+  private static String lowerFirst(String message) {
+    return message.length() > 1 && Character.isLowerCase(message.charAt(1))
+        ? Character.toLowerCase(message.charAt(0)) + message.substring(1)
+        : message;
+  }
+
+  private static ExitCode failure(Console console, Exception e, boolean verbose) {
+    if (e instanceof CrossComException failed) {
+      console.failure(failed, verbose);
+      return ExitCode.ofFailedRead(failed);
+    }
+    if (e instanceof CannotListenException) {
+      console.failure(e, verbose);
+      return ExitCode.NOT_CONNECTED;
+    }
+    if (e instanceof OutputException lost) {
+      // whoever read the output has closed it, as head does: it has what it wants
+      if (!lost.isBrokenPipe()) {
+        console.failure(lost, verbose);
+      }
+      return ExitCode.OUTPUT_LOST;
+    }
+    return internalError(console, e, verbose);
+  }
+
+  private static ExitCode internalError(Console console, Throwable e, boolean verbose) {
+    console.error("internal error: " + e);
+    if (verbose) {
+      e.printStackTrace(console.err());
+    } else {
+      console.hint("with --verbose it says where");
+    }
+    return ExitCode.INTERNAL_ERROR;
+  }
+
+  /**
+   * Makes a writer that, unlike System.out, says when it cannot write.
+   *
+   * @param encoding the property that names the charset since JDK 19; before, its name began with
+   *     {@code sun.}, and it was there for a terminal only
+   */
+  private static Writer writer(FileDescriptor to, String encoding) {
+    String name = System.getProperty("sun." + encoding, System.getProperty("native.encoding"));
+    Charset charset = Charset.forName(System.getProperty(encoding, name));
+    // that is the locale C, which nobody chose; the controller has characters of ISO 8859-1
+    if (charset.equals(StandardCharsets.US_ASCII)) {
+      charset = StandardCharsets.UTF_8;
+    }
+    return new OutputStreamWriter(new FileOutputStream(to), charset);
+  }
+}

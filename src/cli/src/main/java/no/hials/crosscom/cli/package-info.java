@@ -1,0 +1,11 @@
+/**
+ * The command line: a thin shell around the client, one class a command.
+ *
+ * <p>Data goes to stdout, everything else to stderr, and how it ended is told by {@link
+ * no.hials.crosscom.cli.ExitCode}. {@link no.hials.crosscom.cli.Main} puts the commands together;
+ * the streams are handed down to them in a {@link no.hials.crosscom.cli.Console}.
+ */
+@NullMarked
+package no.hials.crosscom.cli;
+
+import org.jspecify.annotations.NullMarked;

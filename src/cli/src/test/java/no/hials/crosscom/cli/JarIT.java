@@ -1,0 +1,223 @@
+package no.hials.crosscom.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Runs the jar as a user does: as a process of its own. */
+@Timeout(120)
+class JarIT {
+  private static final Path JAR = Path.of("target", "jopenshowvar.jar");
+
+  @TempDir private Path dir;
+  private MockServer server;
+
+  @BeforeEach
+  void start() throws IOException {
+    server = MockServer.start();
+  }
+
+  @AfterEach
+  void stop() {
+    server.close();
+  }
+
+  private static ProcessBuilder jar(String... args) {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.add("-jar");
+    command.add(JAR.toString());
+    command.addAll(List.of(args));
+    ProcessBuilder builder = new ProcessBuilder(command);
+    // the JVM says on stderr that it found them
+    builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
+    return builder;
+  }
+
+  private Cli.Result run(ProcessBuilder builder) throws Exception {
+    Path out = dir.resolve("out");
+    Path err = dir.resolve("err");
+    Process process = builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start();
+    try {
+      int code = process.waitFor();
+      return new Cli.Result(code, Files.readString(out), Files.readString(err));
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+
+  private Cli.Result runOnServer(String command, String... args) throws Exception {
+    return run(jar(Cli.argsOn(server, command, args)));
+  }
+
+  @Test
+  void readsThreeVariablesOfASimulatedController() throws Exception {
+    Cli.Result result = run(jar("read", "$POS_ACT", "$OV_PRO", "$MODEL_NAME[]", "--mock"));
+
+    assertThat(result.lines())
+        .containsExactly(
+            "$POS_ACT = {E6POS: X 525.000, Y 0.0, Z 890.000, A 0.0, B 90.0000, C 0.0, S 2, T 2,"
+                + " E1 0.0, E2 0.0, E3 0.0, E4 0.0, E5 0.0, E6 0.0}",
+            "$OV_PRO = 100",
+            "$MODEL_NAME[] = \"#KR6R900 C4SR FLR 230\"");
+    assertThat(result.err()).isEmpty();
+    assertThat(result.code()).isZero();
+  }
+
+  @Test
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no SIGTERM")
+  void servesUntilSigtermThenFreesThePortAndEndsWithCode0() throws Exception {
+    Process mock = jar("mock", "--port", "0").redirectError(dir.resolve("err").toFile()).start();
+    try (BufferedReader out =
+        new BufferedReader(new InputStreamReader(mock.getInputStream(), StandardCharsets.UTF_8))) {
+      String first = out.readLine();
+      assertThat(first).matches("listening on 127\\.0\\.0\\.1:\\d+");
+      int port = Integer.parseInt(first.substring(first.lastIndexOf(':') + 1));
+
+      Cli.Result read = run(jar("read", "MYINT", "--host", "127.0.0.1", "--port", "" + port));
+      assertThat(read.lines()).containsExactly("MYINT = 0");
+
+      // SIGTERM; Process.destroy would close the stream besides
+      mock.toHandle().destroy();
+      assertThat(mock.waitFor()).isZero();
+      assertThat(out.readLine()).isNull();
+      new ServerSocket(port, 1, InetAddress.getLoopbackAddress()).close();
+    } finally {
+      mock.destroyForcibly();
+    }
+    assertThat(dir.resolve("err")).isEmptyFile();
+  }
+
+  @Test
+  void writesWithCode0() throws Exception {
+    Cli.Result result = runOnServer("write", "MYINT", "-5");
+
+    assertThat(result.lines()).containsExactly("MYINT = -5");
+    assertThat(result.err()).isEmpty();
+    assertThat(result.code()).isZero();
+    assertThat(server.variables().get("MYINT")).isEqualTo("-5");
+  }
+
+  @Test
+  void endsWithCode1IfTheControllerRefuses() throws Exception {
+    Cli.Result result = runOnServer("read", "MYINT", "NOPE");
+
+    assertThat(result.lines()).containsExactly("MYINT = 0");
+    assertThat(result.errLines())
+        .singleElement()
+        .asString()
+        .startsWith("jopenshowvar: the controller refused to read NOPE");
+    assertThat(result.code()).isEqualTo(1);
+  }
+
+  @Test
+  void endsWithCode2OnWrongUsage() throws Exception {
+    Cli.Result result = run(jar("read", "MYINT"));
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.err()).startsWith("jopenshowvar: which controller?");
+    assertThat(result.code()).isEqualTo(2);
+  }
+
+  @Test
+  void endsWithCode3IfItCannotConnect() throws Exception {
+    server.refuseConnections();
+
+    Cli.Result result = runOnServer("read", "MYINT");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines())
+        .singleElement()
+        .asString()
+        .startsWith("jopenshowvar: could not connect to 127.0.0.1");
+    assertThat(result.code()).isEqualTo(3);
+  }
+
+  @Test
+  void endsWithCode4IfWhatComesIsNotTheProtocol() throws Exception {
+    server.enqueue(Fault.wrongFunction(9));
+
+    Cli.Result result = runOnServer("write", "MYINT", "5");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines())
+        .singleElement()
+        .asString()
+        .startsWith("jopenshowvar: what came is not the answer to the write of MYINT")
+        .contains("the outcome is unknown");
+    assertThat(result.code()).isEqualTo(4);
+  }
+
+  @Test
+  void logsFramesToStderrAndDataToStdout() throws Exception {
+    Cli.Result result = runOnServer("read", "-vv", "--json", "MYINT");
+
+    assertThat(result.lines()).containsExactly("{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":0}");
+    assertThat(result.err())
+        .contains("DEBUG Connection: connected to ")
+        .contains("TRACE Connection: sending 00 01 00 08 00 00 05 4D 59 49 4E 54")
+        .contains("TRACE Connection: received 00 01 00 07 00 00 01 30 00 01 01");
+    assertThat(result.errLines())
+        .allMatch(line -> line.matches("\\d\\d:\\d\\d:\\d\\d\\.\\d{3} (DEBUG|TRACE) \\S+: .*"));
+    assertThat(result.code()).isZero();
+  }
+
+  @Test
+  void logsWhatTheConnectionDoesButNoFramesIfVerboseOnce() throws Exception {
+    assertThat(runOnServer("read", "--verbose", "MYINT").err())
+        .contains("DEBUG Connection: connected to ")
+        .doesNotContain("TRACE");
+  }
+
+  @Test
+  void printsTheVersionOfTheBuild() throws Exception {
+    Cli.Result result = run(jar("--version"));
+
+    assertThat(result.out().strip()).matches("jopenshowvar \\d+\\.\\d+\\.\\d+(-SNAPSHOT)?");
+    assertThat(result.err()).isEmpty();
+    assertThat(result.code()).isZero();
+  }
+
+  @Test
+  void endsQuietlyIfNobodyReadsItsOutput() throws Exception {
+    Path err = dir.resolve("err");
+    Process process = jar("read", "MYINT", "MYREAL", "--mock").redirectError(err.toFile()).start();
+    try {
+      process.getInputStream().close();
+
+      assertThat(process.waitFor()).isEqualTo(74);
+      assertThat(err).isEmptyFile();
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void printsUmlautsAlsoWhereNoCharsetIsChosen() throws Exception {
+    server.variables().set("MYSTRING[]", "\"B\u00FChne\"");
+    ProcessBuilder builder = jar(Cli.argsOn(server, "read", "MYSTRING[]"));
+    builder.environment().put("LC_ALL", "C");
+
+    assertThat(run(builder).lines()).containsExactly("MYSTRING[] = \"B\u00FChne\"");
+  }
+}

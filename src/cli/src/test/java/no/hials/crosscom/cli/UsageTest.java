@@ -1,0 +1,114 @@
+package no.hials.crosscom.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class UsageTest {
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "``                                      | missing required subcommand",
+        "raed MYINT --mock                       | unknown command: 'raed'",
+        "read --mock                             | missing required parameter: 'NAME'",
+        "read MYINT                              | which controller? give --host HOST, or --mock",
+        "read MYINT --host h --mock              | --host and --mock exclude each other",
+        "read MYINT --port 7000                  | which controller?",
+        "read MYINT --port 7000 --mock           | --port goes with --host",
+        "read MYINT --host                       | missing required parameter for option '--host'",
+        "read MYINT --host h --port 0            | must be 1 to 65535, is 0",
+        "read MYINT --host h --port 65536        | must be 1 to 65535, is 65536",
+        "read MYINT --host h --port x            | must be 1 to 65535, is x",
+        "read MYINT --mock --timeout 0           | must be 1ms to 2147483647ms, is 0",
+        "read MYINT --mock --timeout 3h          | must be like 500, 500ms, 3s or 1m, is 3h",
+        "read MYINT --mokc                       | unknown option: '--mokc'",
+        "write MYINT --mock                      | missing required parameter: 'VALUE'",
+        "write --mock                            | missing required parameters: 'NAME', 'VALUE'",
+        "write MYPOS {X 1} --mock                | there is an argument too many, '1}'",
+        "write MYINT 1 --host h --mock           | --host and --mock exclude each other",
+        "mock --port -1                          | must be 0 to 65535, is -1",
+        "mock --json                             | unknown option: '--json'",
+        "mock MYINT                              | there is an argument too many, 'MYINT'"
+      })
+  void saysWhatIsWrongAndWhereHelpIs(String arguments, String message) {
+    String[] args = arguments.isEmpty() ? new String[0] : arguments.split(" ");
+
+    Cli.Result result = Cli.run(args);
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines().get(0)).startsWith("jopenshowvar: ").contains(message);
+    assertThat(result.errLines())
+        .last()
+        .asString()
+        .matches("try 'jopenshowvar( (read|write|mock))? --help'");
+    assertThat(result.code()).isEqualTo(2);
+  }
+
+  @Test
+  void takesABlankNameForAVariableThatAShellReplaced() {
+    Cli.Result result = Cli.run("read", "", "--mock");
+
+    assertThat(result.err()).startsWith("jopenshowvar: a name is blank; in a shell").contains("'$");
+    assertThat(result.code()).isEqualTo(2);
+  }
+
+  @Test
+  void doesNotTakeABlankHost() {
+    assertThat(Cli.run("read", "MYINT", "--host", "").code()).isEqualTo(2);
+    assertThat(Cli.run("mock", "--host", " ").code()).isEqualTo(2);
+  }
+
+  @Test
+  void suggestsTheOptionThatWasMeant() {
+    assertThat(Cli.run("read", "MYINT", "--mokc").errLines()).contains("did you mean: --mock?");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"read", "write", "mock"})
+  void explainsEachCommandOnStdout(String command) {
+    Cli.Result result = Cli.run(command, "--help");
+
+    assertThat(result.lines().get(0)).startsWith("Usage: jopenshowvar " + command);
+    assertThat(result.out())
+        .contains("--host", "--port", "--verbose", "--help", "--version", "Examples:")
+        .contains(
+            "  0    done",
+            "  1    refused by the controller",
+            "  2    wrong usage",
+            "  3    could not connect",
+            "  4    connection lost, timed out or not this protocol");
+    assertThat(result.lines()).allMatch(line -> line.length() <= 80);
+    assertThat(result.err()).isEmpty();
+    assertThat(result.code()).isZero();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"read", "write"})
+  void explainsQuotingAndJson(String command) {
+    assertThat(Cli.run(command, "--help").out())
+        .contains("Quoting: a shell replaces $NAME", "JSON: ", "--timeout", "--mock", "--json");
+  }
+
+  @Test
+  void listsTheCommandsInItsHelp() {
+    Cli.Result result = Cli.run("--help");
+
+    assertThat(result.out()).contains("  read ", "  write ", "  mock ");
+    assertThat(result.code()).isZero();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--version", "read --version", "write -V", "mock --version"})
+  void hasAVersionOnEveryCommand(String arguments) {
+    Cli.Result result = Cli.run(arguments.split(" "));
+
+    assertThat(result.lines()).singleElement().asString().startsWith("jopenshowvar ");
+    assertThat(result.code()).isZero();
+  }
+}

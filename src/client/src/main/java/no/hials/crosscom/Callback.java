@@ -1,0 +1,120 @@
+package no.hials.crosscom;
+
+import no.hials.crosscom.protocol.AnswerFrame;
+import no.hials.crosscom.protocol.MalformedFrameException;
+import no.hials.crosscom.variables.Variable;
+
+/**
+ * Holds what {@link CrossComClient#sendRequest} got.
+ *
+ * @deprecated use {@link CrossComClient#readVariable} and {@link CrossComClient#writeVariable}
+ */
+@Deprecated
+public final class Callback {
+  private final String variableName;
+  private final int id;
+  private final int option;
+  private final long readTime;
+  private final String stringValue;
+
+  Callback(String variableName, int id, int option, String stringValue, long readTime) {
+    this.variableName = variableName;
+    this.id = id;
+    this.option = option;
+    this.stringValue = stringValue;
+    this.readTime = readTime;
+  }
+
+  /**
+   * Makes a callback from an answer's bytes.
+   *
+   * @param variable the variable's name
+   * @param data the whole answer
+   * @param readTime how long it took, in ns
+   * @throws IllegalArgumentException if the bytes are not the answer to a read or write
+   */
+  public Callback(String variable, byte[] data, long readTime) {
+    AnswerFrame answer = new AnswerFrame();
+    try {
+      answer.wrap(data, data.length);
+      answer.openValue();
+    } catch (MalformedFrameException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+    this.variableName = variable;
+    this.id = answer.id();
+    this.option = answer.function();
+    this.stringValue = answer.toString();
+    this.readTime = readTime;
+  }
+
+  /**
+   * Gives the variable's name.
+   *
+   * @return the name
+   */
+  public String getVariableName() {
+    return variableName;
+  }
+
+  /**
+   * Gives the number of the {@link Request}.
+   *
+   * @return any number
+   */
+  public int getId() {
+    return id;
+  }
+
+  /**
+   * Says what was done.
+   *
+   * @return 0 for a read, 1 for a write
+   */
+  public int getOption() {
+    return option;
+  }
+
+  /**
+   * Gives how long it took from sending the request to having the answer.
+   *
+   * @return in ns
+   */
+  public long getReadTime() {
+    return readTime;
+  }
+
+  /**
+   * Gives the value.
+   *
+   * @return KRL text
+   */
+  public String getStringValue() {
+    return stringValue;
+  }
+
+  /**
+   * Parses the value.
+   *
+   * @return a variable of the type that the text looks like
+   * @throws NumberFormatException if it looks like none of them
+   */
+  public Variable<?> getVariable() {
+    return Variable.parseVariable(this);
+  }
+
+  @Override
+  public String toString() {
+    return "Callback{variable="
+        + variableName
+        + ", id="
+        + id
+        + ", option="
+        + option
+        + ", readTime="
+        + readTime / 1_000_000
+        + "ms , value="
+        + stringValue
+        + '}';
+  }
+}

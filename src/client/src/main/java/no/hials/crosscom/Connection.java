@@ -1,0 +1,375 @@
+package no.hials.crosscom;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketException;
+import java.net.SocketTimeoutException;
+import java.net.StandardSocketOptions;
+import java.net.UnknownHostException;
+import java.nio.ByteBuffer;
+import java.nio.channels.ClosedByInterruptException;
+import java.nio.channels.SocketChannel;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.LockSupport;
+import no.hials.crosscom.protocol.AnswerFrame;
+import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.FrameReader;
+import no.hials.crosscom.protocol.MalformedFrameException;
+import no.hials.crosscom.protocol.MessageType;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One TCP connection and the exchanges on it. Not for several threads: the client's lock guards it,
+ * except {@link #close}.
+ *
+ * <p>The answer is read without a socket time-out, which would cost two more system calls an
+ * exchange; instead a thread of this connection closes the socket when an exchange is overdue. A
+ * connection on which anything went wrong stays closed: what might still arrive on it could be
+ * taken for another answer.
+ */
+final class Connection {
+  private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
+
+  /** No exchange is under way. */
+  private static final long NONE = Long.MIN_VALUE;
+
+  /** The exchange under way was overdue. */
+  private static final long EXPIRED = Long.MIN_VALUE + 1;
+
+  /** After so long without an exchange, whether the server is still there is checked first. */
+  private static final long CHECK_AFTER_NANOS = 20_000_000;
+
+  /** A connection that ends unanswered within this time was not wanted by the server. */
+  private static final long AT_ONCE_NANOS = 1_000_000_000;
+
+  private final SocketChannel channel;
+  private final FrameReader reader;
+  private final AnswerFrame answer = new AnswerFrame();
+  private final InetSocketAddress remote;
+  private final int localPort;
+  private final Thread watchdog;
+
+  /** When the exchange under way is overdue, by {@link System#nanoTime}; NONE or EXPIRED. */
+  private final AtomicLong deadline = new AtomicLong(NONE);
+
+  private volatile boolean closed;
+  private volatile boolean dozing;
+  private volatile long lastEnd = System.nanoTime();
+  private boolean answered;
+  private volatile long timeoutNanos;
+  private long exchangeNanos;
+
+  private Connection(SocketChannel channel) throws IOException {
+    this.channel = channel;
+    this.reader = new FrameReader(channel);
+    this.remote = (InetSocketAddress) channel.getRemoteAddress();
+    this.localPort = channel.socket().getLocalPort();
+    this.watchdog = new Thread(this::watch, "crosscom-watchdog-" + remote.getPort());
+    watchdog.setDaemon(true);
+  }
+
+  static Connection open(ClientConfig config) throws CrossComConnectException {
+    String where = config.host() + ":" + config.port();
+    SocketChannel channel = null;
+    try {
+      channel = SocketChannel.open();
+      channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+      channel
+          .socket()
+          .connect(
+              new InetSocketAddress(config.host(), config.port()),
+              (int) config.connectTimeout().toMillis());
+      Connection connection = new Connection(channel);
+      connection.watchdog.start();
+      LOG.debug("connected to {}, local port {}", connection.remote, connection.localPort);
+      return connection;
+    } catch (IOException e) {
+      closeQuietly(channel);
+      String why;
+      if (e instanceof UnknownHostException) {
+        why = "the host name is unknown";
+      } else if (e instanceof SocketTimeoutException) {
+        why = "no answer within " + config.connectTimeout().toMillis() + " ms";
+      } else if (e instanceof ClosedByInterruptException) {
+        why = "the thread was interrupted";
+      } else {
+        why = e.getMessage();
+      }
+      throw new CrossComConnectException("could not connect to " + where + ": " + why, e);
+    }
+  }
+
+  InetAddress remoteAddress() {
+    return remote.getAddress();
+  }
+
+  int localPort() {
+    return localPort;
+  }
+
+  boolean isClosed() {
+    return closed;
+  }
+
+  /** Gives the answer of the last exchange, whose value is open; valid until the next. */
+  AnswerFrame answer() {
+    return answer;
+  }
+
+  /** Gives how long the last exchange took. */
+  long exchangeNanos() {
+    return exchangeNanos;
+  }
+
+  /** Gives when the last exchange ended, or the connection was made, by {@link System#nanoTime}. */
+  long lastEnd() {
+    return lastEnd;
+  }
+
+  /** Says whether the server closed the connection soon after it was made, without an answer. */
+  boolean wasClosedAtOnce() {
+    return closed && !answered && System.nanoTime() - lastEnd < AT_ONCE_NANOS;
+  }
+
+  /** Says whether the server has answered anything yet. */
+  boolean hasAnswered() {
+    return answered;
+  }
+
+  /** Sets how long an exchange may take; 0 for no limit. */
+  void setTimeout(long nanos) {
+    timeoutNanos = nanos;
+    LockSupport.unpark(watchdog);
+  }
+
+  /**
+   * Looks whether the server has closed the connection, or sent what nobody asked for. Looks only
+   * if nothing was exchanged for a while, since looking costs three system calls.
+   *
+   * @return nothing if the connection is usable; else why not, and it is closed
+   */
+  @Nullable CrossComException check() {
+    if (answered && System.nanoTime() - lastEnd < CHECK_AFTER_NANOS && reader.surplus() == 0) {
+      return null;
+    }
+    try {
+      channel.configureBlocking(false);
+      int count = reader.poll();
+      if (count < 0) {
+        throw new EOFException(endOfStream());
+      }
+      channel.configureBlocking(true);
+    } catch (IOException e) {
+      close();
+      return new CrossComConnectionLostException(
+          "the connection to " + remote + " broke while it was not used: " + reason(e), e, false);
+    }
+    if (reader.surplus() > 0) {
+      close();
+      return new CrossComProtocolException(
+          "bytes came that no request had asked for: " + reader.surplusHex(), null, false);
+    }
+    return null;
+  }
+
+  private String endOfStream() {
+    return answered
+        ? "the server closed it"
+        : "the server closed it before it had answered anything; it may have as many clients as it"
+            + " takes (KUKAVARPROXY takes 10)";
+  }
+
+  private String reason(IOException e) {
+    if (!answered && e instanceof SocketException) {
+      return e.getMessage() + "; " + endOfStream(); // a reset instead of an orderly end
+    }
+    if (e instanceof ClosedByInterruptException) {
+      return "the thread was interrupted";
+    }
+    return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
+  }
+
+  /**
+   * Sends a request and waits for its answer, which is then {@link #answer}.
+   *
+   * @param frame the request, from position to limit
+   * @param id the request's id
+   * @param type its type
+   * @param name the variable, for error messages
+   */
+  @SuppressWarnings("ByteBufferBackingArray") // all requests are made by wrap or allocate
+  void exchange(ByteBuffer frame, int id, MessageType type, String name) throws CrossComException {
+    boolean write = type == MessageType.WRITE;
+    if (LOG.isTraceEnabled()) {
+      LOG.trace("sending {}", MalformedFrameException.hex(frame.array(), frame.limit()));
+    }
+    long timeout = timeoutNanos;
+    long start = System.nanoTime();
+    if (timeout > 0) {
+      deadline.set(start + timeout);
+      if (dozing) {
+        LockSupport.unpark(watchdog);
+      }
+    }
+    try {
+      while (frame.hasRemaining()) {
+        channel.write(frame);
+      }
+      int answerLength = reader.next();
+      if (answerLength < 0) {
+        throw new EOFException(endOfStream());
+      }
+      long end = System.nanoTime();
+      lastEnd = end;
+      exchangeNanos = end - start;
+      answered = true;
+      answer.wrap(reader.buffer(), answerLength);
+    } catch (MalformedFrameException e) {
+      disarm();
+      throw violated(e, what(type, name), write);
+    } catch (IOException e) {
+      boolean expired = disarm();
+      boolean byUs = closed && !expired;
+      close();
+      if (expired) {
+        throw timedOut(what(type, name), write, timeout, e);
+      } else if (byUs) {
+        throw new CrossComClosedException(
+            "the client was closed during the " + what(type, name), e, write);
+      }
+      throw new CrossComConnectionLostException(
+          "the connection to "
+              + remote
+              + " broke during the "
+              + what(type, name)
+              + ": "
+              + reason(e),
+          e,
+          write);
+    }
+    if (disarm()) {
+      close();
+      throw timedOut(what(type, name), write, timeout, null);
+    }
+    if (LOG.isTraceEnabled()) {
+      LOG.trace("received {}", MalformedFrameException.hex(reader.buffer(), answerLength()));
+    }
+    check(id, type, name, write);
+  }
+
+  private static String what(MessageType type, String name) {
+    return (type == MessageType.WRITE ? "write of " : "read of ") + name;
+  }
+
+  private int answerLength() {
+    return Codec.frameLength(reader.buffer(), 0);
+  }
+
+  private void check(int id, MessageType type, String name, boolean write)
+      throws CrossComProtocolException {
+    try {
+      if (answer.id() != id) {
+        throw answer.malformed("id must be " + id + ", is " + answer.id());
+      }
+      if (answer.functionUnknown()) {
+        throw answer.malformed("the server does not know function " + type.code());
+      }
+      if (answer.function() != type.code()) {
+        throw answer.malformed("function must be " + type.code() + ", is " + answer.function());
+      }
+      answer.openValue();
+    } catch (MalformedFrameException e) {
+      throw violated(e, what(type, name), write);
+    }
+  }
+
+  private CrossComProtocolException violated(
+      MalformedFrameException e, String what, boolean write) {
+    close();
+    return new CrossComProtocolException(
+        "what came is not the answer to the " + what + ": " + e.getMessage(), e, write);
+  }
+
+  private CrossComTimeoutException timedOut(
+      String what, boolean write, long timeout, @Nullable IOException cause) {
+    return new CrossComTimeoutException(
+        "no answer to the "
+            + what
+            + " within "
+            + timeout / 1_000_000
+            + " ms; the connection is closed",
+        cause,
+        write);
+  }
+
+  /** Ends the time limit; says whether it had run out. */
+  private boolean disarm() {
+    return deadline.getAndSet(NONE) == EXPIRED;
+  }
+
+  /**
+   * Closes the socket if an exchange is overdue.
+   *
+   * <p>To wake this thread for every exchange would cost more than the exchange, so it sleeps for
+   * as long as the limit even if none is under way: one that begins meanwhile is due later than
+   * that. Only after such a time without an exchange it dozes, and has to be woken.
+   */
+  private void watch() {
+    boolean mayDoze = true;
+    while (!closed) {
+      long due = deadline.get();
+      if (due == NONE && mayDoze) {
+        doze();
+        mayDoze = false;
+      } else if (due == NONE) {
+        LockSupport.parkNanos(this, timeoutNanos);
+        mayDoze = true;
+      } else if (due != EXPIRED) {
+        sleepOrExpire(due);
+        mayDoze = false;
+      }
+    }
+  }
+
+  private void sleepOrExpire(long due) {
+    long left = due - System.nanoTime();
+    if (left > 0) {
+      LockSupport.parkNanos(this, left);
+    } else if (deadline.compareAndSet(due, EXPIRED)) {
+      LOG.debug("the exchange with {} is overdue, closing", remote);
+      close();
+    }
+  }
+
+  /** Waits for the next exchange to begin. */
+  private void doze() {
+    dozing = true;
+    if (deadline.get() == NONE && !closed) {
+      LockSupport.park(this);
+    }
+    dozing = false;
+  }
+
+  void close() {
+    if (!closed) {
+      closed = true;
+      closeQuietly(channel);
+      LockSupport.unpark(watchdog);
+      LOG.debug("closed the connection to {}, local port {}", remote, localPort);
+    }
+  }
+
+  private static void closeQuietly(@Nullable SocketChannel channel) {
+    try {
+      if (channel != null) {
+        channel.close();
+      }
+    } catch (IOException e) {
+      LOG.debug("closing the socket failed", e);
+    }
+  }
+}

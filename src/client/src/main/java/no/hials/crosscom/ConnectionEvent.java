@@ -1,0 +1,28 @@
+package no.hials.crosscom;
+
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Something that happened to a client's connection.
+ *
+ * @param kind what
+ * @param time when
+ * @param cause why the connection was lost, or connecting failed; null otherwise
+ */
+public record ConnectionEvent(Kind kind, Instant time, @Nullable CrossComException cause) {
+
+  /** What happened. */
+  public enum Kind {
+    /** The client has connected for the first time. */
+    CONNECTED,
+    /** The connection broke, timed out, or carried what is not the protocol, and is closed. */
+    LOST,
+    /** The client has connected again. */
+    RECONNECTED,
+    /** An attempt to connect again failed. */
+    RECONNECT_FAILED,
+    /** The program has closed the client. */
+    CLOSED
+  }
+}

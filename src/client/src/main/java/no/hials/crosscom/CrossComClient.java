@@ -1,0 +1,944 @@
+package no.hials.crosscom;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
+import no.hials.crosscom.CrossComAccessException.Operation;
+import no.hials.crosscom.KRL.KRLAny;
+import no.hials.crosscom.KRL.KRLArray;
+import no.hials.crosscom.KRL.KRLRealArray;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.KRL.structs.KRLE6Axis;
+import no.hials.crosscom.KRL.structs.KRLStruct;
+import no.hials.crosscom.internal.VariableAccess;
+import no.hials.crosscom.protocol.AnswerFrame;
+import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.WriteRequest;
+import no.hials.crosscom.protocol.value.KrlScanner;
+import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads and writes the variables of a KUKA robot controller on which KUKAVARPROXY runs.
+ *
+ * <p><b>A write can move a machine.</b> The client never repeats a write; if its outcome is
+ * unknown, {@link CrossComException#isOutcomeUnknown} says so.
+ *
+ * <p>The client can be used by several threads: exchanges take place one at a time, in the order in
+ * which they were asked for. The variables handed to it are for one thread at a time. A call blocks
+ * until the answer is there, for the request time-out at most once its turn has come (if the
+ * connection has to be made anew, for the connect time-out too).
+ *
+ * <p>A refused access or an unreadable value leaves the connection usable. After a time-out, a
+ * broken connection or an answer that is not one, the connection is closed, and the next call makes
+ * a new one, unless {@link ClientConfig#reconnect} says otherwise. A read that was under way when
+ * the connection broke is repeated once; a write never is.
+ *
+ * <p>The client runs these daemon threads, where PORT is the server's: {@code
+ * crosscom-watchdog-PORT} enforces the time-out; {@code crosscom-keepalive-PORT} uses the
+ * connection when the program does not; {@code crosscom-events-PORT} calls the {@link
+ * ConnectionListener}, and {@code crosscom-async-PORT} does what the {@code ...Async} methods were
+ * asked for, both only while there is something to do. Each {@link Watch} has threads of its own.
+ */
+public final class CrossComClient implements Closeable {
+  private static final ArrayProgress NO_PROGRESS = (done, total) -> {};
+
+  private final ClientConfig config;
+  private final Link link;
+  private final ThreadPoolExecutor async;
+  private final ReentrantLock lock;
+  private final KrlScanner scanner = new KrlScanner();
+  private ByteBuffer readBuffer = ByteBuffer.allocate(64);
+
+  /**
+   * Connects, with the default times: 5 s for connecting, 3 s for a request.
+   *
+   * @param host name or address of the controller
+   * @param port the server's port, 1 to 65535, usually 7000
+   * @throws CrossComConnectException if the host is unknown or no connection could be made
+   * @throws UnknownHostException never; declared for programs of the original, which catch it. See
+   *     {@link CrossComConnectException}
+   * @throws IOException only as one of the above
+   */
+  public CrossComClient(String host, int port) throws UnknownHostException, IOException {
+    this(ClientConfig.create(host, cfg -> cfg.port(port)));
+  }
+
+  /**
+   * Connects.
+   *
+   * @param config what to connect to, and how
+   * @throws CrossComConnectException if the host is unknown or no connection could be made
+   */
+  public CrossComClient(ClientConfig config) throws CrossComException {
+    this.config = Objects.requireNonNull(config, "config");
+    this.link = new Link(config);
+    this.lock = link.lock();
+    this.async = Threads.lazy("crosscom-async-" + config.port());
+    link.start();
+  }
+
+  /**
+   * Gives the configuration.
+   *
+   * @return what the client was made with
+   */
+  public ClientConfig getConfig() {
+    return config;
+  }
+
+  /**
+   * Reads a variable of the controller into its local copy.
+   *
+   * @param variable names what to read and gets the value; as it was if reading fails
+   * @throws CrossComAccessException if the controller refused, as for an unknown name
+   * @throws CrossComValueException if what came is not of the variable's type
+   * @throws CrossComException if the exchange failed
+   */
+  public void readVariable(KRLVariable variable) throws IOException {
+    if (variable instanceof KRLArray array && array.getDeclaredLength() > 0) {
+      readVariable(array, NO_PROGRESS);
+    } else {
+      readWhole(variable);
+    }
+  }
+
+  private void readWhole(KRLVariable variable) throws CrossComException {
+    VariableAccess access = VariableAccess.get();
+    String text;
+    lock.lock();
+    try {
+      byte[] frame = access.readFrame(variable);
+      read(frame, variable.getName());
+      AnswerFrame answer = link.answer();
+      scanner.reset(answer);
+      try {
+        if (access.scan(variable, scanner, false)) {
+          access.setReadTime(variable, link.exchangeNanos());
+          return;
+        }
+      } catch (KrlSyntaxException e) {
+        throw notOfType(variable, answer.toString(), e);
+      }
+      text = answer.toString();
+      access.setReadTime(variable, link.exchangeNanos());
+    } finally {
+      lock.unlock();
+    }
+    // a class of the program's own: its code does not run under the lock
+    setFromString(variable, text);
+  }
+
+  private static void setFromString(KRLVariable variable, String text)
+      throws CrossComValueException {
+    try {
+      VariableAccess.get().setFromString(variable, text);
+    } catch (IllegalArgumentException e) {
+      throw notOfType(variable, text, e);
+    }
+  }
+
+  private static CrossComValueException notOfType(
+      KRLVariable variable, String text, IllegalArgumentException e) {
+    return new CrossComValueException(
+        variable.getName(),
+        text,
+        "what the controller has is not a value for " + variable.getType() + ": " + e.getMessage(),
+        e);
+  }
+
+  /**
+   * Writes the local copy of a variable to the controller, and updates it from the answer.
+   *
+   * <p>A structure is written whole; fields never set are written as 0.0. A whole array is written
+   * element by element, one access each, in order.
+   *
+   * @param variable names what to write and has the value
+   * @throws CrossComAccessException if the controller refused, as for a read-only variable; of an
+   *     array, the elements before the named one were written
+   * @throws CrossComValueException if the text is too long to be sent
+   * @throws CrossComException if the exchange failed
+   * @throws IllegalStateException if the variable has no value
+   */
+  public void writeVariable(KRLVariable variable) throws IOException {
+    if (variable instanceof KRLArray array) {
+      writeVariable(array, NO_PROGRESS);
+    } else {
+      write(variable, variable.getStringValue());
+    }
+  }
+
+  /**
+   * Writes some fields of a structure; the controller leaves the others as they are.
+   *
+   * @param struct names what to write and has the values
+   * @param fields names of its fields, at least one
+   * @throws CrossComAccessException if the controller refused
+   * @throws CrossComException if the exchange failed
+   * @throws IllegalArgumentException if there is no such field or it has no value
+   */
+  public void writeFields(KRLStruct struct, String... fields) throws IOException {
+    write(struct, struct.getStringValueOf(fields));
+  }
+
+  private void write(KRLVariable variable, String text) throws CrossComException {
+    byte[] frame = encodeWrite(variable.getName(), text);
+    String echo;
+    lock.lock();
+    try {
+      write(frame, variable.getName());
+      VariableAccess access = VariableAccess.get();
+      access.setReadTime(variable, link.exchangeNanos());
+      AnswerFrame answer = link.answer();
+      if (answer.length() == 0) {
+        return; // done; there is no value to update the variable from
+      }
+      scanner.reset(answer);
+      try {
+        if (access.scan(variable, scanner, true)) {
+          return;
+        }
+      } catch (KrlSyntaxException e) {
+        throw echoNotOfType(variable, answer.toString(), e);
+      }
+      echo = answer.toString();
+    } finally {
+      lock.unlock();
+    }
+    try {
+      VariableAccess.get().setFromString(variable, echo);
+    } catch (IllegalArgumentException e) {
+      throw echoNotOfType(variable, echo, e);
+    }
+  }
+
+  private static CrossComValueException echoNotOfType(
+      KRLVariable variable, String text, IllegalArgumentException e) {
+    return new CrossComValueException(
+        variable.getName(),
+        text,
+        "the write was done, but its answer is not a value for "
+            + variable.getType()
+            + ": "
+            + e.getMessage(),
+        e);
+  }
+
+  /**
+   * Reads a whole array: in one access if the server can, else element by element if the array
+   * knows how many there are.
+   *
+   * @param array names what to read and gets the elements; as it was if reading fails
+   * @param progress hears how far it has come, if it goes element by element
+   * @throws CrossComAccessException if the controller refused; {@link
+   *     CrossComException#getElementsDone} says how far it had come
+   * @throws CrossComValueException if what came is not of the array's type
+   * @throws CrossComException if an exchange failed
+   */
+  public void readVariable(KRLArray array, ArrayProgress progress) throws IOException {
+    try {
+      readWhole(array);
+    } catch (CrossComAccessException e) {
+      if (array.getDeclaredLength() == 0) {
+        throw e;
+      }
+      readElements(array, progress);
+    }
+  }
+
+  private void readElements(KRLArray array, ArrayProgress progress) throws CrossComException {
+    int total = array.getDeclaredLength();
+    long nanos = 0;
+    for (int i = 1; i <= total; i++) {
+      String name = array.getElementName(i);
+      try {
+        Exchanged element = read(name);
+        nanos += element.nanos();
+        VariableAccess.get().scanElement(array, new KrlScanner(element.text()), i - 1);
+      } catch (CrossComException e) {
+        e.setElementsDone(i - 1, total);
+        throw e;
+      } catch (KrlSyntaxException e) {
+        CrossComValueException wrong = notOfType(array, e.text(), e);
+        wrong.setElementsDone(i - 1, total);
+        throw wrong;
+      }
+      progress.elementsDone(i, total);
+    }
+    VariableAccess.get().acceptElements(array, total);
+    VariableAccess.get().setReadTime(array, nanos);
+  }
+
+  /**
+   * Writes a whole array, element by element in order.
+   *
+   * @param array names what to write and has the elements
+   * @param progress hears how far it has come
+   * @throws CrossComAccessException if the controller refused an element; those before it were
+   *     written, and {@link CrossComException#getElementsDone} says how many
+   * @throws CrossComException if an exchange failed
+   * @throws IllegalStateException if the array has no value
+   */
+  public void writeVariable(KRLArray array, ArrayProgress progress) throws IOException {
+    int total = array.length();
+    if (total == 0) {
+      throw new IllegalStateException(
+          array.getName() + " has no value: it was neither set nor read");
+    }
+    long nanos = 0;
+    for (int i = 1; i <= total; i++) {
+      try {
+        nanos += write(array.getElementName(i), array.getElementStringValue(i)).nanos();
+      } catch (CrossComException e) {
+        e.setElementsDone(i - 1, total);
+        throw e;
+      }
+      progress.elementsDone(i, total);
+    }
+    VariableAccess.get().setReadTime(array, nanos);
+  }
+
+  /**
+   * Reads several variables, one after the other, in order.
+   *
+   * <p>One that the controller refuses, or whose value is of another type, does not keep the others
+   * from being read. If an exchange fails, the variables behind it are not tried.
+   *
+   * @param variables what to read
+   * @return what came of each, in the same order
+   */
+  public List<VariableResult> readVariables(List<? extends KRLVariable> variables) {
+    return each(variables, this::readVariable, "read");
+  }
+
+  /**
+   * Reads several variables, as {@link #readVariables(List)}.
+   *
+   * @param variables what to read
+   * @return what came of each, in the same order
+   */
+  public List<VariableResult> readVariables(KRLVariable... variables) {
+    return readVariables(Arrays.asList(variables));
+  }
+
+  /**
+   * Writes several variables, one after the other, in order.
+   *
+   * <p>One that the controller refuses does not keep the others from being written. If an exchange
+   * fails, the variables behind it are not tried.
+   *
+   * @param variables what to write
+   * @return what came of each, in the same order
+   * @throws IllegalStateException if one has no value; nothing was written then
+   */
+  public List<VariableResult> writeVariables(List<? extends KRLVariable> variables) {
+    variables.forEach(KRLVariable::getStringValue); // refuses what has no value
+    return each(variables, this::writeVariable, "written");
+  }
+
+  /**
+   * Writes several variables, as {@link #writeVariables(List)}.
+   *
+   * @param variables what to write
+   * @return what came of each, in the same order
+   * @throws IllegalStateException if one has no value; nothing was written then
+   */
+  public List<VariableResult> writeVariables(KRLVariable... variables) {
+    return writeVariables(Arrays.asList(variables));
+  }
+
+  /** Reads or writes one of several variables. */
+  @FunctionalInterface
+  private interface Access {
+    void to(KRLVariable variable) throws IOException;
+  }
+
+  private static List<VariableResult> each(
+      List<? extends KRLVariable> variables, Access access, String done) {
+    List<VariableResult> results = new ArrayList<>(variables.size());
+    CrossComException broken = null;
+    for (KRLVariable variable : variables) {
+      CrossComException failure = null;
+      if (broken != null) {
+        failure = notTried(variable, broken, done);
+      } else {
+        try {
+          access.to(variable);
+        } catch (CrossComAccessException | CrossComValueException e) {
+          failure = e;
+        } catch (CrossComException e) {
+          failure = e;
+          broken = e;
+        } catch (IOException e) {
+          throw new AssertionError("the client throws only its own exceptions", e);
+        }
+      }
+      results.add(new VariableResult(variable, failure));
+    }
+    return results;
+  }
+
+  private static CrossComException notTried(
+      KRLVariable variable, CrossComException broken, String done) {
+    String message =
+        variable.getName()
+            + " was not "
+            + done
+            + ", since an exchange before it failed: "
+            + broken.getMessage();
+    return broken instanceof CrossComClosedException
+        ? new CrossComClosedException(message, broken, false)
+        : new CrossComConnectionLostException(message, broken, false);
+  }
+
+  /**
+   * Reads variables again and again.
+   *
+   * @param watchConfig what to read, and how often
+   * @param listener takes the samples, in a thread of its own; more can be added
+   * @return the watch, which runs already; it is to be closed
+   */
+  public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener) {
+    Watch watch = new Watch(this, watchConfig);
+    watch.addListener(listener);
+    watch.start();
+    return watch;
+  }
+
+  /**
+   * Reads variables again and again.
+   *
+   * @param period from one reading to the next; at least 1 ms
+   * @param listener takes the samples, in a thread of its own; more can be added
+   * @param names the variables to read
+   * @return the watch, which runs already; it is to be closed
+   */
+  public Watch watch(Duration period, Consumer<? super Sample> listener, String... names) {
+    return watch(WatchConfig.create(Arrays.asList(names), cfg -> cfg.period(period)), listener);
+  }
+
+  /**
+   * Reads a variable of any type as text.
+   *
+   * @param name the variable's name
+   * @return its value as the controller printed it
+   * @throws CrossComAccessException if the controller refused
+   * @throws CrossComException if the exchange failed
+   * @throws IllegalArgumentException if the name is blank or not ISO 8859-1
+   */
+  public String readText(String name) throws IOException {
+    return read(name).text();
+  }
+
+  /**
+   * Reads a variable of any type as a tree of values.
+   *
+   * @param name the variable's name
+   * @return its value
+   * @throws CrossComAccessException if the controller refused
+   * @throws CrossComValueException if what came is no KRL value
+   * @throws CrossComException if the exchange failed
+   */
+  public KrlValue readValue(String name) throws IOException {
+    KRLAny any = new KRLAny(name);
+    readVariable(any);
+    return Objects.requireNonNull(any.getValue());
+  }
+
+  /**
+   * Writes a variable of any type from text.
+   *
+   * @param name the variable's name
+   * @param value KRL text: {@code 50}, {@code TRUE}, {@code #T1}, {@code "text"} with its quotes,
+   *     or an aggregate
+   * @throws CrossComAccessException if the controller refused
+   * @throws CrossComValueException if the text is too long to be sent
+   * @throws CrossComException if the exchange failed
+   * @throws IllegalArgumentException if the name is blank, or name or value not ISO 8859-1
+   */
+  public void writeText(String name, String value) throws IOException {
+    write(name, value);
+  }
+
+  /**
+   * Reads a variable and describes the access in one line.
+   *
+   * @param name the variable's name
+   * @return {@code NAME #read time=Nms #value=VALUE}
+   * @throws CrossComAccessException if the controller refused
+   * @throws CrossComException if the exchange failed
+   */
+  public String simpleRead(String name) throws IOException {
+    return describe(name, read(name));
+  }
+
+  /**
+   * Writes a variable and describes the access in one line.
+   *
+   * @param name the variable's name
+   * @param val the value as KRL text
+   * @return {@code NAME #read time=Nms #value=VALUE}, with the value that the server echoed
+   * @throws CrossComAccessException if the controller refused
+   * @throws CrossComException if the exchange failed
+   */
+  public String simpleWrite(String name, String val) throws IOException {
+    return describe(name, write(name, val));
+  }
+
+  private static String describe(String name, Exchanged exchanged) {
+    return name
+        + " #read time="
+        + exchanged.nanos() / 1_000_000
+        + "ms  #value="
+        + exchanged.text().strip();
+  }
+
+  /**
+   * Reads or writes a variable by name.
+   *
+   * @param request what to do
+   * @return what came of it
+   * @throws CrossComAccessException if the controller refused
+   * @throws CrossComException if the exchange failed
+   * @deprecated use {@link #readVariable} and {@link #writeVariable}, or {@link #readText} and
+   *     {@link #writeText} if the type is not known
+   */
+  @Deprecated
+  public Callback sendRequest(Request request) throws IOException {
+    String name = request.getVariable();
+    String value = request.getValue();
+    Exchanged exchanged = value == null ? read(name) : write(name, value);
+    return new Callback(
+        name,
+        request.getId(),
+        (value == null ? MessageType.READ : MessageType.WRITE).code(),
+        exchanged.text().strip(),
+        exchanged.nanos());
+  }
+
+  /**
+   * Reads the positions of the robot axes, {@code $AXIS_ACT}.
+   *
+   * @return a new array of six: A1 to A6 in degrees
+   * @throws CrossComException if reading failed
+   */
+  public double[] readJointAngles() throws IOException {
+    KRLE6Axis axes = KRLVariable.AXIS_ACT();
+    readVariable(axes);
+    try {
+      return axes.asArrayA1ToA6();
+    } catch (IllegalStateException e) {
+      throw new CrossComValueException(
+          axes.getName(), axes.getValue().toString(), "A1 to A6 are not all there", e);
+    }
+  }
+
+  /**
+   * Reads the torques of the robot axes in one access, {@code $TORQUE_AXIS_ACT[]}.
+   *
+   * @return a new array of six: A1 to A6 in Nm
+   * @throws CrossComException if reading failed
+   */
+  public double[] readJointTorques() throws IOException {
+    KRLRealArray torques = new KRLRealArray("$TORQUE_AXIS_ACT[]");
+    readVariable(torques);
+    if (torques.length() < 6) {
+      throw new CrossComValueException(
+          torques.getName(),
+          torques.getStringValue(),
+          "there must be at least 6 torques, there are " + torques.length(),
+          null);
+    }
+    return Arrays.copyOf(Objects.requireNonNull(torques.getValue()), 6);
+  }
+
+  /**
+   * Gives the 16-bit number of two bytes, the higher first.
+   *
+   * @param bytes has them
+   * @param off the index of the first
+   * @return 0 to 65535
+   * @deprecated {@link Codec} decodes frames
+   */
+  @Deprecated
+  @SuppressWarnings("InlineMeSuggester") // a migration tool's hint, for which there is no tool here
+  public static int getInt(byte[] bytes, int off) {
+    return (bytes[off] & 0xFF) << 8 | (bytes[off + 1] & 0xFF);
+  }
+
+  // --- the same in another thread
+
+  /**
+   * Does what {@link #readVariable(KRLVariable)} does, in another thread.
+   *
+   * @param variable names what to read and gets the value
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<Void> readVariableAsync(KRLVariable variable) {
+    return doAsync(() -> readVariable(variable));
+  }
+
+  /**
+   * Does what {@link #writeVariable(KRLVariable)} does, in another thread.
+   *
+   * @param variable names what to write and has the value
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<Void> writeVariableAsync(KRLVariable variable) {
+    return doAsync(() -> writeVariable(variable));
+  }
+
+  /**
+   * Does what {@link #writeFields} does, in another thread.
+   *
+   * @param struct names what to write and has the values
+   * @param fields names of its fields, at least one
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<Void> writeFieldsAsync(KRLStruct struct, String... fields) {
+    return doAsync(() -> writeFields(struct, fields));
+  }
+
+  /**
+   * Does what {@link #readVariable(KRLArray, ArrayProgress)} does, in another thread.
+   *
+   * @param array names what to read and gets the elements
+   * @param progress hears how far it has come
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<Void> readVariableAsync(KRLArray array, ArrayProgress progress) {
+    return doAsync(() -> readVariable(array, progress));
+  }
+
+  /**
+   * Does what {@link #writeVariable(KRLArray, ArrayProgress)} does, in another thread.
+   *
+   * @param array names what to write and has the elements
+   * @param progress hears how far it has come
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<Void> writeVariableAsync(KRLArray array, ArrayProgress progress) {
+    return doAsync(() -> writeVariable(array, progress));
+  }
+
+  /**
+   * Does what {@link #readVariables(List)} does, in another thread.
+   *
+   * @param variables what to read
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<List<VariableResult>> readVariablesAsync(
+      List<? extends KRLVariable> variables) {
+    return callAsync(() -> readVariables(variables));
+  }
+
+  /**
+   * Does what {@link #writeVariables(List)} does, in another thread.
+   *
+   * @param variables what to write
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<List<VariableResult>> writeVariablesAsync(
+      List<? extends KRLVariable> variables) {
+    return callAsync(() -> writeVariables(variables));
+  }
+
+  /**
+   * Does what {@link #readText} does, in another thread.
+   *
+   * @param name the variable's name
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<String> readTextAsync(String name) {
+    return callAsync(() -> readText(name));
+  }
+
+  /**
+   * Does what {@link #writeText} does, in another thread.
+   *
+   * @param name the variable's name
+   * @param value KRL text
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<Void> writeTextAsync(String name, String value) {
+    return doAsync(() -> writeText(name, value));
+  }
+
+  /**
+   * Does what {@link #readValue} does, in another thread.
+   *
+   * @param name the variable's name
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<KrlValue> readValueAsync(String name) {
+    return callAsync(() -> readValue(name));
+  }
+
+  /**
+   * Does what {@link #simpleRead} does, in another thread.
+   *
+   * @param name the variable's name
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<String> simpleReadAsync(String name) {
+    return callAsync(() -> simpleRead(name));
+  }
+
+  /**
+   * Does what {@link #simpleWrite} does, in another thread.
+   *
+   * @param name the variable's name
+   * @param val the value as KRL text
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<String> simpleWriteAsync(String name, String val) {
+    return callAsync(() -> simpleWrite(name, val));
+  }
+
+  /**
+   * Does what {@link #readJointAngles} does, in another thread.
+   *
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<double[]> readJointAnglesAsync() {
+    return callAsync(() -> readJointAngles());
+  }
+
+  /**
+   * Does what {@link #readJointTorques} does, in another thread.
+   *
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<double[]> readJointTorquesAsync() {
+    return callAsync(() -> readJointTorques());
+  }
+
+  /** Does something that may fail. */
+  @FunctionalInterface
+  private interface Action {
+    void run() throws IOException;
+  }
+
+  private CompletableFuture<Void> doAsync(Action action) {
+    return AsyncCall.<@Nullable Void>submit(
+        async,
+        lock,
+        () -> {
+          action.run();
+          return null;
+        });
+  }
+
+  private <T> CompletableFuture<T> callAsync(Callable<T> call) {
+    return AsyncCall.submit(async, lock, call);
+  }
+
+  // --- exchanges; the lock is held
+
+  /** What an exchange gave: the value's text, and the time it took. */
+  private record Exchanged(String text, long nanos) {}
+
+  private Exchanged read(String name) throws CrossComException {
+    byte[] frame = encodeRead(name);
+    lock.lock();
+    try {
+      read(frame, name);
+      return exchanged();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private Exchanged write(String name, String value) throws CrossComException {
+    byte[] frame = encodeWrite(name, value);
+    lock.lock();
+    try {
+      write(frame, name);
+      return exchanged();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private Exchanged exchanged() {
+    return new Exchanged(link.answer().toString(), link.exchangeNanos());
+  }
+
+  private static byte[] encodeRead(String name) {
+    return Codec.encode(new ReadRequest(0, checkName(name)));
+  }
+
+  private byte[] encodeWrite(String name, String value) throws CrossComValueException {
+    byte[] frame = Codec.encode(new WriteRequest(0, checkName(name), value));
+    int limit = config.maxAggregateLength();
+    if (limit > 0 && value.length() > limit && value.stripLeading().startsWith("{")) {
+      throw new CrossComValueException(
+          name,
+          value,
+          "an aggregate to be written must have at most "
+              + limit
+              + " bytes, has "
+              + value.length()
+              + AggregateLength.describe(value)
+              + ": "
+              + value,
+          null);
+    }
+    if (frame.length > config.maxRequestLength()) {
+      throw new CrossComValueException(
+          name,
+          value,
+          "a request must have at most "
+              + config.maxRequestLength()
+              + " bytes, has "
+              + frame.length,
+          null);
+    }
+    return frame;
+  }
+
+  private static String checkName(String name) {
+    if (name.isBlank()) {
+      throw new IllegalArgumentException("a variable's name must not be blank");
+    }
+    return name;
+  }
+
+  private void read(byte[] frame, String name) throws CrossComException {
+    if (readBuffer.capacity() < frame.length) {
+      readBuffer = ByteBuffer.allocate(frame.length);
+    }
+    // a variable's frame may be in use by another client too, so the id goes into a copy
+    readBuffer.clear().put(frame).flip();
+    link.exchange(readBuffer, MessageType.READ, name);
+    AnswerFrame answer = link.answer();
+    if (!answer.success()) {
+      throw new CrossComAccessException(
+          name, Operation.READ, answer.code(), "it answered failure, code " + answer.code());
+    }
+    if (answer.length() == 0) {
+      // KUKAVARPROXY of 2019 and later says success when the controller refuses (krl.md 1.8)
+      throw new CrossComAccessException(
+          name, Operation.READ, answer.code(), "it answered success with an empty value");
+    }
+  }
+
+  private void write(byte[] frame, String name) throws CrossComException {
+    link.exchange(ByteBuffer.wrap(frame), MessageType.WRITE, name);
+    AnswerFrame answer = link.answer();
+    if (!answer.success()) {
+      throw new CrossComAccessException(
+          name, Operation.WRITE, answer.code(), "it answered failure, code " + answer.code());
+    }
+  }
+
+  // --- what programs of the original call on the client as on a Socket
+
+  /**
+   * Says whether the client was connected. As with a Socket, this stays true after it was closed.
+   *
+   * @return true, since a client is made connected
+   */
+  public boolean isConnected() {
+    return true;
+  }
+
+  /**
+   * Says whether the client can no longer be used: it was closed, or its connection failed and is
+   * not to be made again.
+   *
+   * @return true if so
+   */
+  public boolean isClosed() {
+    return link.isClosed();
+  }
+
+  /**
+   * Gives the address of the controller.
+   *
+   * @return the address connected to
+   */
+  public InetAddress getInetAddress() {
+    return link.connection().remoteAddress();
+  }
+
+  /**
+   * Gives the server's port.
+   *
+   * @return 1 to 65535
+   */
+  public int getPort() {
+    return config.port();
+  }
+
+  /**
+   * Gives the local port of the connection.
+   *
+   * @return 1 to 65535; another one after the connection was made anew
+   */
+  public int getLocalPort() {
+    return link.connection().localPort();
+  }
+
+  /**
+   * Sets how long an exchange may take, for those that begin from now on.
+   *
+   * @param millis in ms; 0 for no limit
+   * @throws SocketException never; declared for programs of the original, which may catch it
+   * @throws IllegalArgumentException if the time is negative
+   */
+  public void setSoTimeout(int millis) throws SocketException {
+    if (millis < 0) {
+      throw new IllegalArgumentException("time-out must be 0 or more ms, is " + millis);
+    }
+    link.setTimeout(Duration.ofMillis(millis).toNanos());
+  }
+
+  /**
+   * Gives how long an exchange may take.
+   *
+   * @return in ms; 0 for no limit
+   * @throws SocketException never; declared for programs of the original, which may catch it
+   */
+  public int getSoTimeout() throws SocketException {
+    return (int) Duration.ofNanos(link.timeoutNanos()).toMillis();
+  }
+
+  /**
+   * Closes the connection for good. An exchange under way in another thread ends with {@link
+   * CrossComClosedException}, and what waits for its turn too. Closing again does nothing.
+   *
+   * @throws IOException never; declared for programs of the original, which may catch it
+   */
+  @Override
+  public void close() throws IOException {
+    link.close();
+    async.shutdown(); // what is queued fails soon, saying that the client is closed
+  }
+
+  @Override
+  public String toString() {
+    return "CrossComClient{"
+        + config.host()
+        + ":"
+        + config.port()
+        + (isClosed() ? ", closed" : "")
+        + "}";
+  }
+}

@@ -1,0 +1,15 @@
+package no.hials.crosscom;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Says that no connection could be made: unknown host, refused, or no answer in the connect
+ * time-out.
+ */
+public final class CrossComConnectException extends CrossComException {
+  private static final long serialVersionUID = 1L;
+
+  CrossComConnectException(String message, @Nullable Throwable cause) {
+    super(message, cause, false);
+  }
+}

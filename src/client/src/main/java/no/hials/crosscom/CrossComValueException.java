@@ -1,0 +1,38 @@
+package no.hials.crosscom;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Says that a text is not a value of the variable's type, or not one that may be sent. The
+ * connection can be used, and the variable keeps the value it had.
+ */
+public final class CrossComValueException extends CrossComException {
+  private static final long serialVersionUID = 1L;
+
+  private final String variable;
+  private final String text;
+
+  CrossComValueException(String variable, String text, String what, @Nullable Throwable cause) {
+    super(variable + ": " + what, cause, false);
+    this.variable = variable;
+    this.text = text;
+  }
+
+  /**
+   * Gives the variable's name.
+   *
+   * @return the name
+   */
+  public String getVariable() {
+    return variable;
+  }
+
+  /**
+   * Gives the value's text, as the server sent it or as it would have been sent.
+   *
+   * @return the whole text
+   */
+  public String getText() {
+    return text;
+  }
+}

@@ -1,0 +1,62 @@
+package no.hials.crosscom.KRL;
+
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlScanner;
+import org.jspecify.annotations.Nullable;
+
+/** Holds a value of an ENUM, such as {@code #T1}. */
+public class KRLEnum extends ScannedVariable {
+  private String value = "";
+  private boolean present;
+
+  /**
+   * Makes a variable without a value.
+   *
+   * @param name the name on the controller
+   */
+  public KRLEnum(String name) {
+    super(name);
+  }
+
+  @Override
+  public @Nullable String getValue() {
+    return present ? value : null;
+  }
+
+  /**
+   * Gives the local value, with the {@code #}.
+   *
+   * @return the value
+   * @throws IllegalStateException if it was neither set nor read
+   */
+  public String stringValue() {
+    if (!present) {
+      throw noValue();
+    }
+    return value;
+  }
+
+  /**
+   * Sets the local value.
+   *
+   * @param newValue the value, with or without the {@code #}
+   * @throws IllegalArgumentException if it is not a name
+   */
+  public void setValue(String newValue) {
+    value = "#" + new KrlEnum(newValue.startsWith("#") ? newValue.substring(1) : newValue).name();
+    present = true;
+  }
+
+  @Override
+  public String getStringValue() {
+    return stringValue();
+  }
+
+  @Override
+  void read(KrlScanner scanner) {
+    String read = "#" + scanner.readEnum();
+    scanner.expectEnd();
+    value = read;
+    present = true;
+  }
+}

@@ -1,0 +1,60 @@
+package no.hials.crosscom.KRL;
+
+import no.hials.crosscom.protocol.value.KrlScanner;
+import org.jspecify.annotations.Nullable;
+
+/** Holds an INT: 32 bits with sign. */
+public class KRLInt extends ScannedVariable {
+  private int value;
+  private boolean present;
+
+  /**
+   * Makes a variable without a value.
+   *
+   * @param name the name on the controller
+   */
+  public KRLInt(String name) {
+    super(name);
+  }
+
+  @Override
+  public @Nullable Integer getValue() {
+    return present ? value : null;
+  }
+
+  /**
+   * Gives the local value, without making an object.
+   *
+   * @return the value
+   * @throws IllegalStateException if it was neither set nor read
+   */
+  public int intValue() {
+    if (!present) {
+      throw noValue();
+    }
+    return value;
+  }
+
+  /**
+   * Sets the local value.
+   *
+   * @param newValue the value
+   */
+  public void setValue(int newValue) {
+    value = newValue;
+    present = true;
+  }
+
+  @Override
+  public String getStringValue() {
+    return Integer.toString(intValue());
+  }
+
+  @Override
+  void read(KrlScanner scanner) {
+    int read = scanner.readInt();
+    scanner.expectEnd();
+    value = read;
+    present = true;
+  }
+}

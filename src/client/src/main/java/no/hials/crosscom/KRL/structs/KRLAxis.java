@@ -1,0 +1,169 @@
+package no.hials.crosscom.KRL.structs;
+
+/** Holds an AXIS: the positions of the robot axes A1 to A6, in degrees, or mm for a linear axis. */
+public class KRLAxis extends NumberStruct {
+  /**
+   * Makes a structure whose fields are 0.0.
+   *
+   * @param name the name on the controller
+   */
+  public KRLAxis(String name) {
+    this(name, "A1", "A2", "A3", "A4", "A5", "A6");
+  }
+
+  /**
+   * Makes a structure with other fields.
+   *
+   * @param name the name on the controller
+   * @param nodes the names of its fields, those of KRLAxis among them
+   */
+  protected KRLAxis(String name, String... nodes) {
+    super(name, nodes);
+  }
+
+  /**
+   * Gives axis A1.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getA1() {
+    return get("A1");
+  }
+
+  /**
+   * Gives axis A2.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getA2() {
+    return get("A2");
+  }
+
+  /**
+   * Gives axis A3.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getA3() {
+    return get("A3");
+  }
+
+  /**
+   * Gives axis A4.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getA4() {
+    return get("A4");
+  }
+
+  /**
+   * Gives axis A5.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getA5() {
+    return get("A5");
+  }
+
+  /**
+   * Gives axis A6.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getA6() {
+    return get("A6");
+  }
+
+  /**
+   * Sets axis A1.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLAxis setA1(double d) {
+    set("A1", d);
+    return this;
+  }
+
+  /**
+   * Sets axis A2.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLAxis setA2(double d) {
+    set("A2", d);
+    return this;
+  }
+
+  /**
+   * Sets axis A3.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLAxis setA3(double d) {
+    set("A3", d);
+    return this;
+  }
+
+  /**
+   * Sets axis A4.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLAxis setA4(double d) {
+    set("A4", d);
+    return this;
+  }
+
+  /**
+   * Sets axis A5.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLAxis setA5(double d) {
+    set("A5", d);
+    return this;
+  }
+
+  /**
+   * Sets axis A6.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLAxis setA6(double d) {
+    set("A6", d);
+    return this;
+  }
+
+  /**
+   * Sets A1 to A6.
+   *
+   * @param values exactly 6; degrees, or mm for linear axes
+   * @return this
+   */
+  public KRLAxis setA1ToA6(double... values) {
+    set("A1", 6, values);
+    return this;
+  }
+
+  /**
+   * Gives A1 to A6.
+   *
+   * @return a new array of 6; degrees, or mm for linear axes
+   */
+  public double[] asArrayA1ToA6() {
+    return get("A1", 6);
+  }
+}

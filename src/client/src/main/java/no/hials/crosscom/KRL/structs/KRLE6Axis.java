@@ -1,0 +1,201 @@
+package no.hials.crosscom.KRL.structs;
+
+/** Holds an E6AXIS: the positions of the robot axes A1 to A6 and of the external axes E1 to E6. */
+public class KRLE6Axis extends KRLAxis {
+  /**
+   * Makes a structure whose fields are 0.0.
+   *
+   * @param name the name on the controller
+   */
+  public KRLE6Axis(String name) {
+    super(name, "A1", "A2", "A3", "A4", "A5", "A6", "E1", "E2", "E3", "E4", "E5", "E6");
+  }
+
+  /**
+   * Gives external axis E1.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE1() {
+    return get("E1");
+  }
+
+  /**
+   * Gives external axis E2.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE2() {
+    return get("E2");
+  }
+
+  /**
+   * Gives external axis E3.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE3() {
+    return get("E3");
+  }
+
+  /**
+   * Gives external axis E4.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE4() {
+    return get("E4");
+  }
+
+  /**
+   * Gives external axis E5.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE5() {
+    return get("E5");
+  }
+
+  /**
+   * Gives external axis E6.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE6() {
+    return get("E6");
+  }
+
+  /**
+   * Sets external axis E1.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Axis setE1(double d) {
+    set("E1", d);
+    return this;
+  }
+
+  /**
+   * Sets external axis E2.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Axis setE2(double d) {
+    set("E2", d);
+    return this;
+  }
+
+  /**
+   * Sets external axis E3.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Axis setE3(double d) {
+    set("E3", d);
+    return this;
+  }
+
+  /**
+   * Sets external axis E4.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Axis setE4(double d) {
+    set("E4", d);
+    return this;
+  }
+
+  /**
+   * Sets external axis E5.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Axis setE5(double d) {
+    set("E5", d);
+    return this;
+  }
+
+  /**
+   * Sets external axis E6.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Axis setE6(double d) {
+    set("E6", d);
+    return this;
+  }
+
+  /**
+   * Sets E1 to E6.
+   *
+   * @param values exactly 6; degrees, or mm for linear axes
+   * @return this
+   */
+  public KRLE6Axis setE1ToE6(double... values) {
+    set("E1", 6, values);
+    return this;
+  }
+
+  /**
+   * Gives E1 to E6.
+   *
+   * @return a new array of 6; degrees, or mm for linear axes
+   */
+  public double[] asArrayE1ToE6() {
+    return get("E1", 6);
+  }
+
+  @Override
+  public KRLE6Axis setA1(double d) {
+    super.setA1(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Axis setA2(double d) {
+    super.setA2(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Axis setA3(double d) {
+    super.setA3(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Axis setA4(double d) {
+    super.setA4(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Axis setA5(double d) {
+    super.setA5(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Axis setA6(double d) {
+    super.setA6(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Axis setA1ToA6(double... values) {
+    super.setA1ToA6(values);
+    return this;
+  }
+}

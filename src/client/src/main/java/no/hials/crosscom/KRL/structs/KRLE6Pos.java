@@ -1,0 +1,222 @@
+package no.hials.crosscom.KRL.structs;
+
+/**
+ * Holds an E6POS: a POS with six external axes. The fields are in the order of the original client,
+ * E1 to E6 before S and T; a controller prints S and T first.
+ */
+public final class KRLE6Pos extends KRLPos {
+  /**
+   * Makes a structure whose fields are 0.0.
+   *
+   * @param name the name on the controller
+   */
+  public KRLE6Pos(String name) {
+    super(name, "X", "Y", "Z", "A", "B", "C", "E1", "E2", "E3", "E4", "E5", "E6", "S", "T");
+  }
+
+  /**
+   * Gives external axis E1.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE1() {
+    return get("E1");
+  }
+
+  /**
+   * Gives external axis E2.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE2() {
+    return get("E2");
+  }
+
+  /**
+   * Gives external axis E3.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE3() {
+    return get("E3");
+  }
+
+  /**
+   * Gives external axis E4.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE4() {
+    return get("E4");
+  }
+
+  /**
+   * Gives external axis E5.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE5() {
+    return get("E5");
+  }
+
+  /**
+   * Gives external axis E6.
+   *
+   * @return degrees, or mm for a linear axis
+   * @throws IllegalStateException if it was missing in the controller's last answer
+   */
+  public double getE6() {
+    return get("E6");
+  }
+
+  /**
+   * Sets external axis E1.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Pos setE1(double d) {
+    set("E1", d);
+    return this;
+  }
+
+  /**
+   * Sets external axis E2.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Pos setE2(double d) {
+    set("E2", d);
+    return this;
+  }
+
+  /**
+   * Sets external axis E3.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Pos setE3(double d) {
+    set("E3", d);
+    return this;
+  }
+
+  /**
+   * Sets external axis E4.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Pos setE4(double d) {
+    set("E4", d);
+    return this;
+  }
+
+  /**
+   * Sets external axis E5.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Pos setE5(double d) {
+    set("E5", d);
+    return this;
+  }
+
+  /**
+   * Sets external axis E6.
+   *
+   * @param d degrees, or mm for a linear axis
+   * @return this
+   */
+  public KRLE6Pos setE6(double d) {
+    set("E6", d);
+    return this;
+  }
+
+  /**
+   * Sets E1 to E6.
+   *
+   * @param values exactly 6; degrees, or mm for linear axes
+   * @return this
+   */
+  public KRLE6Pos setE1ToE6(double... values) {
+    set("E1", 6, values);
+    return this;
+  }
+
+  /**
+   * Gives E1 to E6.
+   *
+   * @return a new array of 6; degrees, or mm for linear axes
+   */
+  public double[] asArrayE1ToE6() {
+    return get("E1", 6);
+  }
+
+  @Override
+  public KRLE6Pos setX(double d) {
+    super.setX(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Pos setY(double d) {
+    super.setY(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Pos setZ(double d) {
+    super.setZ(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Pos setA(double d) {
+    super.setA(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Pos setB(double d) {
+    super.setB(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Pos setC(double d) {
+    super.setC(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Pos setS(double d) {
+    super.setS(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Pos setT(double d) {
+    super.setT(d);
+    return this;
+  }
+
+  @Override
+  public KRLE6Pos setXToZ(double... values) {
+    super.setXToZ(values);
+    return this;
+  }
+
+  @Override
+  public KRLE6Pos setAToC(double... values) {
+    super.setAToC(values);
+    return this;
+  }
+}

@@ -1,0 +1,123 @@
+package no.hials.crosscom.KRL.structs;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+
+/** Holds a structure: fields with names, which the controller reads and writes in one access. */
+public abstract class KRLStruct extends KRLVariable {
+  private final String[] nodes;
+
+  /**
+   * Makes a structure.
+   *
+   * @param name the name on the controller
+   * @param nodes the names of its fields
+   */
+  protected KRLStruct(String name, String[] nodes) {
+    super(name);
+    this.nodes = nodes.clone();
+  }
+
+  /**
+   * Makes a structure.
+   *
+   * @param name the name on the controller
+   * @param nodes the names of its fields
+   */
+  protected KRLStruct(String name, Collection<String> nodes) {
+    this(name, nodes.toArray(new String[0]));
+  }
+
+  /**
+   * Gives the fields' values.
+   *
+   * @return a map in the order of the fields, which the caller may change
+   */
+  @Override
+  public abstract HashMap<String, ?> getValue();
+
+  /**
+   * Sets a field from text.
+   *
+   * @param str the field's name
+   * @param obj its value as KRL text
+   */
+  public abstract void setValue(String str, String obj);
+
+  /**
+   * Gives the names of the fields.
+   *
+   * @return a new array
+   */
+  public String[] getNodes() {
+    return nodes.clone();
+  }
+
+  /** Gives the names of the fields, not to be changed. */
+  String[] nodes() {
+    return nodes;
+  }
+
+  @Override
+  public String getStringValue() {
+    Map<String, ?> values = getValue();
+    return getStringValueOf(
+        Arrays.stream(nodes).filter(values::containsKey).toList().toArray(new String[0]));
+  }
+
+  /**
+   * Gives the text that writes some fields only; the controller leaves the others as they are.
+   *
+   * @param fields names of this structure's fields, at least one
+   * @return the text
+   * @throws IllegalArgumentException if there is no such field or it has no value
+   */
+  public String getStringValueOf(String... fields) {
+    if (fields.length == 0) {
+      throw new IllegalArgumentException(getName() + ": name at least one field");
+    }
+    Map<String, ?> values = getValue();
+    List<KrlStruct.Field> parts = new ArrayList<>();
+    for (String field : fields) {
+      Object value = values.get(field);
+      if (value == null) {
+        throw new IllegalArgumentException(
+            getName() + "." + field + " has no value, fields with a value are " + values.keySet());
+      }
+      parts.add(new KrlStruct.Field(field, toKrl(value)));
+    }
+    return new KrlStruct(null, parts).printShort();
+  }
+
+  /** Gives a field's value for the printer. */
+  private static KrlValue toKrl(Object value) {
+    if (value instanceof Integer number) {
+      return new KrlInt(number);
+    } else if (value instanceof Number number) {
+      return KrlReal.of(number.doubleValue());
+    } else if (value instanceof Boolean bool) {
+      return new KrlBool(bool);
+    }
+    return KrlValue.parse(value.toString());
+  }
+
+  @Override
+  protected void setValueFromString(String strValue) {
+    if (!(KrlValue.parse(strValue) instanceof KrlStruct struct)) {
+      throw new IllegalArgumentException("expected an aggregate in braces, found: " + strValue);
+    }
+    for (KrlStruct.Field field : struct.fields()) {
+      setValue(field.name(), field.value().print());
+    }
+  }
+}

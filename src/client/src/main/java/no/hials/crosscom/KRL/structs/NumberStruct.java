@@ -1,0 +1,310 @@
+package no.hials.crosscom.KRL.structs;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlPrinter;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlScanner;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.protocol.value.RealStyle;
+
+/**
+ * What the geometric structures share: fields that are numbers, kept in an array.
+ *
+ * <p>A field is in one of three states: never set (it is 0.0, and written as 0.0), set, or missing:
+ * the controller's last answer did not have it, because it is not initialised there. To ask for a
+ * missing one is an error, because any number would be wrong.
+ */
+abstract class NumberStruct extends KRLStruct {
+  private double[] values;
+  private boolean[] missing;
+  private boolean[] given;
+  private double[] scratchValues;
+  private boolean[] scratchMissing;
+
+  /** Fields the controller sent that are not this structure's own; seldom any. */
+  private Map<String, KrlValue> foreign = Map.of();
+
+  NumberStruct(String name, String... nodes) {
+    super(name, nodes);
+    values = new double[nodes.length];
+    missing = new boolean[nodes.length];
+    given = new boolean[nodes.length];
+    scratchValues = new double[nodes.length];
+    scratchMissing = new boolean[nodes.length];
+  }
+
+  /** Says whether a field is an INT on the controller. */
+  boolean isInt(int index) {
+    return false;
+  }
+
+  private int indexOf(String field) {
+    String[] nodes = nodes();
+    for (int i = 0; i < nodes.length; i++) {
+      if (nodes[i].equalsIgnoreCase(field)) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  private int ownIndexOf(String field) {
+    int index = indexOf(field);
+    if (index < 0) {
+      throw new IllegalArgumentException(
+          getName() + " has the fields " + Arrays.toString(nodes()) + ", not " + field);
+    }
+    return index;
+  }
+
+  final double get(String field) {
+    return get(ownIndexOf(field));
+  }
+
+  private double get(int index) {
+    if (missing[index]) {
+      throw new IllegalStateException(
+          getName()
+              + "."
+              + nodes()[index]
+              + " was not in the controller's answer: it is not initialised, or no field of that"
+              + " variable");
+    }
+    return values[index];
+  }
+
+  final double[] get(String first, int count) {
+    int from = ownIndexOf(first);
+    double[] part = new double[count];
+    for (int i = 0; i < count; i++) {
+      part[i] = get(from + i);
+    }
+    return part;
+  }
+
+  final void set(String field, double value) {
+    set(ownIndexOf(field), value);
+  }
+
+  private void set(int index, double value) {
+    check(index, value);
+    values[index] = value;
+    missing[index] = false;
+    given[index] = true;
+  }
+
+  private void check(int index, double value) {
+    try {
+      KrlReal.of(value);
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(
+          getName() + "." + nodes()[index] + ": " + e.getMessage(), e);
+    }
+    if (isInt(index) && value != (int) value) {
+      throw new IllegalArgumentException(
+          getName() + "." + nodes()[index] + " must be an INT, is " + value);
+    }
+  }
+
+  final void set(String first, int count, double... newValues) {
+    if (newValues.length != count) {
+      throw new IllegalArgumentException(
+          getName() + ": the number of values must be " + count + ", is " + newValues.length);
+    }
+    int from = ownIndexOf(first);
+    for (int i = 0; i < count; i++) {
+      check(from + i, newValues[i]);
+    }
+    for (int i = 0; i < count; i++) {
+      set(from + i, newValues[i]);
+    }
+  }
+
+  /**
+   * Gives all values.
+   *
+   * @return a new array in the order of {@link #getNodes}, in mm and degrees
+   * @throws IllegalStateException if a field was missing in the controller's last answer
+   */
+  public double[] asArray() {
+    return get(nodes()[0], nodes().length);
+  }
+
+  /**
+   * Says whether a field has a value that was set or read. One that was neither is 0.0.
+   *
+   * @param field its name
+   * @return true if so
+   */
+  public boolean isSet(String field) {
+    return given[ownIndexOf(field)];
+  }
+
+  /**
+   * Gives the fields' values, and those numbers that the controller sent although they are not of
+   * this structure, as when {@code $POS_ACT} is read into an E6AXIS. A field that was missing in
+   * the controller's last answer is not there.
+   *
+   * @return a new map, the own fields in the order of {@link #getNodes}, then the others
+   */
+  @Override
+  public HashMap<String, Double> getValue() {
+    LinkedHashMap<String, Double> map = new LinkedHashMap<>();
+    String[] nodes = nodes();
+    for (int i = 0; i < nodes.length; i++) {
+      if (!missing[i]) {
+        map.put(nodes[i], values[i]);
+      }
+    }
+    foreign.forEach(
+        (name, value) -> {
+          if (value instanceof KrlReal number) {
+            map.put(name, Double.valueOf(number.print())); // the controller's own digits
+          } else if (value instanceof KrlInt number) {
+            map.put(name, (double) number.value());
+          }
+        });
+    return map;
+  }
+
+  /**
+   * Sets a field from text.
+   *
+   * @param str the field's name; one that is not of this structure is kept beside the own fields,
+   *     but not written
+   * @param obj a number as KRL text
+   * @throws IllegalArgumentException if the text is not a number
+   */
+  @Override
+  public void setValue(String str, String obj) {
+    int index = indexOf(str);
+    if (index >= 0) {
+      KrlScanner scanner = new KrlScanner(obj);
+      double value = scanner.readReal();
+      scanner.expectEnd();
+      set(index, value);
+    } else {
+      Map<String, KrlValue> more = new LinkedHashMap<>(foreign);
+      more.put(str.toUpperCase(Locale.ROOT), KrlValue.parse(obj));
+      foreign = more;
+    }
+  }
+
+  /**
+   * Gives the text that writes the whole structure.
+   *
+   * @return an aggregate of all own fields; those never set, or missing in the controller's last
+   *     answer, as 0.0
+   */
+  @Override
+  public String getStringValue() {
+    StringBuilder text = new StringBuilder(255);
+    KrlPrinter.openStruct(text);
+    for (int i = 0; i < values.length; i++) {
+      append(text, i);
+    }
+    KrlPrinter.closeStruct(text);
+    return text.toString();
+  }
+
+  @Override
+  public String getStringValueOf(String... fields) {
+    if (fields.length == 0) {
+      throw new IllegalArgumentException(getName() + ": name at least one field");
+    }
+    StringBuilder text = new StringBuilder(255);
+    KrlPrinter.openStruct(text);
+    for (String field : fields) {
+      int index = ownIndexOf(field);
+      if (!given[index]) {
+        throw new IllegalArgumentException(
+            getName() + "." + nodes()[index] + " has no value: it was neither set nor read");
+      }
+      append(text, index);
+    }
+    KrlPrinter.closeStruct(text);
+    return text.toString();
+  }
+
+  private void append(StringBuilder text, int index) {
+    KrlPrinter.nextField(text, nodes()[index]);
+    double value = missing[index] ? 0 : values[index];
+    if (isInt(index)) {
+      text.append((int) value);
+    } else {
+      KrlPrinter.appendReal(text, (float) value, RealStyle.SHORTEST);
+    }
+  }
+
+  @Override
+  protected final boolean setValueFrom(KrlScanner scanner, boolean written) {
+    // a write may name some fields only; an answer to a read says which fields there are
+    if (written) {
+      System.arraycopy(values, 0, scratchValues, 0, values.length);
+      System.arraycopy(missing, 0, scratchMissing, 0, missing.length);
+    } else {
+      Arrays.fill(scratchMissing, true);
+    }
+    long seen = 0;
+    Map<String, KrlValue> others = null;
+    int next = 0;
+    scanner.openStruct();
+    while (scanner.nextField()) {
+      int index = find(scanner, next);
+      if (index < 0) {
+        if (others == null) {
+          others = new LinkedHashMap<>();
+        }
+        others.put(scanner.fieldName().toUpperCase(Locale.ROOT), scanner.readFieldValue());
+        continue;
+      }
+      if ((seen & 1L << index) != 0) {
+        throw scanner.wrong("field " + nodes()[index] + " once");
+      }
+      seen |= 1L << index;
+      scratchValues[index] = scanner.readReal();
+      scratchMissing[index] = false;
+      next = index + 1;
+    }
+    scanner.expectEnd();
+    accept(seen);
+    if (others != null || !written) {
+      foreign = others == null ? Map.of() : others;
+    }
+    return true;
+  }
+
+  private void accept(long seen) {
+    double[] oldValues = values;
+    values = scratchValues;
+    scratchValues = oldValues;
+    boolean[] oldMissing = missing;
+    missing = scratchMissing;
+    scratchMissing = oldMissing;
+    for (int i = 0; i < given.length; i++) {
+      given[i] = (given[i] && !missing[i]) || (seen & 1L << i) != 0;
+    }
+  }
+
+  /** Finds the field that the scanner has reached; a controller sends them nearly in our order. */
+  private int find(KrlScanner scanner, int start) {
+    String[] nodes = nodes();
+    for (int i = 0; i < nodes.length; i++) {
+      int index = start + i < nodes.length ? start + i : start + i - nodes.length;
+      if (scanner.fieldIs(nodes[index])) {
+        return index;
+      }
+    }
+    return -1;
+  }
+
+  @Override
+  protected final void setValueFromString(String strValue) {
+    setValueFrom(new KrlScanner(strValue), false);
+  }
+}

@@ -1,0 +1,283 @@
+package no.hials.crosscom;
+
+import java.nio.ByteBuffer;
+import java.time.Instant;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.locks.ReentrantLock;
+import no.hials.crosscom.ConnectionEvent.Kind;
+import no.hials.crosscom.protocol.AnswerFrame;
+import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.ReadRequest;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The way to the server, which outlives its connections: makes a new one when one broke, keeps an
+ * idle one, and tells the listener.
+ *
+ * <p>One lock holds for an exchange and for what is done with its answer. It is fair, so that
+ * exchanges take place in the order in which they were asked for.
+ */
+final class Link {
+  private static final Logger LOG = LoggerFactory.getLogger(Link.class);
+
+  private final ClientConfig config;
+  private final ReentrantLock lock = new ReentrantLock(true);
+  private final ThreadPoolExecutor events;
+  private final @Nullable Thread keeper;
+  private final ByteBuffer ping = ByteBuffer.wrap(Codec.encode(new ReadRequest(0, "PING")));
+  private volatile Connection connection;
+  private volatile long timeoutNanos;
+  private volatile boolean closed;
+
+  // guarded by the lock
+  private int lastId;
+  private @Nullable CrossComException lostBy;
+  private int failedAttempts;
+  private long nextAttempt;
+
+  Link(ClientConfig config) throws CrossComConnectException {
+    this.config = config;
+    this.timeoutNanos = config.requestTimeout().toNanos();
+    this.connection = Connection.open(config);
+    connection.setTimeout(timeoutNanos);
+    this.events = Threads.lazy("crosscom-events-" + config.port());
+    if (config.keepAlive().isZero()) {
+      keeper = null;
+    } else {
+      keeper = new Thread(this::keepAlive, "crosscom-keepalive-" + config.port());
+      keeper.setDaemon(true);
+    }
+  }
+
+  /** Starts what runs beside the exchanges. */
+  void start() {
+    tell(Kind.CONNECTED, null);
+    if (keeper != null) {
+      keeper.start();
+    }
+  }
+
+  ReentrantLock lock() {
+    return lock;
+  }
+
+  Connection connection() {
+    return connection;
+  }
+
+  boolean isClosed() {
+    return closed || (!config.reconnect() && connection.isClosed());
+  }
+
+  long timeoutNanos() {
+    return timeoutNanos;
+  }
+
+  void setTimeout(long nanos) {
+    timeoutNanos = nanos;
+    connection.setTimeout(nanos);
+  }
+
+  /** Gives the answer of the last exchange. The lock is held. */
+  AnswerFrame answer() {
+    return connection.answer();
+  }
+
+  /** Gives how long the last exchange took. The lock is held. */
+  long exchangeNanos() {
+    return connection.exchangeNanos();
+  }
+
+  /**
+   * Sends a request and waits for its answer. The lock is held.
+   *
+   * <p>If the connection breaks, a read is repeated once on a new connection. A write never is.
+   *
+   * @param frame the request, whose id is set here
+   * @param type its type
+   * @param name the variable, for error messages
+   */
+  void exchange(ByteBuffer frame, MessageType type, String name) throws CrossComException {
+    makeUsable();
+    try {
+      send(frame, type, name);
+    } catch (CrossComConnectionLostException e) {
+      if (type == MessageType.WRITE
+          || !config.reconnect()
+          || Thread.currentThread().isInterrupted()) {
+        throw e;
+      }
+      LOG.debug("repeating the read of {} on a new connection", name);
+      connect();
+      send(frame, type, name);
+    }
+  }
+
+  @SuppressWarnings("ByteBufferBackingArray") // all requests are made by wrap or allocate
+  private void send(ByteBuffer frame, MessageType type, String name) throws CrossComException {
+    lastId = (lastId + 1) & 0xFFFF;
+    Codec.setId(frame.array(), lastId);
+    frame.rewind();
+    boolean known = connection.hasAnswered();
+    try {
+      connection.exchange(frame, lastId, type, name);
+      if (!known) {
+        failedAttempts = 0; // a server that only accepts and closes has not let us in
+      }
+    } catch (CrossComException e) {
+      lost(e);
+      throw e;
+    }
+  }
+
+  /** Sees to it that there is a connection which the server has not closed meanwhile. */
+  private void makeUsable() throws CrossComException {
+    if (closed) {
+      throw new CrossComClosedException("the client is closed", null, false);
+    }
+    if (connection.isClosed()) {
+      if (!config.reconnect()) {
+        throw new CrossComConnectionLostException(
+            "the connection is closed since it failed, and is not to be made again: " + lostBy(),
+            lostBy,
+            false);
+      }
+    } else {
+      CrossComException broken = connection.check();
+      if (broken == null) {
+        return;
+      }
+      lost(broken);
+      if (!config.reconnect() || connection.wasClosedAtOnce()) {
+        throw broken;
+      }
+    }
+    long wait = nextAttempt - System.nanoTime();
+    if (failedAttempts > 0 && wait > 0) {
+      throw new CrossComConnectException(
+          "not connected, and the next attempt is in "
+              + (wait / 1_000_000 + 1)
+              + " ms; the last one: "
+              + lostBy(),
+          lostBy);
+    }
+    connect();
+  }
+
+  private String lostBy() {
+    return lostBy == null ? "closed" : String.valueOf(lostBy.getMessage());
+  }
+
+  private void lost(CrossComException why) {
+    if (closed) {
+      return;
+    }
+    lostBy = why;
+    if (why instanceof CrossComConnectionLostException && connection.wasClosedAtOnce()) {
+      delayNextAttempt();
+    }
+    tell(Kind.LOST, why);
+  }
+
+  private void delayNextAttempt() {
+    failedAttempts++;
+    long backoff =
+        Math.min(
+            config.reconnectBackoff().toNanos() << Math.min(failedAttempts - 1, 16),
+            config.maxReconnectBackoff().toNanos());
+    nextAttempt = System.nanoTime() + backoff;
+  }
+
+  /** Makes a new connection. */
+  private void connect() throws CrossComException {
+    Connection made;
+    try {
+      made = Connection.open(config);
+    } catch (CrossComConnectException e) {
+      lostBy = e;
+      delayNextAttempt();
+      tell(Kind.RECONNECT_FAILED, e);
+      throw e;
+    }
+    connection = made;
+    made.setTimeout(timeoutNanos);
+    if (closed) {
+      made.close(); // the program closed the client while this connected
+      throw new CrossComClosedException("the client is closed", null, false);
+    }
+    tell(Kind.RECONNECTED, null);
+  }
+
+  /** Uses the connection when nothing else did for a while, and makes it anew when it is gone. */
+  private void keepAlive() {
+    while (!closed) {
+      long wait;
+      lock.lock();
+      try {
+        wait = nextDuty();
+        if (wait <= 0 && !closed) {
+          makeUsable();
+          send(ping, MessageType.READ, "PING");
+        }
+      } catch (CrossComException e) {
+        LOG.debug("keeping the connection failed: {}", e.getMessage());
+        wait = 0;
+      } finally {
+        lock.unlock();
+      }
+      if (wait > 0) {
+        LockSupport.parkNanos(this, wait);
+      } else if (!config.reconnect() && connection.isClosed()) {
+        return;
+      }
+    }
+  }
+
+  /** Gives how long it is until the connection has to be used, or to be made. */
+  private long nextDuty() {
+    long now = System.nanoTime();
+    if (connection.isClosed() && failedAttempts > 0) {
+      return nextAttempt - now;
+    }
+    return connection.lastEnd() + config.keepAlive().toNanos() - now;
+  }
+
+  private void tell(Kind kind, @Nullable CrossComException cause) {
+    ConnectionListener listener = config.listener();
+    if (listener == ClientConfig.NO_LISTENER) {
+      return;
+    }
+    ConnectionEvent event = new ConnectionEvent(kind, Instant.now(), cause);
+    try {
+      events.execute(
+          () -> {
+            try {
+              listener.connectionChanged(event);
+            } catch (RuntimeException e) {
+              LOG.warn("the connection listener failed on {}", event, e);
+            }
+          });
+    } catch (RejectedExecutionException e) {
+      LOG.debug("not told, the client is closed: {}", event);
+    }
+  }
+
+  /** Closes for good; what is under way fails. Closing again does nothing. */
+  void close() {
+    if (closed) {
+      return;
+    }
+    closed = true;
+    connection.close();
+    if (keeper != null) {
+      LockSupport.unpark(keeper);
+    }
+    tell(Kind.CLOSED, null);
+    events.shutdown();
+  }
+}

@@ -1,0 +1,87 @@
+package no.hials.crosscom;
+
+import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.WriteRequest;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Asks for a read or a write by name, for {@link CrossComClient#sendRequest}. It is a write if it
+ * has a value, whatever its id.
+ *
+ * @deprecated use {@link CrossComClient#readVariable} and {@link CrossComClient#writeVariable}, or
+ *     {@link CrossComClient#readText} and {@link CrossComClient#writeText} if the type is not known
+ */
+@Deprecated
+public final class Request {
+  private final int id;
+  private final String variable;
+  private final @Nullable String value;
+
+  /**
+   * Makes a read.
+   *
+   * @param id any number; the {@link Callback} has it again
+   * @param variable the variable's name
+   */
+  public Request(int id, String variable) {
+    this(id, variable, null);
+  }
+
+  /**
+   * Makes a write, or a read if there is no value.
+   *
+   * @param id any number; the {@link Callback} has it again
+   * @param variable the variable's name
+   * @param value the value as KRL text; null for a read
+   */
+  public Request(int id, String variable, @Nullable String value) {
+    this.id = id;
+    this.variable = variable;
+    this.value = value;
+  }
+
+  /**
+   * Gives the number given to this request.
+   *
+   * @return any number
+   */
+  public int getId() {
+    return id;
+  }
+
+  /**
+   * Gives the variable's name.
+   *
+   * @return the name
+   */
+  public String getVariable() {
+    return variable;
+  }
+
+  /**
+   * Gives the value to write.
+   *
+   * @return KRL text, or null for a read
+   */
+  public @Nullable String getValue() {
+    return value;
+  }
+
+  /**
+   * Gives the frame of this request.
+   *
+   * @return the bytes
+   */
+  public Byte[] getCmd() {
+    byte[] frame =
+        value == null
+            ? Codec.encode(new ReadRequest(id & 0xFFFF, variable))
+            : Codec.encode(new WriteRequest(id & 0xFFFF, variable, value));
+    Byte[] boxed = new Byte[frame.length];
+    for (int i = 0; i < frame.length; i++) {
+      boxed[i] = frame[i];
+    }
+    return boxed;
+  }
+}

@@ -1,0 +1,293 @@
+package no.hials.crosscom;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Flow;
+import java.util.concurrent.SubmissionPublisher;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+import no.hials.crosscom.KRL.KRLAny;
+import no.hials.crosscom.Sample.Reading;
+import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Reads a set of variables again and again, at a fixed period without drift; made by {@link
+ * CrossComClient#watch}.
+ *
+ * <p>A reading that takes longer than a period does not make the later ones late: the periods it
+ * missed are left out and counted. A slow listener does not delay the reading either: samples wait
+ * for it up to a limit, beyond which they are dropped and counted. While the connection is lost the
+ * watch goes on trying; the first sample afterwards says how many readings failed.
+ *
+ * <p>It runs the daemon thread {@code crosscom-watch-N}, and one {@code crosscom-watch-N-listener}
+ * for each listener or subscriber that has something to take. It ends when it or its client is
+ * closed; subscribers are told so.
+ */
+public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
+  private static final AtomicInteger COUNT = new AtomicInteger();
+
+  private final CrossComClient client;
+  private final WatchConfig config;
+  private final List<KRLAny> variables;
+  private final ExecutorService listeners;
+  private final SubmissionPublisher<Sample> publisher;
+  private final Thread thread;
+  private final AtomicLong dropped = new AtomicLong();
+  private volatile boolean closed;
+  private final AtomicLong polls = new AtomicLong();
+  private final AtomicLong missed = new AtomicLong();
+  private final AtomicLong failed = new AtomicLong();
+
+  // the watching thread's own
+  private long samples;
+  private long missedSinceSample;
+  private long failedSinceSample;
+  private @Nullable Map<String, Reading> lastGiven;
+
+  Watch(CrossComClient client, WatchConfig config) {
+    this.client = client;
+    this.config = config;
+    this.variables = config.names().stream().map(KRLAny::new).toList();
+    String name = "crosscom-watch-" + COUNT.incrementAndGet();
+    this.listeners =
+        Executors.newCachedThreadPool(
+            task -> {
+              Thread listener = new Thread(task, name + "-listener");
+              listener.setDaemon(true);
+              return listener;
+            });
+    this.publisher = new SubmissionPublisher<>(listeners, config.bufferSize());
+    this.thread = new Thread(this::run, name);
+    thread.setDaemon(true);
+  }
+
+  void start() {
+    thread.start();
+  }
+
+  /**
+   * Adds a listener.
+   *
+   * @param listener takes the samples from now on, one after the other; what it throws is logged
+   */
+  public void addListener(Consumer<? super Sample> listener) {
+    subscribe(new Listener(listener));
+  }
+
+  /**
+   * Adds a subscriber.
+   *
+   * @param subscriber takes the samples from now on, as many as it asks for
+   */
+  @Override
+  public void subscribe(Flow.Subscriber<? super Sample> subscriber) {
+    publisher.subscribe(subscriber);
+  }
+
+  /**
+   * Counts the readings.
+   *
+   * @return how many were begun
+   */
+  public long polls() {
+    return polls.get();
+  }
+
+  /**
+   * Counts the periods that were left out because a reading took too long.
+   *
+   * @return how many
+   */
+  public long missedPeriods() {
+    return missed.get();
+  }
+
+  /**
+   * Counts the readings that failed as a whole.
+   *
+   * @return how many
+   */
+  public long failedPolls() {
+    return failed.get();
+  }
+
+  /**
+   * Counts the samples that slow listeners and subscribers did not get, each for itself.
+   *
+   * @return how many
+   */
+  public long droppedSamples() {
+    return dropped.get();
+  }
+
+  private void run() {
+    long period = config.period().toNanos();
+    long next = System.nanoTime();
+    while (!closed) {
+      long late = System.nanoTime() - next;
+      if (late < 0) {
+        LockSupport.parkNanos(this, -late);
+        continue;
+      }
+      long leftOut = late / period;
+      missed.addAndGet(leftOut);
+      missedSinceSample += leftOut;
+      next += (leftOut + 1) * period;
+      poll();
+    }
+    publisher.close();
+    listeners.shutdown();
+  }
+
+  private void poll() {
+    polls.incrementAndGet();
+    Instant time = Instant.now();
+    long start = System.nanoTime();
+    Map<String, Reading> readings = new LinkedHashMap<>();
+    for (VariableResult result : client.readVariables(variables)) {
+      CrossComException failure = result.failure();
+      if (failure instanceof CrossComClosedException) {
+        close();
+        return;
+      }
+      if (failure != null
+          && !(failure instanceof CrossComAccessException)
+          && !(failure instanceof CrossComValueException)) {
+        LOG.debug("a reading failed: {}", failure.getMessage());
+        failed.incrementAndGet();
+        failedSinceSample++;
+        return;
+      }
+      readings.put(
+          result.variable().getName(),
+          new Reading(failure == null ? ((KRLAny) result.variable()).getValue() : null, failure));
+    }
+    Duration duration = Duration.ofNanos(System.nanoTime() - start);
+    Set<String> changed = changed(readings);
+    if (!changed.isEmpty() || !config.changesOnly()) {
+      give(
+          new Sample(
+              ++samples, time, duration, readings, changed, missedSinceSample, failedSinceSample));
+    }
+  }
+
+  private void give(Sample sample) {
+    lastGiven = sample.readings();
+    missedSinceSample = 0;
+    failedSinceSample = 0;
+    publisher.offer(
+        sample,
+        (subscriber, lost) -> {
+          dropped.incrementAndGet();
+          return false;
+        });
+  }
+
+  private Set<String> changed(Map<String, Reading> readings) {
+    Map<String, Reading> before = lastGiven;
+    if (before == null) {
+      return readings.keySet();
+    }
+    Set<String> changed = new HashSet<>();
+    readings.forEach(
+        (name, reading) -> {
+          if (differs(before.get(name), reading)) {
+            changed.add(name);
+          }
+        });
+    return changed;
+  }
+
+  private boolean differs(@Nullable Reading before, Reading now) {
+    if (before == null || before.value() == null || now.value() == null) {
+      return before == null || before.value() != now.value();
+    }
+    return differs(before.value(), now.value());
+  }
+
+  private boolean differs(KrlValue before, KrlValue now) {
+    if (before instanceof KrlReal a && now instanceof KrlReal b) {
+      return Math.abs((double) a.value() - b.value()) > config.deadBand();
+    }
+    if (before instanceof KrlStruct a && now instanceof KrlStruct b) {
+      if (a.fields().size() != b.fields().size()) {
+        return true;
+      }
+      for (KrlStruct.Field field : b.fields()) {
+        KrlValue old = a.get(field.name()).orElse(null);
+        if (old == null || differs(old, field.value())) {
+          return true;
+        }
+      }
+      return false;
+    }
+    if (before instanceof KrlArray a && now instanceof KrlArray b) {
+      if (a.elements().size() != b.elements().size()) {
+        return true;
+      }
+      for (int i = 0; i < a.elements().size(); i++) {
+        if (differs(a.elements().get(i), b.elements().get(i))) {
+          return true;
+        }
+      }
+      return false;
+    }
+    return !before.equals(now);
+  }
+
+  /** Ends the watch; a reading under way is finished. Subscribers are told. */
+  @Override
+  public void close() {
+    closed = true;
+    LockSupport.unpark(thread);
+  }
+
+  /** Hands the samples to a listener. */
+  private static final class Listener implements Flow.Subscriber<Sample> {
+    private final Consumer<? super Sample> listener;
+
+    Listener(Consumer<? super Sample> listener) {
+      this.listener = listener;
+    }
+
+    @Override
+    public void onSubscribe(Flow.Subscription subscription) {
+      subscription.request(Long.MAX_VALUE);
+    }
+
+    @Override
+    public void onNext(Sample sample) {
+      try {
+        listener.accept(sample);
+      } catch (RuntimeException e) {
+        LOG.warn("the listener of a watch failed on sample {}", sample.number(), e);
+      }
+    }
+
+    @Override
+    public void onError(Throwable failure) {
+      LOG.warn("a watch ended", failure);
+    }
+
+    @Override
+    public void onComplete() {
+      LOG.debug("a watch ended");
+    }
+  }
+}

@@ -1,0 +1,84 @@
+package no.hials.crosscom.internal;
+
+import java.util.Objects;
+import no.hials.crosscom.KRL.KRLArray;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.protocol.value.KrlScanner;
+import org.jspecify.annotations.Nullable;
+
+/** Lets the client reach what {@link KRLVariable} hides from programs. */
+public abstract class VariableAccess {
+  private static volatile @Nullable VariableAccess instance;
+
+  /** For the one implementation, in {@link KRLVariable}. */
+  protected VariableAccess() {}
+
+  /**
+   * Gives the one implementation.
+   *
+   * @return it; there is one as soon as there is a variable
+   */
+  public static VariableAccess get() {
+    return Objects.requireNonNull(instance, "no variable class is loaded");
+  }
+
+  /**
+   * Installs the one implementation.
+   *
+   * @param access it
+   */
+  public static void set(VariableAccess access) {
+    instance = access;
+  }
+
+  /**
+   * Gives the encoded read request of a variable, which is made once.
+   *
+   * @param variable the variable
+   * @return the frame, with any id; not to be changed
+   */
+  public abstract byte[] readFrame(KRLVariable variable);
+
+  /**
+   * Sets a variable from text in place, all or nothing.
+   *
+   * @param variable the variable
+   * @param scanner at the beginning of the text
+   * @param written whether the text is that of a write, which may name some fields only
+   * @return false if the class of the variable can only be set from a String
+   */
+  public abstract boolean scan(KRLVariable variable, KrlScanner scanner, boolean written);
+
+  /**
+   * Sets a variable of a class that can only be set from a String.
+   *
+   * @param variable the variable
+   * @param text the text
+   */
+  public abstract void setFromString(KRLVariable variable, String text);
+
+  /**
+   * Sets one element of an array from text; {@link #acceptElements} makes them the value.
+   *
+   * @param array the array
+   * @param scanner at the beginning of the element's text
+   * @param index from 0
+   */
+  public abstract void scanElement(KRLArray array, KrlScanner scanner, int index);
+
+  /**
+   * Makes elements set by {@link #scanElement} the array's value.
+   *
+   * @param array the array
+   * @param count how many there are
+   */
+  public abstract void acceptElements(KRLArray array, int count);
+
+  /**
+   * Notes how long an exchange took.
+   *
+   * @param variable the variable
+   * @param nanos the time in ns
+   */
+  public abstract void setReadTime(KRLVariable variable, long nanos);
+}

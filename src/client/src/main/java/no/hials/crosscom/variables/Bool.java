@@ -1,0 +1,16 @@
+package no.hials.crosscom.variables;
+
+/** Holds a BOOL. */
+public class Bool extends Variable<Boolean> {
+  /**
+   * Makes a variable.
+   *
+   * @param id the number of the request
+   * @param name the variable's name
+   * @param value the value
+   * @param readTime how long the access took, in ns
+   */
+  public Bool(int id, String name, Boolean value, long readTime) {
+    super(id, name, "Bool", value, readTime);
+  }
+}

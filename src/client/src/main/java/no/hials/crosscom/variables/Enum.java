@@ -1,0 +1,17 @@
+package no.hials.crosscom.variables;
+
+/** Holds a value of an ENUM, with its {@code #}. */
+@SuppressWarnings("JavaLangClash") // the original's name
+public class Enum extends Variable<String> {
+  /**
+   * Makes a variable.
+   *
+   * @param id the number of the request
+   * @param name the variable's name
+   * @param value the value
+   * @param readTime how long the access took, in ns
+   */
+  public Enum(int id, String name, String value, long readTime) {
+    super(id, name, "Enum", value, readTime);
+  }
+}

@@ -1,0 +1,66 @@
+package no.hials.crosscom.variables;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+
+/** Holds an aggregate. */
+public class Struct extends Variable<List<StructNode<?>>> {
+  /**
+   * Makes a variable.
+   *
+   * @param id the number of the request
+   * @param name the variable's name
+   * @param value the fields
+   * @param readTime how long the access took, in ns
+   */
+  public Struct(int id, String name, List<StructNode<?>> value, long readTime) {
+    super(id, name, "Struct", value, readTime);
+  }
+
+  /**
+   * Parses an aggregate.
+   *
+   * @param value its text
+   * @return its fields in the order of the text: Integer, Double, Boolean, String for an ENUM (with
+   *     its {@code #}) or a text, a list of nodes for a nested aggregate
+   * @throws IllegalArgumentException if the text is not an aggregate
+   */
+  public static List<StructNode<?>> parseString(String value) {
+    if (KrlValue.parse(value) instanceof KrlStruct struct) {
+      return nodes(struct);
+    }
+    throw new IllegalArgumentException("expected an aggregate in braces, found: " + value);
+  }
+
+  static List<StructNode<?>> nodes(KrlStruct struct) {
+    List<StructNode<?>> nodes = new ArrayList<>();
+    for (KrlStruct.Field field : struct.fields()) {
+      nodes.add(new StructNode<>(field.name(), toJava(field.value())));
+    }
+    return nodes;
+  }
+
+  private static Object toJava(KrlValue value) {
+    if (value instanceof KrlInt number) {
+      return number.value();
+    } else if (value instanceof KrlReal number) {
+      return Double.valueOf(number.print());
+    } else if (value instanceof KrlBool bool) {
+      return bool.value();
+    } else if (value instanceof KrlEnum constant) {
+      return constant.print();
+    } else if (value instanceof KrlString string) {
+      return string.text();
+    } else if (value instanceof KrlStruct struct) {
+      return nodes(struct);
+    }
+    return value.print();
+  }
+}

@@ -1,0 +1,158 @@
+package no.hials.crosscom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import no.hials.crosscom.KRL.KRLInt;
+import no.hials.crosscom.KRL.KRLIntArray;
+import no.hials.crosscom.KRL.structs.KRLFrame;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.RecordedRequest;
+import org.junit.jupiter.api.Test;
+
+/** Does what the other methods do, in another thread. */
+class AsyncTest extends RobotTest {
+  private final CountDownLatch release = new CountDownLatch(1);
+  private final CountDownLatch asked = new CountDownLatch(1);
+
+  /** Makes the controller take a request and not answer it before {@link #release}. */
+  private void holdFirstRequest() {
+    robot.faults(
+        request -> {
+          boolean first = request.number() == 1;
+          asked.countDown();
+          return first ? Optional.of(Fault.hold(release)) : Optional.empty();
+        });
+  }
+
+  @Test
+  void everyOperationHasATwin() throws Exception {
+    KRLInt i = new KRLInt("MYINT");
+    i.setValue(5);
+    client.writeVariableAsync(i).get();
+    i.setValue(0);
+    client.readVariableAsync(i).get();
+    assertThat(i.getValue()).isEqualTo(5);
+    client.writeTextAsync("MYINT", "6").get();
+    assertThat(client.readTextAsync("MYINT").get()).isEqualTo("6");
+    assertThat(client.readValueAsync("MYINT").get()).hasToString("6");
+    client.writeFieldsAsync(new KRLFrame("MYFRAME").setX(1), "X").get();
+    assertThat(client.readVariablesAsync(List.of(i)).get()).allMatch(VariableResult::isOk);
+    assertThat(client.writeVariablesAsync(List.of(i)).get()).allMatch(VariableResult::isOk);
+    KRLIntArray ints = new KRLIntArray("MYINTS");
+    client.readVariableAsync(ints, (done, total) -> {}).get();
+    client.writeVariableAsync(ints, (done, total) -> {}).get();
+    assertThat(client.simpleReadAsync("MYINT").get()).endsWith("#value=6");
+    assertThat(client.simpleWriteAsync("MYINT", "7").get()).endsWith("#value=7");
+    assertThat(client.readJointAnglesAsync().get()).containsExactly(0, -90, 90, 0, 0, 0);
+    assertThat(client.readJointTorquesAsync().get()).hasSize(6);
+  }
+
+  @Test
+  void operationsAreDoneInTheOrderInWhichTheyWereAskedFor() throws Exception {
+    CompletableFuture<?>[] all = new CompletableFuture<?>[50];
+    for (int i = 0; i < all.length; i++) {
+      all[i] = client.writeTextAsync("MYINT", String.valueOf(i));
+    }
+    CompletableFuture.allOf(all).get();
+
+    for (int i = 0; i < all.length; i++) {
+      assertThat(robot.requests().get(i).value()).isEqualTo(String.valueOf(i));
+    }
+  }
+
+  @Test
+  void aFailureIsThatOfTheOperation() {
+    assertThatExceptionOfType(ExecutionException.class)
+        .isThrownBy(() -> client.readTextAsync("NOSUCHVAR").get())
+        .withCauseInstanceOf(CrossComAccessException.class);
+    assertThatExceptionOfType(ExecutionException.class)
+        .isThrownBy(() -> client.readTextAsync(" ").get())
+        .withCauseInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
+  void whatIsCancelledBeforeItIsSentIsNotSent() throws Exception {
+    holdFirstRequest();
+    CompletableFuture<String> first = client.readTextAsync("$OV_PRO");
+    CompletableFuture<Void> write = client.writeTextAsync("MYINT", "9");
+    asked.await();
+
+    assertThat(write.cancel(false)).isTrue();
+    assertThat(first.cancel(true)).as("it was sent").isFalse();
+    release.countDown();
+
+    assertThat(first.get()).isEqualTo("100");
+    assertThatExceptionOfType(CancellationException.class).isThrownBy(write::get);
+    assertThat(client.readTextAsync("MYINT").get()).isEqualTo("0");
+    assertThat(robot.requests())
+        .extracting(RecordedRequest::name)
+        .containsExactly("$OV_PRO", "MYINT");
+  }
+
+  @Test
+  void whatWaitsBehindASynchronousCallCanStillBeCancelled() throws Exception {
+    holdFirstRequest();
+    CompletableFuture<String> sync =
+        CompletableFuture.supplyAsync(
+            () -> {
+              try {
+                return client.readText("$OV_PRO");
+              } catch (java.io.IOException e) {
+                throw new java.io.UncheckedIOException(e);
+              }
+            });
+    asked.await();
+    CompletableFuture<Void> write = client.writeTextAsync("MYINT", "9");
+
+    assertThat(write.cancel(false)).isTrue();
+    release.countDown();
+
+    assertThat(sync.get()).isEqualTo("100");
+    assertThat(client.readText("MYINT")).isEqualTo("0");
+    assertThat(robot.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void whatIsQueuedWhenTheClientIsClosedFails() throws Exception {
+    holdFirstRequest();
+    CompletableFuture<String> first = client.readTextAsync("$OV_PRO");
+    CompletableFuture<String> second = client.readTextAsync("$OV_JOG");
+    asked.await();
+    client.close();
+    release.countDown();
+
+    for (CompletableFuture<String> future : List.of(first, second, client.readTextAsync("X"))) {
+      assertThatExceptionOfType(ExecutionException.class)
+          .isThrownBy(future::get)
+          .withCauseInstanceOf(CrossComClosedException.class);
+    }
+  }
+
+  @Test
+  void whatFollowsOnAResultDoesNotHoldUpOtherOperations() throws Exception {
+    CountDownLatch never = new CountDownLatch(1);
+    CompletableFuture<Void> blocked =
+        client
+            .readTextAsync("$OV_PRO")
+            .thenAccept(
+                value -> {
+                  try {
+                    never.await();
+                  } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                  }
+                });
+
+    assertThat(client.readTextAsync("$OV_JOG").get()).isEqualTo("10");
+    assertThat(blocked).isNotDone();
+    never.countDown();
+    blocked.get();
+  }
+}

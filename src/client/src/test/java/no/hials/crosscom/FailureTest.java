@@ -1,0 +1,346 @@
+package no.hials.crosscom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.UnknownHostException;
+import java.time.Duration;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.Stream;
+import no.hials.crosscom.KRL.KRLInt;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Fails as promised, and never with a value. */
+class FailureTest extends RobotTest {
+  @Test
+  void aRefusedConnectionSaysWhere() {
+    int port = robot.port();
+    robot.close();
+
+    assertThatExceptionOfType(CrossComConnectException.class)
+        .isThrownBy(() -> new CrossComClient("127.0.0.1", port))
+        .withMessageStartingWith("could not connect to 127.0.0.1:" + port);
+  }
+
+  @Test
+  void anUnknownHostSaysSo() {
+    assertThatExceptionOfType(CrossComConnectException.class)
+        .isThrownBy(() -> new CrossComClient("no-such-host.invalid", 7000))
+        .withMessageContaining("the host name is unknown")
+        .withCauseInstanceOf(UnknownHostException.class);
+  }
+
+  @Test
+  void connectingTakesNoLongerThanItsLimit() throws Exception {
+    // a full backlog makes the system drop the request to connect
+    try (ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      ClientConfig config =
+          ClientConfig.create(
+              full.getInetAddress().getHostAddress(),
+              cfg -> cfg.port(full.getLocalPort()).connectTimeout(SHORT));
+      assertThatExceptionOfType(CrossComConnectException.class)
+          .isThrownBy(
+              () -> {
+                for (int i = 0; i < 10; i++) {
+                  // not closed on purpose: they fill the backlog, and end with the server socket
+                  @SuppressWarnings("resource")
+                  CrossComClient filler = new CrossComClient(config);
+                  assertThat(filler.isClosed()).isFalse();
+                }
+              })
+          .withMessageContaining("no answer within 100 ms");
+    }
+  }
+
+  @Test
+  void aStalledReadTimesOutAndClosesTheConnection() throws Exception {
+    robot.enqueue(Fault.drop());
+    try (CrossComClient hasty = client(SHORT)) {
+      assertThatExceptionOfType(CrossComTimeoutException.class)
+          .isThrownBy(() -> hasty.readText("$OV_PRO"))
+          .withMessage("no answer to the read of $OV_PRO within 100 ms; the connection is closed")
+          .satisfies(e -> assertThat(e.isOutcomeUnknown()).isFalse());
+      assertThat(hasty.isClosed()).isTrue();
+    }
+  }
+
+  @Test
+  void aStalledWriteSaysThatItsOutcomeIsUnknownAndIsNotRepeated() throws Exception {
+    robot.enqueue(Fault.dropAnswer());
+    try (CrossComClient hasty = client(SHORT)) {
+      assertThatExceptionOfType(CrossComTimeoutException.class)
+          .isThrownBy(() -> hasty.writeText("MYINT", "5"))
+          .withMessageContaining("the outcome is unknown")
+          .satisfies(e -> assertThat(e.isOutcomeUnknown()).isTrue());
+    }
+    assertThat(robot.requests()).hasSize(1);
+    assertThat(robot.variables().get("MYINT")).isEqualTo("5");
+  }
+
+  @Test
+  void aSlowServerThatSendsByteByByteDoesNotStretchTheLimit() throws Exception {
+    // 13 bytes, each in time, but not all of them together
+    robot.enqueue(Fault.oneByteAtATime(Duration.ofMillis(80)));
+    try (CrossComClient hasty = client(Duration.ofMillis(200))) {
+      assertThatExceptionOfType(CrossComTimeoutException.class)
+          .isThrownBy(() -> hasty.readText("$OV_PRO"));
+    }
+  }
+
+  @Test
+  void aLateAnswerIsNeverTakenForAnothers() throws Exception {
+    CountDownLatch release = new CountDownLatch(1);
+    robot.enqueue(Fault.hold(release));
+    try (CrossComClient hasty = client(SHORT)) {
+      assertThatExceptionOfType(CrossComTimeoutException.class)
+          .isThrownBy(() -> hasty.readText("$OV_PRO"));
+      release.countDown();
+      assertThatExceptionOfType(CrossComException.class)
+          .isThrownBy(() -> hasty.readText("$OV_JOG"));
+    }
+  }
+
+  @Test
+  void theTimeLimitCanBeSetAsOnASocket() throws Exception {
+    assertThat(client.getSoTimeout()).isEqualTo((int) LONG.toMillis());
+    client.setSoTimeout(50);
+    assertThat(client.getSoTimeout()).isEqualTo(50);
+    robot.enqueue(Fault.drop());
+
+    assertThatExceptionOfType(CrossComTimeoutException.class)
+        .isThrownBy(() -> client.readText("$OV_PRO"))
+        .withMessageContaining("within 50 ms");
+    assertThatIllegalArgumentException().isThrownBy(() -> client.setSoTimeout(-1));
+  }
+
+  @Test
+  void aLimitOfZeroWaitsForEver() throws Exception {
+    client.setSoTimeout(0);
+    robot.enqueue(Fault.delay(Duration.ofMillis(200)));
+
+    assertThat(client.readText("$OV_PRO")).isEqualTo("100");
+  }
+
+  @Test
+  void manyFastExchangesUnderAShortLimitDoNotTimeOut() throws Exception {
+    // enough for the watchdog to sleep, wake and doze
+    try (CrossComClient hasty = client(Duration.ofSeconds(1))) {
+      KRLInt i = new KRLInt("MYINT");
+      for (int n = 0; n < 30_000; n++) {
+        hasty.readVariable(i);
+      }
+      robot.enqueue(Fault.drop());
+      assertThatExceptionOfType(CrossComTimeoutException.class)
+          .isThrownBy(() -> hasty.readVariable(i));
+    }
+  }
+
+  static Stream<Fault> lies() {
+    return Stream.of(
+        Fault.wrongId(),
+        Fault.wrongFunction(2),
+        Fault.wrongFunction(200),
+        Fault.wrongLength(-1),
+        Fault.wrongLength(-3),
+        Fault.emptyAnswer(),
+        Fault.raw("00 01 00 09 00 00 04 31 30 30 00 01 01"),
+        Fault.raw("00 01 00 09 00 00 02 31 30 30 00 01 01"),
+        Fault.raw("00 01 00 03 00 00 00"),
+        Fault.raw("00 01 00 05 00 00 00 00 01"),
+        Fault.raw("FF FF 00 01 00"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("lies")
+  void aWrongAnswerIsAProtocolErrorWithItsBytesAndClosesTheConnection(Fault lie) throws Exception {
+    robot.enqueue(lie);
+
+    assertThatExceptionOfType(CrossComProtocolException.class)
+        .isThrownBy(() -> client.readText("$OV_PRO"))
+        .withMessageContaining("frame: ");
+    assertThat(client.isClosed()).isTrue();
+    assertThatExceptionOfType(CrossComException.class).isThrownBy(() -> client.readText("$OV_PRO"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("lies")
+  void aWrongAnswerToAWriteLeavesItsOutcomeUnknown(Fault lie) throws Exception {
+    robot.enqueue(lie);
+
+    assertThatExceptionOfType(CrossComProtocolException.class)
+        .isThrownBy(() -> client.writeText("$OV_PRO", "50"))
+        .satisfies(e -> assertThat(e.isOutcomeUnknown()).isTrue());
+    assertThat(robot.requests()).hasSize(1);
+  }
+
+  static Stream<Fault> breaks() {
+    return Stream.of(
+        Fault.closeBefore(),
+        Fault.resetBefore(),
+        Fault.closeDuring(1),
+        Fault.closeDuring(4),
+        Fault.closeDuring(11));
+  }
+
+  @ParameterizedTest
+  @MethodSource("breaks")
+  void aBrokenConnectionIsLostAndAWritesOutcomeUnknown(Fault fault) throws Exception {
+    robot.enqueue(fault);
+    assertThatExceptionOfType(CrossComConnectionLostException.class)
+        .isThrownBy(() -> client.writeText("$OV_PRO", "50"))
+        .withMessageContaining("write of $OV_PRO")
+        .satisfies(e -> assertThat(e.isOutcomeUnknown()).isTrue());
+    assertThat(client.isClosed()).isTrue();
+    assertThat(robot.requests()).hasSize(1);
+
+    robot.enqueue(fault);
+    try (CrossComClient other = client(LONG)) {
+      assertThatExceptionOfType(CrossComConnectionLostException.class)
+          .isThrownBy(() -> other.readText("$OV_PRO"))
+          .satisfies(e -> assertThat(e.isOutcomeUnknown()).isFalse());
+    }
+  }
+
+  @Test
+  void aTruncatedAnswerTimesOut() throws Exception {
+    robot.enqueue(Fault.truncate(10));
+    try (CrossComClient hasty = client(SHORT)) {
+      assertThatExceptionOfType(CrossComTimeoutException.class)
+          .isThrownBy(() -> hasty.readText("$OV_PRO"));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
+  void garbageIsNeverAValue(long seed) throws Exception {
+    robot.enqueue(Fault.garbage(seed, 40));
+    try (CrossComClient hasty = client(SHORT)) {
+      assertThatExceptionOfType(CrossComException.class)
+          .isThrownBy(() -> hasty.readText("$OV_PRO"));
+      assertThat(hasty.isClosed()).isTrue();
+    }
+  }
+
+  @Test
+  void aClosedClientSaysSo() throws Exception {
+    client.close();
+    client.close();
+
+    assertThatExceptionOfType(CrossComClosedException.class)
+        .isThrownBy(() -> client.readText("$OV_PRO"))
+        .withMessage("the client is closed");
+    assertThat(client.isClosed()).isTrue();
+    assertThat(client.isConnected()).as("as a Socket that was connected").isTrue();
+  }
+
+  @Test
+  void closingEndsAnExchangeUnderWay() throws Exception {
+    CountDownLatch never = new CountDownLatch(1);
+    CountDownLatch asked = new CountDownLatch(1);
+    robot.faults(
+        request -> {
+          asked.countDown();
+          return java.util.Optional.of(Fault.hold(never));
+        });
+    ExecutorService pool = Executors.newSingleThreadExecutor();
+    try {
+      Future<?> read = pool.submit(() -> client.readText("$OV_PRO"));
+      asked.await();
+      client.close();
+
+      assertThatExceptionOfType(java.util.concurrent.ExecutionException.class)
+          .isThrownBy(read::get)
+          .withCauseInstanceOf(CrossComClosedException.class);
+    } finally {
+      never.countDown();
+      pool.shutdownNow();
+    }
+  }
+
+  @Test
+  void aClosedClientLeavesNoThreadBehind() throws Exception {
+    try (MockServer other = MockServer.start()) {
+      CrossComClient its = new CrossComClient(other.host(), other.port());
+      String name = "crosscom-watchdog-" + other.port();
+      Thread watchdog =
+          Thread.getAllStackTraces().keySet().stream()
+              .filter(t -> t.getName().equals(name))
+              .findAny()
+              .orElseThrow();
+      assertThat(watchdog.isDaemon()).isTrue();
+      its.close();
+      watchdog.join();
+    }
+  }
+
+  @Test
+  void theSocketsAddressesCanBeAsked() throws Exception {
+    assertThat(client.getInetAddress()).isEqualTo(robot.address().getAddress());
+    assertThat(client.getPort()).isEqualTo(robot.port());
+    assertThat(client.getLocalPort()).isBetween(1, 65_535).isNotEqualTo(robot.port());
+    assertThat(client.isConnected()).isTrue();
+    assertThat(client.isClosed()).isFalse();
+    assertThat(client).hasToString("CrossComClient{" + robot.host() + ":" + robot.port() + "}");
+  }
+
+  @Test
+  void theEleventhClientIsToldThatTheConnectionWasClosed() throws Exception {
+    try (MockServer full = MockServer.start(cfg -> cfg.maxClients(1));
+        CrossComClient first = new CrossComClient(full.host(), full.port())) {
+      assertThat(first.readText("PING")).isEqualTo("PONG");
+      assertThatExceptionOfType(CrossComConnectionLostException.class)
+          .isThrownBy(
+              () -> {
+                try (CrossComClient second = new CrossComClient(full.host(), full.port())) {
+                  second.readText("$OV_PRO");
+                }
+              })
+          .withMessageContaining("KUKAVARPROXY takes 10");
+    }
+  }
+
+  @Test
+  void configurationsAreCheckedFieldByField() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> ClientConfig.create(" ", cfg -> {}))
+        .withMessage("host must not be blank");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new CrossComClient("127.0.0.1", 0))
+        .withMessage("port must be 1 to 65535, is 0");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new CrossComClient("127.0.0.1", 65_536))
+        .withMessage("port must be 1 to 65535, is 65536");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> ClientConfig.create("h", cfg -> cfg.connectTimeout(Duration.ZERO)))
+        .withMessageContaining("connect time-out");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> ClientConfig.create("h", cfg -> cfg.requestTimeout(Duration.ofNanos(5))))
+        .withMessage("request time-out must be 0 or 1 to 2147483647 ms, is PT0.000000005S");
+    assertThatIllegalArgumentException()
+        .isThrownBy(
+            () ->
+                ClientConfig.create(
+                    "h", cfg -> cfg.reconnectBackoff(Duration.ofSeconds(2), Duration.ofSeconds(1))))
+        .withMessage("greatest reconnect backoff must be at least PT2S, is PT1S");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> ClientConfig.create("h", cfg -> cfg.maxRequestLength(15)));
+    ClientConfig defaults = ClientConfig.create("h", cfg -> {});
+    assertThat(defaults.port()).isEqualTo(7000);
+    assertThat(defaults.connectTimeout()).isEqualTo(Duration.ofSeconds(5));
+    assertThat(defaults.requestTimeout()).isEqualTo(Duration.ofSeconds(3));
+    assertThat(defaults.maxAggregateLength()).isEqualTo(255);
+    assertThat(defaults.keepAlive()).isEqualTo(Duration.ofSeconds(10));
+    assertThat(defaults.reconnect()).isTrue();
+  }
+}

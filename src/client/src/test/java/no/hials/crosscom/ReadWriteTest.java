@@ -1,0 +1,485 @@
+package no.hials.crosscom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import no.hials.crosscom.CrossComAccessException.Operation;
+import no.hials.crosscom.KRL.KRLAny;
+import no.hials.crosscom.KRL.KRLBool;
+import no.hials.crosscom.KRL.KRLBoolArray;
+import no.hials.crosscom.KRL.KRLChar;
+import no.hials.crosscom.KRL.KRLEnum;
+import no.hials.crosscom.KRL.KRLInt;
+import no.hials.crosscom.KRL.KRLIntArray;
+import no.hials.crosscom.KRL.KRLReal;
+import no.hials.crosscom.KRL.KRLRealArray;
+import no.hials.crosscom.KRL.KRLString;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.KRL.structs.KRLE6Axis;
+import no.hials.crosscom.KRL.structs.KRLE6Pos;
+import no.hials.crosscom.KRL.structs.KRLFrame;
+import no.hials.crosscom.KRL.structs.KRLPos;
+import no.hials.crosscom.KRL.structs.KRLStruct;
+import no.hials.crosscom.mock.FailedRead;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Reads and writes variables of every type. */
+class ReadWriteTest extends RobotTest {
+  private List<String> written() {
+    return robot.requests().stream()
+        .filter(RecordedRequest::isWrite)
+        .map(r -> r.name() + " = " + r.value())
+        .toList();
+  }
+
+  @Test
+  void scalarsAreReadAndWritten() throws Exception {
+    KRLInt i = new KRLInt("MYINT");
+    i.setValue(-7);
+    client.writeVariable(i);
+    KRLReal r = new KRLReal("MYREAL");
+    r.setValue(27.0000057);
+    client.writeVariable(r);
+    KRLBool b = new KRLBool("MYBOOL");
+    b.setValue(true);
+    client.writeVariable(b);
+    KRLEnum e = new KRLEnum("MYENUM");
+    e.setValue("AUT");
+    client.writeVariable(e);
+    KRLChar c = new KRLChar("MYCHAR");
+    c.setValue('x');
+    client.writeVariable(c);
+    KRLString s = new KRLString("MYSTRING");
+    s.setValue("a, {b} #c");
+    client.writeVariable(s);
+
+    assertThat(written())
+        .containsExactly(
+            "MYINT = -7",
+            "MYREAL = 27.000006",
+            "MYBOOL = TRUE",
+            "MYENUM = #AUT",
+            "MYCHAR = \"x\"",
+            "MYSTRING[] = \"a, {b} #c\"");
+    for (KRLVariable variable : List.of(i, r, b, e, c, s)) {
+      client.readVariable(variable);
+    }
+    assertThat(i.getValue()).isEqualTo(-7);
+    assertThat(r.getValue()).as("the controller's own digits").isEqualTo(27.0000057);
+    assertThat(b.getValue()).isTrue();
+    assertThat(e.getValue()).isEqualTo("#AUT");
+    assertThat(c.getValue()).isEqualTo('x');
+    assertThat(s.getValue()).isEqualTo("a, {b} #c");
+  }
+
+  @Test
+  void aVariableHasNoValueBeforeItIsReadOrSet() throws Exception {
+    KRLInt i = new KRLInt("MYINT");
+
+    assertThat(i.getValue()).isNull();
+    assertThat(i.toString()).contains("value=null");
+    assertThat(i.getReadTimeNano()).isEqualTo(-1);
+    assertThatIllegalStateException()
+        .isThrownBy(() -> client.writeVariable(i))
+        .withMessage("MYINT has no value: it was neither set nor read");
+    assertThatIllegalStateException()
+        .isThrownBy(() -> client.writeVariable(new KRLIntArray("MYINTS")));
+    assertThat(robot.requests()).isEmpty();
+  }
+
+  @Test
+  void theReadTimeIsThatOfTheLastAccess() throws Exception {
+    KRLInt i = new KRLInt("MYINT");
+    client.readVariable(i);
+
+    assertThat(i.getReadTimeNano()).isPositive();
+    assertThat(i.getReadTimeSec()).isEqualTo(i.getReadTimeNano() / 1e9);
+    assertThat(i.getReadTimeMillis()).isEqualTo(i.getReadTimeNano() / 1_000_000);
+  }
+
+  @Test
+  void anEmptyCharArrayIsTheEmptyText() throws Exception {
+    KRLString s = new KRLString("MYSTRING[]");
+    s.setValue("");
+    client.writeVariable(s);
+    s.setValue("other");
+    client.readVariable(s);
+
+    assertThat(s.getValue()).isEmpty();
+    assertThat(written()).containsExactly("MYSTRING[] = \" \"");
+  }
+
+  @Test
+  void wholeArraysAreReadInOneAccessAndWrittenElementByElement() throws Exception {
+    KRLIntArray ints = new KRLIntArray("MYINTS");
+    ints.setValue(1, 2, 3);
+    client.writeVariable(ints);
+    assertThat(written()).containsExactly("MYINTS[1] = 1", "MYINTS[2] = 2", "MYINTS[3] = 3");
+
+    client.readVariable(ints);
+    assertThat(ints.getValue()).containsExactly(1, 2, 3, 0, 0, 0, 0, 0, 0, 0);
+    assertThat(robot.requests()).hasSize(4);
+
+    KRLRealArray reals = new KRLRealArray("MYREALS[]");
+    reals.setValue(1.5, -2.25);
+    client.writeVariable(reals);
+    client.readVariable(reals);
+    assertThat(reals.getValue()).startsWith(1.5, -2.25, 0.0).hasSize(10);
+
+    KRLBoolArray bools = new KRLBoolArray("MYBOOLS");
+    bools.setValue(false, true);
+    client.writeVariable(bools);
+    client.readVariable(bools);
+    assertThat(bools.getValue()).startsWith(false, true, false).hasSize(10);
+    assertThat(bools.toString()).contains("value=[false, true, false,");
+  }
+
+  @Test
+  void anArrayWriteThatIsRefusedNamesTheElementAndStops() throws Exception {
+    KRLIntArray ints = new KRLIntArray("MYINTS");
+    ints.setValue(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12);
+
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.writeVariable(ints))
+        .satisfies(e -> assertThat(e.getVariable()).isEqualTo("MYINTS[11]"));
+    assertThat(robot.variables().get("MYINTS[]")).startsWith("1 2 3 4 5 6 7 8 9 10");
+    assertThat(robot.requests()).hasSize(11);
+  }
+
+  @Test
+  void anyVariableCanBeReadAsATree() throws Exception {
+    KRLAny load = new KRLAny("$LOAD");
+    client.readVariable(load);
+
+    assertThat(load.getValue()).isInstanceOf(KrlStruct.class);
+    assertThat(((KrlStruct) load.getValue()).get("cm")).containsInstanceOf(KrlStruct.class);
+    assertThat(client.readValue("$LOAD")).isEqualTo(load.getValue());
+    assertThatExceptionOfType(UnsupportedOperationException.class)
+        .isThrownBy(() -> client.writeVariable(load))
+        .withMessageContaining("$LOAD is a read-only view");
+  }
+
+  @Test
+  void textIsReadAndWrittenWithoutKnowingTheType() throws Exception {
+    client.writeText("MYFRAME", "{X 1,Y -2.5}");
+
+    assertThat(client.readText("MYFRAME"))
+        .isEqualTo("{FRAME: X 1.00000, Y -2.50000, Z 0.0, A 0.0, B 0.0, C 0.0}");
+    assertThat(client.readText("MYFRAME.Y")).isEqualTo("-2.50000");
+  }
+
+  @Test
+  void aStructureIsWrittenWholeAndFieldsNeverSetAreZero() throws Exception {
+    robot.variables().set("MYPOS", "{X 100.0,Z 300.0}");
+    client.writeVariable(new KRLE6Pos("MYPOS").setX(2).setS(6).setE6(1e-7));
+
+    assertThat(robot.variables().get("MYPOS"))
+        .isEqualTo(
+            "{E6POS: X 2.00000, Y 0.0, Z 0.0, A 0.0, B 0.0, C 0.0, S 6, T 0, E1 0.0, E2 0.0,"
+                + " E3 0.0, E4 0.0, E5 0.0, E6 1.00000E-07}");
+  }
+
+  @Test
+  void chosenFieldsAreWrittenAndTheOthersStayAsTheyAre() throws Exception {
+    robot.variables().set("MYPOS", "{X 100.0,Z 300.0}");
+    KRLPos pos = new KRLPos("MYPOS").setX(2).setY(1);
+    client.writeFields(pos, "y", "X");
+
+    assertThat(written()).containsExactly("MYPOS = {Y 1.0,X 2.0}");
+    assertThat(robot.variables().get("MYPOS"))
+        .startsWith("{E6POS: X 2.00000, Y 1.00000, Z 300.000");
+    assertThat(pos.getZ()).as("not read").isZero();
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> client.writeFields(pos, "Z"))
+        .withMessageContaining("MYPOS.Z has no value");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> client.writeFields(pos, "Q"))
+        .withMessageContaining("not Q");
+    assertThatIllegalArgumentException().isThrownBy(() -> client.writeFields(pos));
+  }
+
+  @Test
+  void writingAStructureKeepsTheLocalCopy() throws Exception {
+    KRLFrame frame = new KRLFrame("MYFRAME").setX(0.1);
+    client.writeVariable(frame);
+
+    assertThat(frame.getX()).isEqualTo(0.1);
+    assertThat(frame.asArray()).containsExactly(0.1, 0, 0, 0, 0, 0);
+  }
+
+  @Test
+  void aStructureKeepsFieldsThatAreNotItsOwnButDoesNotWriteThem() throws Exception {
+    KRLE6Axis axes = new KRLE6Axis("$POS_ACT");
+    client.readVariable(axes);
+
+    assertThat(axes.getValue()).containsEntry("X", 525.0).containsEntry("S", 2.0);
+    assertThat(axes.getValue().keySet()).startsWith("E1", "E2").doesNotContain("A1");
+    assertThat(axes.getStringValue()).startsWith("{A1 0.0,").doesNotContain("X");
+    assertThatIllegalStateException()
+        .isThrownBy(axes::getA1)
+        .withMessageContaining("$POS_ACT.A1 was not in the controller's answer");
+  }
+
+  @Test
+  void anUninitialisedFieldIsAnErrorAndNoOldValue() throws Exception {
+    robot.variables().declare("MYNEW", "FRAME", "{X 1.0,Y 2.0}");
+    KRLFrame frame = new KRLFrame("MYNEW").setZ(99);
+    client.readVariable(frame);
+
+    assertThat(frame.getValue()).containsExactly(Map.entry("X", 1.0), Map.entry("Y", 2.0));
+    assertThat(frame.isSet("X")).isTrue();
+    assertThat(frame.isSet("Z")).isFalse();
+    assertThatIllegalStateException().isThrownBy(frame::getZ);
+    assertThatIllegalStateException().isThrownBy(frame::asArray);
+    assertThat(frame.setZ(5).getZ()).isEqualTo(5);
+  }
+
+  @Test
+  void aStructureOfTheProgramsOwnIsReadAndWritten() throws Exception {
+    robot.variables().declareStruc("WELD", "REAL SPEED; INT SEAM; CHAR NAME[24]");
+    robot.variables().declare("MYWELD", "WELD", "{SPEED 0.5,SEAM 1,NAME[] \"left, upper\"}");
+    Weld weld = new Weld("MYWELD");
+    client.readVariable(weld);
+
+    assertThat(weld.fields)
+        .containsExactly(
+            Map.entry("SPEED", "0.500000"),
+            Map.entry("SEAM", "1"),
+            Map.entry("NAME[]", "\"left, upper\""));
+    weld.setValue("SEAM", "12");
+    client.writeVariable(weld);
+    assertThat(written()).containsExactly("MYWELD = {SPEED 0.5,SEAM 12,NAME[] \"left, upper\"}");
+  }
+
+  private static final class Weld extends KRLStruct {
+    private final HashMap<String, String> fields = new java.util.LinkedHashMap<>();
+
+    Weld(String name) {
+      super(name, new String[] {"SPEED", "SEAM", "NAME[]"});
+    }
+
+    @Override
+    public HashMap<String, String> getValue() {
+      return new java.util.LinkedHashMap<>(fields);
+    }
+
+    @Override
+    public void setValue(String field, String text) {
+      fields.put(field, text);
+    }
+  }
+
+  @Test
+  void posActIsAnE6Pos() throws Exception {
+    KRLE6Pos position = KRLVariable.POS_ACT();
+    client.readVariable(position);
+
+    assertThat(position.asArrayXToZ()).containsExactly(525, 0, 890);
+    assertThat(position.asArrayAToC()).containsExactly(0, 90, 0);
+    assertThat(position.getS()).isEqualTo(2);
+    assertThat(position.getT()).isEqualTo(2);
+    assertThat(position.asArrayE1ToE6()).containsExactly(0, 0, 0, 0, 0, 0);
+  }
+
+  @Test
+  void jointTorquesAreThoseOfTheController() throws Exception {
+    robot.variables().set("$TORQUE_AXIS_ACT[2]", "-12.5");
+
+    assertThat(client.readJointTorques()).containsExactly(0, -12.5, 0, 0, 0, 0);
+    assertThat(robot.requests()).hasSize(1);
+  }
+
+  @Test
+  void jointTorquesThatCannotBeReadAreNotZero() throws Exception {
+    robot.variables().remove("$TORQUE_AXIS_ACT");
+
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(client::readJointTorques)
+        .withMessageContaining("$TORQUE_AXIS_ACT[]");
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void anUnknownVariableIsAnExceptionThatNamesItWhateverTheServersWay(FailedRead way)
+      throws Exception {
+    try (MockServer other = MockServer.start(cfg -> cfg.failedRead(way));
+        CrossComClient its = new CrossComClient(other.host(), other.port())) {
+      assertThatExceptionOfType(CrossComAccessException.class)
+          .isThrownBy(() -> its.readText("NOSUCHVAR"))
+          .withMessageContaining("the controller refused to read NOSUCHVAR")
+          .satisfies(e -> assertThat(e.getVariable()).isEqualTo("NOSUCHVAR"))
+          .satisfies(e -> assertThat(e.getOperation()).isEqualTo(Operation.READ))
+          .satisfies(e -> assertThat(e.isOutcomeUnknown()).isFalse());
+      assertThat(its.readText("$OV_PRO")).as("the connection is usable").isEqualTo("100");
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"NOSUCHVAR", "$POS_ACT.X", "MYBOOL", "MYPOS.Q", "MYINTS[11]", "MYINT"})
+  void aRefusedWriteIsAnExceptionAndChangesNothing(String name) throws Exception {
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.writeText(name, "1.25"))
+        .satisfies(e -> assertThat(e.getVariable()).isEqualTo(name))
+        .satisfies(e -> assertThat(e.getOperation()).isEqualTo(Operation.WRITE))
+        .satisfies(e -> assertThat(e.getCode()).isEqualTo(1))
+        .satisfies(e -> assertThat(e.isOutcomeUnknown()).isFalse());
+    assertThat(client.readText("MYINT")).isEqualTo("0");
+  }
+
+  @Test
+  void aValueOfAnotherTypeIsAnExceptionWithItsTextAndKeepsTheLocalValue() throws Exception {
+    KRLInt mode = new KRLInt("$MODE_OP");
+    mode.setValue(5);
+
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.readVariable(mode))
+        .withMessageContaining("$MODE_OP")
+        .withMessageContaining("KRLInt")
+        .withMessageContaining("expected an INT at position 0, found '#'")
+        .satisfies(e -> assertThat(e.getText()).isEqualTo("#T1"))
+        .satisfies(e -> assertThat(e.getVariable()).isEqualTo("$MODE_OP"));
+    assertThat(mode.getValue()).isEqualTo(5);
+    assertThat(client.readText("$OV_PRO")).as("the connection is usable").isEqualTo("100");
+  }
+
+  @Test
+  void anAggregateWithOneWrongFieldChangesNoField() throws Exception {
+    robot.enqueue(Fault.answer("{FRAME: X 1.0, Y TRUE}", Tail.SUCCESS));
+    KRLFrame frame = new KRLFrame("MYFRAME").setX(7).setY(8);
+
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.readVariable(frame));
+    assertThat(frame.asArray()).containsExactly(7, 8, 0, 0, 0, 0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"{FRAME: X 1.0, X 2.0}", "{X 1.0", "X 1.0", "{X 1.0} x", "{X 1E99}", "5", "\"a\""})
+  void anAnswerThatIsNoAggregateIsAnException(String answer) throws Exception {
+    robot.enqueue(Fault.answer(answer, Tail.SUCCESS));
+
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.readVariable(new KRLFrame("MYFRAME")))
+        .satisfies(e -> assertThat(e.getText()).isEqualTo(answer));
+  }
+
+  @Test
+  void aWriteWhoseEchoCannotBeReadSaysThatItWasDone() throws Exception {
+    robot.enqueue(Fault.answer("??", Tail.SUCCESS));
+    KRLInt i = new KRLInt("MYINT");
+    i.setValue(3);
+
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.writeVariable(i))
+        .withMessageContaining("the write was done");
+    assertThat(i.getValue()).isEqualTo(3);
+  }
+
+  @Test
+  void aWriteUpdatesTheLocalVariableFromTheAnswer() throws Exception {
+    robot.enqueue(Fault.answer("9", Tail.SUCCESS));
+    KRLInt i = new KRLInt("MYINT");
+    i.setValue(3);
+    client.writeVariable(i);
+
+    assertThat(i.getValue()).isEqualTo(9);
+  }
+
+  @Test
+  void anAggregateLongerThan255BytesIsNotSent() throws Exception {
+    String text = "{X 1.0" + " ".repeat(250) + "}";
+    assertThat(text).hasSize(257);
+
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.writeText("MYFRAME", text))
+        .withMessageContaining("must have at most 255 bytes, has 257")
+        .satisfies(e -> assertThat(e.getText()).isEqualTo(text));
+    assertThat(robot.requests()).isEmpty();
+    client.writeText("MYFRAME", "{X 1.0" + " ".repeat(248) + "}");
+    assertThat(robot.variables().get("MYFRAME.X")).isEqualTo("1.00000");
+  }
+
+  @Test
+  void theLimitOfAggregatesAndRequestsCanBeChanged() throws Exception {
+    ClientConfig config =
+        ClientConfig.create(
+            robot.host(),
+            cfg -> cfg.port(robot.port()).maxAggregateLength(0).maxRequestLength(100));
+    try (CrossComClient other = new CrossComClient(config)) {
+      assertThatExceptionOfType(CrossComValueException.class)
+          .isThrownBy(() -> other.writeText("MYFRAME", "{X 1.0" + " ".repeat(250) + "}"))
+          .withMessageContaining("a request must have at most 100 bytes, has 273");
+    }
+  }
+
+  @Test
+  void aFullE6PosOfAnyValuesFitsIntoOneWrite() throws Exception {
+    KRLE6Pos pos = new KRLE6Pos("MYPOS");
+    double worst = -1.17549435E-38;
+    pos.setXToZ(worst, worst, worst).setAToC(worst, worst, worst).setS(63).setT(4095);
+    pos.setE1ToE6(worst, worst, worst, worst, worst, worst);
+    client.writeVariable(pos);
+
+    assertThat(written().get(0).length() - "MYPOS = ".length()).isLessThanOrEqualTo(255);
+    client.readVariable(pos);
+    assertThat(pos.getE6()).isEqualTo(worst);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, 3.5e38, -1e300})
+  void aNumberThatNoFloatHoldsIsRefusedWhereItIsSet(double value) {
+    assertThatIllegalArgumentException().isThrownBy(() -> new KRLReal("MYREAL").setValue(value));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new KRLFrame("MYFRAME").setB(value))
+        .withMessageContaining("MYFRAME.B");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new KRLRealArray("MYREALS").setValue(1, value));
+    KRLFrame frame = new KRLFrame("MYFRAME");
+    assertThatIllegalArgumentException().isThrownBy(() -> frame.setXToZ(1, 2, value));
+    assertThat(frame.getX()).as("all or nothing").isZero();
+  }
+
+  @Test
+  void statusAndTurnMustBeWholeNumbers() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new KRLPos("MYPOS").setS(2.5))
+        .withMessage("MYPOS.S must be an INT, is 2.5");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", " ", "Ω"})
+  void aNameThatCannotBeSentIsRefused(String name) {
+    assertThatIllegalArgumentException().isThrownBy(() -> new KRLInt(name));
+    assertThatIllegalArgumentException().isThrownBy(() -> client.readText(name));
+    assertThatIllegalArgumentException().isThrownBy(() -> client.writeText(name, "1"));
+    assertThat(robot.requests()).isEmpty();
+  }
+
+  @Test
+  void valuesOutsideLatin1AreRefusedAndThoseInsideAreSent() throws Exception {
+    KRLString s = new KRLString("MYSTRING[]");
+    s.setValue("Größe 5 µm");
+    client.writeVariable(s);
+    s.setValue("x");
+    client.readVariable(s);
+
+    assertThat(s.getValue()).isEqualTo("Größe 5 µm");
+    s.setValue("5 €");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> client.writeVariable(s))
+        .withMessageContaining("U+20AC");
+  }
+}

@@ -1,0 +1,360 @@
+package no.hials.crosscom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
+import no.hials.crosscom.ConnectionEvent.Kind;
+import no.hials.crosscom.KRL.KRLInt;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Survives what breaks a connection. */
+class ReconnectTest extends RobotTest {
+  private static final Duration TINY = Duration.ofMillis(1);
+
+  private CrossComClient steady(Duration requestTimeout) throws Exception {
+    return client(cfg -> cfg.requestTimeout(requestTimeout).reconnectBackoff(TINY, TINY));
+  }
+
+  static Stream<Fault> breaks() {
+    return Stream.of(
+        Fault.closeBefore(),
+        Fault.resetBefore(),
+        Fault.closeDuring(1),
+        Fault.closeDuring(4),
+        Fault.closeDuring(10));
+  }
+
+  @ParameterizedTest
+  @MethodSource("breaks")
+  void aReadWhoseConnectionBreaksIsRepeatedOnce(Fault fault) throws Exception {
+    try (CrossComClient its = steady(LONG)) {
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      robot.enqueue(fault);
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+    }
+    assertThat(robot.requests()).hasSize(3);
+  }
+
+  @ParameterizedTest
+  @MethodSource("breaks")
+  void aReadThatBreaksTwiceFails(Fault fault) throws Exception {
+    try (CrossComClient its = steady(LONG)) {
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      robot.enqueue(fault, fault);
+      assertThatExceptionOfType(CrossComConnectionLostException.class)
+          .isThrownBy(() -> its.readText("$OV_PRO"));
+      assertThat(robot.requests()).hasSize(3);
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("breaks")
+  void aWriteWhoseConnectionBreaksIsNotRepeatedAndTheNextCallWorks(Fault fault) throws Exception {
+    try (CrossComClient its = steady(LONG)) {
+      assertThat(its.readText("MYINT")).isEqualTo("0");
+      robot.enqueue(fault);
+      assertThatExceptionOfType(CrossComConnectionLostException.class)
+          .isThrownBy(() -> its.writeText("MYINT", "5"))
+          .satisfies(e -> assertThat(e.isOutcomeUnknown()).isTrue());
+      assertThat(robot.requests()).filteredOn(r -> r.isWrite()).hasSize(1);
+      assertThat(its.readText("MYINT")).isEqualTo(fault.executes() ? "5" : "0");
+    }
+  }
+
+  @Test
+  void afterATimeOutALateAnswerIsNotTakenAndTheClientIsUsable() throws Exception {
+    CountDownLatch release = new CountDownLatch(1);
+    robot.variables().set("$OV_JOG", "7");
+    try (CrossComClient its = steady(SHORT)) {
+      robot.enqueue(Fault.hold(release));
+      assertThatExceptionOfType(CrossComTimeoutException.class)
+          .isThrownBy(() -> its.readText("$OV_PRO"));
+      release.countDown();
+      its.setSoTimeout(0);
+      assertThat(its.readText("$OV_JOG")).isEqualTo("7");
+    }
+  }
+
+  @Test
+  void bytesThatNobodyAskedForAreNotTakenForAnAnswerAndNothingIsLost() throws Exception {
+    try (CrossComClient its = steady(LONG)) {
+      robot.enqueue(Fault.answerTwice());
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      its.writeText("MYINT", "3");
+      assertThat(its.readText("MYINT")).isEqualTo("3");
+    }
+    assertThat(robot.requests()).as("the write was sent once").hasSize(3);
+  }
+
+  @Test
+  void aConnectionThatTheServerClosedWhileIdleDoesNotCostAWrite() throws Exception {
+    try (CrossComClient its = steady(LONG)) {
+      robot.enqueue(Fault.closeAfter());
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      awaitNoClientButOne();
+      its.writeText("MYINT", "4");
+      assertThat(robot.variables().get("MYINT")).isEqualTo("4");
+    }
+  }
+
+  /** Waits until only the client of the base class is there, and long enough to count as idle. */
+  private void awaitNoClientButOne() throws Exception {
+    while (robot.clientCount() > 1) {
+      Thread.onSpinWait();
+    }
+    // an exchange of another client that takes longer than a pause that counts as idle
+    robot.enqueue(Fault.delay(Duration.ofMillis(50)));
+    client.readText("$OV_PRO");
+  }
+
+  @Test
+  void aWriteThatCouldNotBeSentSaysThatNothingWasWritten() throws Exception {
+    try (CrossComClient its = steady(LONG)) {
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      robot.enqueue(Fault.closeAfter());
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      robot.refuseConnections();
+      awaitNoClientButOne();
+      for (int i = 0; i < 3; i++) {
+        assertThatExceptionOfType(CrossComConnectException.class)
+            .isThrownBy(() -> its.writeText("MYINT", "4"))
+            .satisfies(e -> assertThat(e.isOutcomeUnknown()).isFalse());
+      }
+    }
+    assertThat(robot.requests()).noneMatch(r -> r.isWrite());
+  }
+
+  @Test
+  void whileBackingOffACallFailsAtOnceAndSaysHowLong() throws Exception {
+    try (CrossComClient its =
+        client(cfg -> cfg.reconnectBackoff(Duration.ofHours(1), Duration.ofHours(1)))) {
+      robot.refuseConnections();
+      robot.disconnectClients();
+      assertThatExceptionOfType(CrossComException.class).isThrownBy(() -> its.readText("$OV_PRO"));
+      assertThatExceptionOfType(CrossComConnectException.class)
+          .isThrownBy(() -> its.readText("$OV_PRO"))
+          .withMessageMatching(
+              "not connected, and the next attempt is in \\d+ ms; the last one: .*");
+    }
+  }
+
+  @Test
+  void theBackoffGrowsAndIsCapped() throws Exception {
+    try (CrossComClient its = client(cfg -> cfg.reconnectBackoff(TINY, Duration.ofHours(1)))) {
+      robot.refuseConnections();
+      robot.disconnectClients();
+      long longest = 0;
+      // each attempt doubles the wait, so a few are enough to see it grow past a second
+      for (int attempts = 0; longest < 1000; ) {
+        try {
+          its.readText("$OV_PRO");
+        } catch (CrossComConnectException e) {
+          java.util.regex.Matcher wait =
+              java.util.regex.Pattern.compile("next attempt is in (\\d+) ms")
+                  .matcher(e.getMessage());
+          if (wait.find()) {
+            longest = Math.max(longest, Long.parseLong(wait.group(1)));
+          }
+          assertThat(attempts++).isLessThan(100_000_000);
+        } catch (CrossComConnectionLostException e) {
+          assertThat(longest).isZero();
+        }
+      }
+      assertThat(longest).isBetween(1000L, 4000L);
+    }
+  }
+
+  @Test
+  void theListenerHearsOfConnectsLossesAndReconnects() throws Exception {
+    BlockingQueue<ConnectionEvent> events = new LinkedBlockingQueue<>();
+    try (CrossComClient its =
+        client(cfg -> cfg.reconnectBackoff(TINY, TINY).listener(events::add))) {
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      robot.enqueue(Fault.closeBefore());
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+    }
+    List<Kind> kinds = new ArrayList<>();
+    for (int i = 0; i < 4; i++) {
+      ConnectionEvent event = events.poll(60, TimeUnit.SECONDS);
+      assertThat(event).isNotNull();
+      kinds.add(event.kind());
+      assertThat(event.cause() != null).isEqualTo(event.kind() == Kind.LOST);
+    }
+    assertThat(kinds).containsExactly(Kind.CONNECTED, Kind.LOST, Kind.RECONNECTED, Kind.CLOSED);
+  }
+
+  @Test
+  void aListenerThatThrowsOrBlocksDisturbsNothing() throws Exception {
+    CountDownLatch never = new CountDownLatch(1);
+    AtomicInteger calls = new AtomicInteger();
+    try (CrossComClient its =
+        client(
+            cfg ->
+                cfg.reconnectBackoff(TINY, TINY)
+                    .listener(
+                        event -> {
+                          if (calls.getAndIncrement() == 0) {
+                            throw new IllegalStateException("on purpose");
+                          }
+                          try {
+                            never.await();
+                          } catch (InterruptedException e) {
+                            Thread.currentThread().interrupt();
+                          }
+                        }))) {
+      for (int i = 0; i < 3; i++) {
+        assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+        robot.enqueue(Fault.closeBefore());
+      }
+    } finally {
+      never.countDown();
+    }
+  }
+
+  @Test
+  void keepAliveHoldsAnIdleConnection() throws Exception {
+    try (MockServer strict = MockServer.start(cfg -> cfg.idleTimeout(Duration.ofMillis(400)));
+        CrossComClient its =
+            new CrossComClient(
+                ClientConfig.create(
+                    strict.host(),
+                    cfg -> cfg.port(strict.port()).keepAlive(Duration.ofMillis(50))))) {
+      int port = its.getLocalPort();
+      for (int i = 0; i < 20; i++) {
+        assertThat(strict.takeRequest(Duration.ofSeconds(60)))
+            .hasValueSatisfying(r -> assertThat(r.name()).isEqualTo("PING"));
+      }
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      assertThat(its.getLocalPort()).as("still the same connection").isEqualTo(port);
+    }
+  }
+
+  @Test
+  void keepAliveMakesALostConnectionAnewBeforeItIsNeeded() throws Exception {
+    BlockingQueue<ConnectionEvent> events = new LinkedBlockingQueue<>();
+    try (CrossComClient its =
+        client(
+            cfg ->
+                cfg.keepAlive(Duration.ofMillis(30))
+                    .reconnectBackoff(TINY, TINY)
+                    .listener(events::add))) {
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      robot.disconnectClients();
+      ConnectionEvent event;
+      do {
+        event = events.poll(60, TimeUnit.SECONDS);
+        assertThat(event).isNotNull();
+      } while (event.kind() != Kind.RECONNECTED);
+      its.writeText("MYINT", "6");
+    }
+    assertThat(robot.variables().get("MYINT")).isEqualTo("6");
+  }
+
+  @Test
+  void noTrafficIsAddedWhileTheProgramMakesSome() throws Exception {
+    try (CrossComClient its = client(cfg -> cfg.keepAlive(Duration.ofSeconds(30)))) {
+      for (int i = 0; i < 1000; i++) {
+        its.readText("$OV_PRO");
+      }
+    }
+    assertThat(robot.requests()).noneMatch(r -> r.name().equals("PING"));
+  }
+
+  @Test
+  void anInterruptedCallFailsKeepsTheFlagAndIsNotRepeated() throws Exception {
+    CountDownLatch never = new CountDownLatch(1);
+    try (CrossComClient its = steady(LONG)) {
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      robot.clearRequests();
+      robot.enqueue(Fault.hold(never));
+      Thread.currentThread().interrupt();
+      assertThatExceptionOfType(CrossComException.class)
+          .isThrownBy(() -> its.readText("$OV_PRO"))
+          .withMessageContaining("the thread was interrupted");
+      assertThat(Thread.interrupted()).isTrue();
+      never.countDown();
+      robot.clearFaults();
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+    }
+  }
+
+  @Test
+  void tenThousandRequestsUnderRandomFaultsGiveRightValuesOrExceptionsAndNoWriteTwice()
+      throws Exception {
+    for (int n = 1; n <= 10; n++) {
+      robot.variables().set("MYINTS[" + n + "]", String.valueOf(n));
+    }
+    Random random = new Random(20_261_121);
+    robot.faults(request -> randomFault(random));
+    int right = 0;
+    int failed = 0;
+    int known = 0;
+    try (CrossComClient its =
+        client(cfg -> cfg.requestTimeout(Duration.ofMillis(20)).reconnectBackoff(TINY, TINY))) {
+      KRLInt counter = new KRLInt("MYINT");
+      for (int i = 1; i <= 10_000; i++) {
+        String own = "MYINTS[" + (i % 10 + 1) + "]";
+        try {
+          if (i % 2 == 0) {
+            // every write has a value of its own, so that one executed twice would show
+            counter.setValue(i);
+            its.writeVariable(counter);
+            known = i;
+            right++;
+          } else {
+            int value = Integer.parseInt(its.readText(own));
+            assertThat(value).isEqualTo(i % 10 + 1);
+            right++;
+          }
+        } catch (CrossComException e) {
+          failed++;
+        }
+      }
+    }
+    assertThat(right).isGreaterThan(8_000);
+    assertThat(failed).isGreaterThan(300);
+    assertThat(known).isPositive();
+    assertThat(robot.requests())
+        .filteredOn(r -> r.isWrite())
+        .extracting(r -> r.value())
+        .as("no write was sent twice")
+        .doesNotHaveDuplicates();
+  }
+
+  private static Optional<Fault> randomFault(Random random) {
+    return switch (random.nextInt(160)) {
+      case 0 -> Optional.of(Fault.drop());
+      case 1 -> Optional.of(Fault.dropAnswer());
+      case 2 -> Optional.of(Fault.closeBefore());
+      case 3 -> Optional.of(Fault.closeDuring(random.nextInt(12)));
+      case 4 -> Optional.of(Fault.closeAfter());
+      case 5 -> Optional.of(Fault.delay(Duration.ofMillis(random.nextInt(30))));
+      case 6 -> Optional.of(Fault.wrongId());
+      case 7 -> Optional.of(Fault.wrongFunction(random.nextInt(256)));
+      case 8 -> Optional.of(Fault.wrongLength(random.nextInt(20) - 10));
+      case 9 -> Optional.of(Fault.truncate(random.nextInt(12)));
+      case 10 -> Optional.of(Fault.garbage(random.nextLong(), random.nextInt(40)));
+      case 11 -> Optional.of(Fault.answerTwice());
+      case 12 -> Optional.of(Fault.oneByteAtATime());
+      case 13 -> Optional.of(Fault.resetBefore());
+      case 14 -> Optional.of(Fault.emptyAnswer());
+      case 15 -> Optional.of(Fault.split(1 + random.nextInt(10)));
+      default -> Optional.empty();
+    };
+  }
+}

@@ -1,0 +1,146 @@
+package no.hials.crosscom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.KRL.KRLInt;
+import no.hials.crosscom.KRL.KRLIntArray;
+import no.hials.crosscom.KRL.KRLReal;
+import no.hials.crosscom.KRL.KRLRealArray;
+import no.hials.crosscom.KRL.structs.KRLFrame;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.Tail;
+import org.junit.jupiter.api.Test;
+
+/** Reads and writes many variables, and arrays element by element. */
+class SeveralVariablesTest extends RobotTest {
+  @Test
+  void eachVariableGetsItsResultAndOneBadNameDoesNotHideTheRest() throws Exception {
+    KRLInt override = new KRLInt("$OV_PRO");
+    KRLInt unknown = new KRLInt("NOSUCHVAR");
+    KRLInt wrongType = new KRLInt("$MODE_OP");
+    KRLFrame base = new KRLFrame("$BASE");
+
+    List<VariableResult> results = client.readVariables(override, unknown, wrongType, base);
+
+    assertThat(results)
+        .extracting(r -> r.variable().getName())
+        .containsExactly("$OV_PRO", "NOSUCHVAR", "$MODE_OP", "$BASE");
+    assertThat(results).extracting(VariableResult::isOk).containsExactly(true, false, false, true);
+    assertThat(results.get(1).failure()).isInstanceOf(CrossComAccessException.class);
+    assertThat(results.get(2).failure()).isInstanceOf(CrossComValueException.class);
+    assertThat(results.get(0).orThrow()).isSameAs(override);
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> results.get(1).orThrow());
+    assertThat(override.getValue()).isEqualTo(100);
+    assertThat(unknown.getValue()).isNull();
+    assertThat(robot.requests())
+        .extracting(RecordedRequest::name)
+        .containsExactly("$OV_PRO", "NOSUCHVAR", "$MODE_OP", "$BASE");
+  }
+
+  @Test
+  void writesAreDoneInOrderAndARefusedOneDoesNotKeepTheOthers() {
+    KRLInt good = new KRLInt("MYINT");
+    good.setValue(1);
+    KRLInt readOnly = new KRLInt("$POS_ACT.X");
+    readOnly.setValue(2);
+    KRLReal last = new KRLReal("MYREAL");
+    last.setValue(3);
+
+    List<VariableResult> results = client.writeVariables(List.of(good, readOnly, last));
+
+    assertThat(results).extracting(VariableResult::isOk).containsExactly(true, false, true);
+    assertThat(robot.variables().get("MYINT")).isEqualTo("1");
+    assertThat(robot.variables().get("MYREAL")).isEqualTo("3.00000");
+  }
+
+  @Test
+  void afterABrokenExchangeTheRestIsNotTriedAndSaysSo() {
+    KRLInt first = new KRLInt("MYINT");
+    first.setValue(1);
+    KRLInt second = new KRLInt("MYINTS[1]");
+    second.setValue(2);
+    robot.enqueue(Fault.closeBefore());
+
+    List<VariableResult> results = client.writeVariables(first, second);
+
+    assertThat(results.get(0).failure().isOutcomeUnknown()).isTrue();
+    assertThat(results.get(1).failure())
+        .isInstanceOf(CrossComConnectionLostException.class)
+        .hasMessageContaining("MYINTS[1] was not written, since an exchange before it failed");
+    assertThat(results.get(1).failure().isOutcomeUnknown()).isFalse();
+    assertThat(robot.requests()).hasSize(1);
+  }
+
+  @Test
+  void nothingIsWrittenIfOneVariableHasNoValue() {
+    KRLInt good = new KRLInt("MYINT");
+    good.setValue(1);
+
+    assertThatIllegalStateException()
+        .isThrownBy(() -> client.writeVariables(good, new KRLInt("MYREAL")));
+    assertThat(robot.requests()).isEmpty();
+  }
+
+  @Test
+  void anArrayOfKnownLengthIsReadElementByElementIfTheServerCannotReadItWhole() throws Exception {
+    robot.fault(r -> r.name().endsWith("[]"), Fault.answer("", Tail.FAILURE));
+    for (int i = 1; i <= 10; i++) {
+      robot.variables().set("MYREALS[" + i + "]", String.valueOf(i / 2.0));
+    }
+    KRLRealArray reals = new KRLRealArray("MYREALS", 10);
+    List<String> progress = new ArrayList<>();
+    client.readVariable(reals, (done, total) -> progress.add(done + "/" + total));
+
+    assertThat(reals.getValue()).containsExactly(0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5);
+    assertThat(progress).hasSize(10).startsWith("1/10", "2/10").endsWith("10/10");
+    assertThat(robot.requests()).hasSize(11);
+
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .as("without a length there is no telling where it ends")
+        .isThrownBy(() -> client.readVariable(new KRLRealArray("MYREALS")));
+  }
+
+  @Test
+  void anArrayReadThatFailsSaysHowFarItCameAndKeepsTheOldElements() throws Exception {
+    robot.fault(r -> r.name().endsWith("[]"), Fault.answer("", Tail.FAILURE));
+    KRLIntArray ints = new KRLIntArray("MYINTS", 12);
+    ints.setValue(7, 8);
+
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.readVariable(ints))
+        .withMessageContaining("MYINTS[11]")
+        .withMessageEndingWith("; 10 of 12 elements were done")
+        .satisfies(e -> assertThat(e.getElementsDone()).hasValue(10));
+    assertThat(ints.getValue()).containsExactly(7, 8);
+  }
+
+  @Test
+  void anArrayElementOfAnotherTypeSaysHowFarItCame() throws Exception {
+    robot.fault(r -> r.name().endsWith("[]"), Fault.answer("", Tail.FAILURE));
+    robot.fault(r -> r.name().equals("MYINTS[3]"), Fault.answer("TRUE", Tail.SUCCESS));
+
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.readVariable(new KRLIntArray("MYINTS", 5)))
+        .satisfies(e -> assertThat(e.getElementsDone()).hasValue(2))
+        .satisfies(e -> assertThat(e.getText()).isEqualTo("TRUE"));
+  }
+
+  @Test
+  void anArrayWriteTellsItsProgressAndHowFarItCame() throws Exception {
+    KRLIntArray ints = new KRLIntArray("MYINTS");
+    ints.setValue(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11);
+    List<Integer> progress = new ArrayList<>();
+
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.writeVariable(ints, (done, total) -> progress.add(done)))
+        .withMessageEndingWith("; 10 of 11 elements were done")
+        .satisfies(e -> assertThat(e.getElementsDone()).hasValue(10));
+    assertThat(progress).containsExactly(1, 2, 3, 4, 5, 6, 7, 8, 9, 10);
+  }
+}

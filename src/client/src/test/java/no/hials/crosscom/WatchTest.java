@@ -1,0 +1,247 @@
+package no.hials.crosscom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Flow;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.protocol.value.KrlInt;
+import org.junit.jupiter.api.Test;
+
+/** Reads variables again and again. */
+class WatchTest extends RobotTest {
+  private static final Duration PERIOD = Duration.ofMillis(5);
+
+  private final BlockingQueue<Sample> samples = new LinkedBlockingQueue<>();
+
+  private Sample next() throws InterruptedException {
+    Sample sample = samples.poll(60, TimeUnit.SECONDS);
+    assertThat(sample).as("a sample within a minute").isNotNull();
+    return sample;
+  }
+
+  private static WatchConfig changes(double deadBand, String... names) {
+    return WatchConfig.create(
+        List.of(names), cfg -> cfg.period(PERIOD).changesOnly(true).deadBand(deadBand));
+  }
+
+  @Test
+  void samplesHaveTheValuesTheTimeAndCountUp() throws Exception {
+    try (Watch watch = client.watch(PERIOD, samples::add, "$OV_PRO", "NOSUCHVAR")) {
+      for (int i = 1; i <= 5; i++) {
+        Sample sample = next();
+        assertThat(sample.number()).isEqualTo(i);
+        assertThat(sample.readings().keySet()).containsExactly("$OV_PRO", "NOSUCHVAR");
+        assertThat(sample.value("$OV_PRO")).isEqualTo(new KrlInt(100));
+        assertThat(sample.duration()).isPositive();
+        assertThat(sample.hasGapBefore()).isFalse();
+        assertThatExceptionOfType(CrossComAccessException.class)
+            .isThrownBy(() -> sample.value("NOSUCHVAR"));
+        assertThatIllegalArgumentException()
+            .isThrownBy(() -> sample.value("OTHER"))
+            .withMessageContaining("not OTHER");
+      }
+      assertThat(watch.polls()).isGreaterThanOrEqualTo(5);
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
+  @Test
+  void onlyChangesAreGivenIfAskedFor() throws Exception {
+    try (Watch watch = client.watch(changes(0, "MYINT", "MYBOOL"), samples::add)) {
+      assertThat(next().changed()).containsExactlyInAnyOrder("MYINT", "MYBOOL");
+      robot.variables().set("MYINT", "1");
+      Sample second = next();
+      assertThat(second.changed()).containsExactly("MYINT");
+      assertThat(second.value("MYINT")).isEqualTo(new KrlInt(1));
+      robot.variables().set("MYBOOL", "TRUE");
+      assertThat(next().changed()).containsExactly("MYBOOL");
+      assertThat(watch.polls()).isGreaterThanOrEqualTo(3);
+    }
+  }
+
+  @Test
+  void aRealThatStaysInTheDeadBandHasNotChanged() throws Exception {
+    try (Watch watch = client.watch(changes(0.5, "MYFRAME", "MYINT"), samples::add)) {
+      next();
+      robot.variables().set("MYFRAME", "{X 0.4}");
+      long polls = watch.polls();
+      while (watch.polls() < polls + 3) {
+        Thread.onSpinWait();
+      }
+      robot.variables().set("MYINT", "1");
+      assertThat(next().changed()).as("X moved by 0.4 only").containsExactly("MYINT");
+      robot.variables().set("MYFRAME", "{X 1.0}");
+      assertThat(next().changed()).as("by 0.6 since the last sample").containsExactly("MYFRAME");
+    }
+  }
+
+  @Test
+  void periodsThatAReadingMissesAreCountedAndNotMadeUpFor() throws Exception {
+    robot.enqueue(Fault.none(), Fault.delay(Duration.ofMillis(100)));
+    try (Watch watch = client.watch(PERIOD, samples::add, "$OV_PRO")) {
+      assertThat(next().number()).isEqualTo(1);
+      next(); // the delayed one
+      Sample after = next();
+      assertThat(after.missedPeriods()).isGreaterThanOrEqualTo(10);
+      assertThat(watch.missedPeriods()).isGreaterThanOrEqualTo(after.missedPeriods());
+    }
+  }
+
+  @Test
+  void aSlowListenerDoesNotDelayTheReadingAndLosesWhatDoesNotFit() throws Exception {
+    CountDownLatch never = new CountDownLatch(1);
+    WatchConfig config =
+        WatchConfig.create(
+            List.of("$OV_PRO"), cfg -> cfg.period(Duration.ofMillis(1)).bufferSize(4));
+    try (Watch watch =
+        client.watch(
+            config,
+            sample -> {
+              try {
+                never.await();
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            })) {
+      watch.addListener(samples::add);
+      for (int i = 0; i < 20; i++) {
+        next();
+      }
+      assertThat(watch.droppedSamples()).isPositive();
+      never.countDown();
+    }
+  }
+
+  @Test
+  void aListenerThatThrowsGoesOnGettingSamples() throws Exception {
+    AtomicInteger calls = new AtomicInteger();
+    try (Watch watch =
+        client.watch(
+            PERIOD,
+            sample -> {
+              samples.add(sample);
+              if (calls.getAndIncrement() == 0) {
+                throw new IllegalStateException("on purpose");
+              }
+            },
+            "$OV_PRO")) {
+      next();
+      assertThat(next().number()).isEqualTo(2);
+      assertThat(watch.droppedSamples()).isZero();
+    }
+  }
+
+  @Test
+  void aWatchSurvivesALossOfTheConnectionAndMarksTheGap() throws Exception {
+    try (CrossComClient its =
+            client(cfg -> cfg.reconnectBackoff(Duration.ofMillis(1), Duration.ofMillis(5)));
+        Watch watch = its.watch(PERIOD, samples::add, "$OV_PRO")) {
+      assertThat(next().hasGapBefore()).isFalse();
+      robot.refuseConnections();
+      robot.disconnectClients();
+      while (watch.failedPolls() < 3) {
+        Thread.onSpinWait();
+      }
+      robot.acceptConnections();
+      Sample sample;
+      do {
+        sample = next();
+      } while (!sample.hasGapBefore());
+      assertThat(sample.failedPolls()).isGreaterThanOrEqualTo(3);
+      assertThat(sample.value("$OV_PRO")).isEqualTo(new KrlInt(100));
+      assertThat(next().hasGapBefore()).isFalse();
+    }
+  }
+
+  @Test
+  void subscribersGetAsManySamplesAsTheyAskForAndAreToldTheEnd() throws Exception {
+    CountDownLatch ended = new CountDownLatch(1);
+    List<Sample> got = new ArrayList<>();
+    Watch watch = client.watch(PERIOD, samples::add, "$OV_PRO");
+    watch.subscribe(
+        new Flow.Subscriber<>() {
+          @Override
+          public void onSubscribe(Flow.Subscription subscription) {
+            subscription.request(2);
+          }
+
+          @Override
+          public void onNext(Sample sample) {
+            got.add(sample);
+          }
+
+          @Override
+          public void onError(Throwable failure) {
+            throw new AssertionError(failure);
+          }
+
+          @Override
+          public void onComplete() {
+            ended.countDown();
+          }
+        });
+    for (int i = 0; i < 5; i++) {
+      next();
+    }
+    assertThat(got).hasSizeLessThanOrEqualTo(2);
+    watch.close();
+    // completion comes behind what waits in the buffer, so it is not told before that is asked for
+    assertThat(watch.polls()).isGreaterThanOrEqualTo(5);
+    assertThat(ended.getCount()).isBetween(0L, 1L);
+  }
+
+  @Test
+  void closingTheClientEndsTheWatchAndTellsItsSubscribers() throws Exception {
+    CountDownLatch ended = new CountDownLatch(1);
+    CrossComClient its = client(cfg -> {});
+    Watch watch = its.watch(PERIOD, samples::add, "$OV_PRO");
+    watch.subscribe(
+        new Flow.Subscriber<>() {
+          @Override
+          public void onSubscribe(Flow.Subscription subscription) {
+            subscription.request(Long.MAX_VALUE);
+          }
+
+          @Override
+          public void onNext(Sample sample) {}
+
+          @Override
+          public void onError(Throwable failure) {
+            throw new AssertionError(failure);
+          }
+
+          @Override
+          public void onComplete() {
+            ended.countDown();
+          }
+        });
+    next();
+    its.close();
+
+    assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+  }
+
+  @Test
+  void configurationsAreChecked() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> WatchConfig.create(List.of(), cfg -> {}))
+        .withMessage("name at least one variable to watch");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> WatchConfig.create(List.of("X"), cfg -> cfg.period(Duration.ZERO)));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> WatchConfig.create(List.of("X"), cfg -> cfg.deadBand(Double.NaN)));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> WatchConfig.create(List.of("X"), cfg -> cfg.bufferSize(0)));
+    assertThatIllegalArgumentException().isThrownBy(() -> client.watch(PERIOD, s -> {}, " "));
+  }
+}

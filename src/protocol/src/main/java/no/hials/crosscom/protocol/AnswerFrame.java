@@ -1,0 +1,142 @@
+package no.hials.crosscom.protocol;
+
+/**
+ * A view of one answer in a buffer, which can be moved to the next answer without making objects.
+ *
+ * <p>It checks the header and the tail, and gives the value of those answers that have one as
+ * characters in place. The view is for one thread, and what it gives is valid until the buffer
+ * changes.
+ */
+public final class AnswerFrame implements CharSequence {
+  /** Header, function and tail: the shortest answer that has a type. */
+  private static final int MIN_TYPED = Codec.HEADER_LENGTH + 1 + Tail.LENGTH;
+
+  private static final int FIELDS = Codec.HEADER_LENGTH + 1;
+
+  private byte[] bytes = new byte[0];
+  private int length;
+  private int valueStart;
+  private int valueEnd;
+
+  /** Makes a view of nothing. */
+  public AnswerFrame() {}
+
+  /**
+   * Looks at an answer.
+   *
+   * @param frame a buffer that begins with it
+   * @param frameLength its length in bytes
+   * @throws MalformedFrameException if the bytes cannot be an answer
+   */
+  public void wrap(byte[] frame, int frameLength) throws MalformedFrameException {
+    bytes = frame;
+    length = frameLength;
+    valueStart = 0;
+    valueEnd = 0;
+    Codec.checkLength(frame, frameLength);
+    if (frameLength != Codec.HEADER_LENGTH && frameLength < MIN_TYPED) {
+      throw malformed(
+          "an answer has 0 or at least "
+              + (MIN_TYPED - Codec.HEADER_LENGTH)
+              + " bytes after its length, has "
+              + (frameLength - Codec.HEADER_LENGTH));
+    }
+  }
+
+  /**
+   * Makes an exception that shows this answer.
+   *
+   * @param what the rule that broke, expected and actual
+   * @return the exception, to be thrown
+   */
+  public MalformedFrameException malformed(String what) {
+    return new MalformedFrameException(what, bytes, length);
+  }
+
+  /**
+   * Gives the number of the request.
+   *
+   * @return 0 to 65535
+   */
+  public int id() {
+    return Codec.u16(bytes, 0);
+  }
+
+  /**
+   * Says whether the server does not know the function, so that nothing follows the length.
+   *
+   * @return true if so; there is no function, value or tail then
+   */
+  public boolean functionUnknown() {
+    return length == Codec.HEADER_LENGTH;
+  }
+
+  /**
+   * Gives the function byte.
+   *
+   * @return 0 to 255
+   */
+  public int function() {
+    return bytes[Codec.HEADER_LENGTH] & 0xFF;
+  }
+
+  /**
+   * Says how the access ended.
+   *
+   * @return true for success
+   */
+  public boolean success() {
+    return bytes[length - 1] != 0;
+  }
+
+  /**
+   * Gives the code of the tail.
+   *
+   * @return 0 to 65535
+   */
+  public int code() {
+    return Codec.u16(bytes, length - Tail.LENGTH);
+  }
+
+  /** Gives what lies between the function and the tail. */
+  WireBuffer fields() {
+    return new WireBuffer(bytes, length, FIELDS, length - Tail.LENGTH);
+  }
+
+  /**
+   * Finds the value, which this view is from then on as a {@link CharSequence}.
+   *
+   * @throws MalformedFrameException if the value is not all that lies between function and tail
+   */
+  public void openValue() throws MalformedFrameException {
+    int room = length - Tail.LENGTH - FIELDS - 2;
+    if (room < 0 || Codec.u16(bytes, FIELDS) != room) {
+      throw malformed(
+          room < 0
+              ? "an answer with a value has at least 6 bytes after its length, has " + (length - 4)
+              : "value length must be " + room + ", is " + Codec.u16(bytes, FIELDS));
+    }
+    valueStart = FIELDS + 2;
+    valueEnd = valueStart + room;
+  }
+
+  @Override
+  public int length() {
+    return valueEnd - valueStart;
+  }
+
+  @Override
+  public char charAt(int index) {
+    return (char) (bytes[valueStart + index] & 0xFF);
+  }
+
+  @Override
+  public CharSequence subSequence(int start, int end) {
+    return Codec.latin1(bytes, valueStart + start, end - start);
+  }
+
+  @Override
+  public String toString() {
+    return Codec.latin1(bytes, valueStart, valueEnd - valueStart);
+  }
+}

@@ -1,0 +1,163 @@
+package no.hials.crosscom.protocol;
+
+import java.nio.charset.StandardCharsets;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Turns messages into frames and frames into messages. The only code that knows how a frame looks
+ * (kukavarproxy.md, "Frames"): {@code id u16, length u16, function u8, fields}, and at the end of
+ * an answer the three bytes of the tail; all numbers big-endian.
+ *
+ * <p>Decoding takes any bytes: it gives a message or throws {@link MalformedFrameException}.
+ */
+public final class Codec {
+  /** The bytes before those that the length field counts. */
+  public static final int HEADER_LENGTH = 4;
+
+  /** The longest frame there can be. */
+  public static final int MAX_FRAME_LENGTH = HEADER_LENGTH + Ranges.MAX_U16;
+
+  private Codec() {}
+
+  /**
+   * Encodes a request.
+   *
+   * @param request the message
+   * @return the frame
+   */
+  public static byte[] encode(Request request) {
+    return encode(request.id(), request.type(), request.type().request(), request, null);
+  }
+
+  /**
+   * Encodes an answer.
+   *
+   * @param response the message
+   * @return the frame
+   */
+  public static byte[] encode(Response response) {
+    if (response instanceof TypedResponse typed) {
+      return encode(typed.id(), typed.type(), typed.type().response(), typed, typed.tail());
+    }
+    byte[] frame = new byte[HEADER_LENGTH];
+    setId(frame, response.id());
+    return frame;
+  }
+
+  private static byte[] encode(
+      int id, MessageType type, Layout<?> layout, Object message, @Nullable Tail tail) {
+    WireBuffer out = WireBuffer.forWriting();
+    out.u16(id);
+    out.u16(0); // the length, known at the end
+    out.u8(type.code());
+    layout.writeAny(message, out);
+    if (tail != null) {
+      out.u16(tail.code());
+      out.u8(tail.flag());
+    }
+    byte[] frame = out.toByteArray();
+    putU16(frame, 2, frame.length - HEADER_LENGTH);
+    return frame;
+  }
+
+  /**
+   * Puts another id into an encoded message.
+   *
+   * @param frame a buffer that begins with the frame
+   * @param id 0 to 65535
+   */
+  public static void setId(byte[] frame, int id) {
+    Ranges.u16("id", id);
+    putU16(frame, 0, id);
+  }
+
+  /**
+   * Gives the length of the frame whose header is known.
+   *
+   * @param header a buffer that has at least {@link #HEADER_LENGTH} bytes of it
+   * @param offset where the frame begins
+   * @return the length of the whole frame, header included
+   */
+  public static int frameLength(byte[] header, int offset) {
+    return HEADER_LENGTH + u16(header, offset + 2);
+  }
+
+  /**
+   * Decodes a request.
+   *
+   * @param frame the bytes of one frame
+   * @return the message
+   * @throws MalformedFrameException if they are none
+   * @throws UnknownFunctionException if they are a frame of a function that this codec has not
+   */
+  public static Request decodeRequest(byte[] frame) throws MalformedFrameException {
+    checkLength(frame, frame.length);
+    if (frame.length == HEADER_LENGTH) {
+      throw new MalformedFrameException("a request has a function, has none", frame, frame.length);
+    }
+    int id = u16(frame, 0);
+    int function = frame[HEADER_LENGTH] & 0xFF;
+    MessageType type =
+        MessageType.from(function)
+            .orElseThrow(() -> new UnknownFunctionException(id, function, frame, frame.length));
+    WireBuffer fields = new WireBuffer(frame, frame.length, HEADER_LENGTH + 1, frame.length);
+    Request request = type.request().reader().read(id, fields, Tail.SUCCESS);
+    fields.expectEnd();
+    return request;
+  }
+
+  /**
+   * Decodes an answer.
+   *
+   * @param frame the bytes of one frame
+   * @return the message
+   * @throws MalformedFrameException if they are none
+   * @throws UnknownFunctionException if they are a frame of a function that this codec has not
+   */
+  public static Response decodeResponse(byte[] frame) throws MalformedFrameException {
+    AnswerFrame answer = new AnswerFrame();
+    answer.wrap(frame, frame.length);
+    int id = answer.id();
+    if (answer.functionUnknown()) {
+      return new EmptyResponse(id);
+    }
+    int function = answer.function();
+    MessageType type =
+        MessageType.from(function)
+            .orElseThrow(() -> new UnknownFunctionException(id, function, frame, frame.length));
+    WireBuffer fields = answer.fields();
+    Tail tail = new Tail(answer.code(), frame[frame.length - 1] & 0xFF);
+    Response response = type.response().reader().read(id, fields, tail);
+    fields.expectEnd();
+    return response;
+  }
+
+  static void checkLength(byte[] frame, int length) throws MalformedFrameException {
+    if (length < HEADER_LENGTH) {
+      throw new MalformedFrameException(
+          "a frame has at least " + HEADER_LENGTH + " bytes, has " + length, frame, length);
+    }
+    if (frameLength(frame, 0) != length) {
+      throw new MalformedFrameException(
+          "the length field must be "
+              + (length - HEADER_LENGTH)
+              + ", is "
+              + (frameLength(frame, 0) - HEADER_LENGTH),
+          frame,
+          length);
+    }
+  }
+
+  private static void putU16(byte[] bytes, int offset, int value) {
+    bytes[offset] = (byte) (value >> 8);
+    bytes[offset + 1] = (byte) value;
+  }
+
+  static int u16(byte[] bytes, int offset) {
+    return (bytes[offset] & 0xFF) << 8 | (bytes[offset + 1] & 0xFF);
+  }
+
+  static String latin1(byte[] bytes, int offset, int count) {
+    return new String(bytes, offset, count, StandardCharsets.ISO_8859_1);
+  }
+}

@@ -1,0 +1,31 @@
+package no.hials.crosscom.protocol;
+
+import java.util.List;
+
+/**
+ * Answers {@link ReadArrayRequest}: {@code id, length, 02, value length, numbers, tail}.
+ *
+ * @param id u16, of the request
+ * @param elements u16 each; none if the access failed
+ * @param tail how the access ended
+ */
+public record ReadArrayResponse(int id, List<Integer> elements, Tail tail)
+    implements TypedResponse {
+  static final Layout<ReadArrayResponse> LAYOUT =
+      new Layout<>(
+          (m, out) -> out.putWords(m.elements),
+          (id, in, tail) -> new ReadArrayResponse(id, in.words("elements"), tail));
+
+  /** Checks the ranges. */
+  public ReadArrayResponse {
+    elements = List.copyOf(elements);
+    Ranges.u16("id", id);
+    Ranges.words("element", elements);
+    Ranges.frame("elements", 1 + 2 + 2 * elements.size() + Tail.LENGTH);
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.READ_ARRAY;
+  }
+}

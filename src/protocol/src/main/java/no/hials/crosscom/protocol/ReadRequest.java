@@ -1,0 +1,26 @@
+package no.hials.crosscom.protocol;
+
+/**
+ * Asks for the text of a variable: {@code id, length, 00, name length, name}.
+ *
+ * @param id u16, echoed in the answer
+ * @param name u16 byte count and ISO 8859-1 bytes; 65,532 at most
+ */
+public record ReadRequest(int id, String name) implements Request {
+  static final Layout<ReadRequest> LAYOUT =
+      new Layout<>(
+          (m, out) -> out.putString(m.name),
+          (id, in, tail) -> new ReadRequest(id, in.string("name")));
+
+  /** Checks the ranges. */
+  public ReadRequest {
+    Ranges.u16("id", id);
+    Ranges.latin1("name", name);
+    Ranges.frame("name", 1 + 2 + name.length());
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.READ;
+  }
+}

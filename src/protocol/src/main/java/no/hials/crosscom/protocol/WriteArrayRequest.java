@@ -1,0 +1,36 @@
+package no.hials.crosscom.protocol;
+
+import java.util.List;
+
+/**
+ * Sets the elements of an array from 16-bit numbers: {@code id, length, 03, name length, name,
+ * value length, numbers}. That the value length counts bytes, not numbers, is assumed:
+ * kukavarproxy.md does not say, and it counts bytes in every other message.
+ *
+ * @param id u16, echoed in the answer
+ * @param name u16 byte count and ISO 8859-1 bytes
+ * @param elements u16 each, for {@code NAME[1]}, {@code NAME[2]}, ...
+ */
+public record WriteArrayRequest(int id, String name, List<Integer> elements) implements Request {
+  static final Layout<WriteArrayRequest> LAYOUT =
+      new Layout<>(
+          (m, out) -> {
+            out.putString(m.name);
+            out.putWords(m.elements);
+          },
+          (id, in, tail) -> new WriteArrayRequest(id, in.string("name"), in.words("elements")));
+
+  /** Checks the ranges. */
+  public WriteArrayRequest {
+    elements = List.copyOf(elements);
+    Ranges.u16("id", id);
+    Ranges.latin1("name", name);
+    Ranges.words("element", elements);
+    Ranges.frame("name and elements", 1 + 2 + name.length() + 2 + 2 * elements.size());
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.WRITE_ARRAY;
+  }
+}

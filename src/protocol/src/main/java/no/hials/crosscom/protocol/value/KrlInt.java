@@ -1,0 +1,14 @@
+package no.hials.crosscom.protocol.value;
+
+/**
+ * A KRL INT.
+ *
+ * @param value the number, 32 bits with sign; {@code 'B..'} and {@code 'H..'} literals of 32 digits
+ *     or 8 digits may set the sign bit
+ */
+public record KrlInt(int value) implements KrlValue {
+  @Override
+  public String toString() {
+    return print();
+  }
+}

@@ -1,0 +1,36 @@
+package no.hials.crosscom.protocol.value;
+
+/**
+ * A KRL REAL, which is an IEEE 754 32-bit float on the controller.
+ *
+ * @param value the number; finite; a negative zero becomes zero, since a controller prints both as
+ *     {@code 0.0}
+ */
+public record KrlReal(float value) implements KrlValue {
+
+  /** Checks that the number is finite. */
+  public KrlReal {
+    if (!Float.isFinite(value)) {
+      throw new IllegalArgumentException("a REAL must be finite, is " + value);
+    }
+    if (value == 0) {
+      value = 0.0f;
+    }
+  }
+
+  /**
+   * Rounds a double to the nearest REAL.
+   *
+   * @param value any number that a 32-bit float can hold
+   * @return the REAL
+   * @throws IllegalArgumentException if the number is NaN, infinite or beyond ±3.4028235E38
+   */
+  public static KrlReal of(double value) {
+    return new KrlReal(RealText.toFloat(value));
+  }
+
+  @Override
+  public String toString() {
+    return print();
+  }
+}

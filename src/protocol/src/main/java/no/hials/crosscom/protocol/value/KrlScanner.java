@@ -1,0 +1,576 @@
+package no.hials.crosscom.protocol.value;
+
+/**
+ * Reads KRL text piece by piece, without making objects.
+ *
+ * <p>The caller says what it expects: {@link #readInt()}, {@link #readReal()}, or for an aggregate
+ * {@link #openStruct()} and then {@link #nextField()} before each value. What is not as expected is
+ * a {@link KrlSyntaxException} that gives the position. A scanner is for one thread; it can be used
+ * again after {@link #reset}.
+ */
+public final class KrlScanner {
+  private static final int NO_CHAR = -1;
+
+  private CharSequence text = "";
+  private int pos;
+  private int end;
+  private int nameStart;
+  private int nameEnd;
+  private boolean firstField;
+  private int depth;
+
+  // what the last number looked like, for readFloat
+  private int numberStart;
+
+  /** Makes a scanner of an empty text. */
+  public KrlScanner() {}
+
+  /**
+   * Makes a scanner of a text.
+   *
+   * @param text what to read
+   */
+  public KrlScanner(CharSequence text) {
+    reset(text);
+  }
+
+  /**
+   * Starts again with another text. The text must not change while it is read.
+   *
+   * @param newText what to read
+   */
+  public void reset(CharSequence newText) {
+    text = newText;
+    pos = 0;
+    end = newText.length();
+    depth = 0;
+    firstField = false;
+    nameStart = 0;
+    nameEnd = 0;
+  }
+
+  /**
+   * Gives the whole text.
+   *
+   * @return the text, as it was given
+   */
+  public CharSequence text() {
+    return text;
+  }
+
+  /**
+   * Gives the place reached.
+   *
+   * @return the index of the next character, from 0
+   */
+  public int position() {
+    return pos;
+  }
+
+  private int peek() {
+    return pos < end ? text.charAt(pos) : NO_CHAR;
+  }
+
+  /** Skips blanks, tabs and line ends, and gives the character after them, or -1 at the end. */
+  int peekAfterBlanks() {
+    skipBlanks();
+    return peek();
+  }
+
+  private void skipBlanks() {
+    while (pos < end && isBlank(text.charAt(pos))) {
+      pos++;
+    }
+  }
+
+  /** Says whether the character just before the place reached is a blank. */
+  boolean afterBlank() {
+    return pos > 0 && isBlank(text.charAt(pos - 1));
+  }
+
+  private static boolean isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+  }
+
+  private static boolean isDigit(int c) {
+    return c >= '0' && c <= '9';
+  }
+
+  private static boolean isNameStart(int c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '$';
+  }
+
+  private static boolean isNamePart(int c) {
+    return isNameStart(c) || isDigit(c);
+  }
+
+  /** Says whether a text is a KRL name. The controller's limit of 24 characters is not checked. */
+  static boolean isName(CharSequence name) {
+    if (name.isEmpty() || !isNameStart(name.charAt(0))) {
+      return false;
+    }
+    for (int i = 1; i < name.length(); i++) {
+      if (!isNamePart(name.charAt(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Says whether a text is a name with nothing, {@code []} or {@code [1,2]} behind it. */
+  static boolean isFieldName(CharSequence name) {
+    KrlScanner scanner = new KrlScanner(name);
+    return !name.isEmpty() && scanner.skipFieldName() && scanner.pos == scanner.end;
+  }
+
+  /**
+   * Makes an exception for the place reached.
+   *
+   * @param expected what would have been right
+   * @return the exception, to be thrown
+   */
+  public KrlSyntaxException wrong(String expected) {
+    return wrongAt(pos, expected);
+  }
+
+  /**
+   * Makes an exception for a place already passed.
+   *
+   * @param position the index in the text
+   * @param expected what would have been right
+   * @return the exception, to be thrown
+   */
+  public KrlSyntaxException wrongAt(int position, String expected) {
+    String found;
+    if (position >= end) {
+      found = "the end";
+    } else {
+      char c = text.charAt(position);
+      found = c < ' ' || c == 0x7F ? String.format("character 0x%02X", (int) c) : "'" + c + "'";
+    }
+    return new KrlSyntaxException(text, position, expected, found);
+  }
+
+  /**
+   * Says whether anything but blanks is left.
+   *
+   * @return true if so
+   */
+  public boolean hasMore() {
+    return peekAfterBlanks() != NO_CHAR;
+  }
+
+  /** Checks that nothing but blanks is left. */
+  public void expectEnd() {
+    if (hasMore()) {
+      throw wrong("the end of the value");
+    }
+  }
+
+  /**
+   * Reads an INT: decimal, {@code 'B0101'} or {@code 'HFF'}.
+   *
+   * @return the number
+   * @throws KrlSyntaxException if there is none, or it needs more than 32 bits
+   */
+  public int readInt() {
+    int c = peekAfterBlanks();
+    if (c == '\'') {
+      return readRadixInt();
+    }
+    numberStart = pos;
+    boolean negative = c == '-';
+    if (negative || c == '+') {
+      pos++;
+    }
+    if (!isDigit(peek())) {
+      throw wrong("an INT");
+    }
+    long value = 0;
+    while (isDigit(peek())) {
+      value = value * 10 + (text.charAt(pos) - '0');
+      if (value > 1L + Integer.MAX_VALUE) {
+        throw wrongAt(numberStart, "an INT of 32 bits");
+      }
+      pos++;
+    }
+    if (negative) {
+      value = -value;
+    }
+    if ((int) value != value) {
+      throw wrongAt(numberStart, "an INT of 32 bits");
+    }
+    endScalar("an INT");
+    return (int) value;
+  }
+
+  private int readRadixInt() {
+    numberStart = pos;
+    pos++;
+    int c = peek();
+    int shift;
+    if (c == 'B' || c == 'b') {
+      shift = 1;
+    } else if (c == 'H' || c == 'h') {
+      shift = 4;
+    } else {
+      throw wrong("B or H");
+    }
+    pos++;
+    int digitsStart = pos;
+    long value = 0;
+    while (peek() != '\'') {
+      int digit = pos < end ? Character.digit(text.charAt(pos), 16) : -1;
+      if (digit < 0 || digit >= 1 << shift || text.charAt(pos) > 'f') {
+        throw wrong(shift == 1 ? "a binary digit or '" : "a hexadecimal digit or '");
+      }
+      value = (value << shift) | digit;
+      if (value > 0xFFFF_FFFFL) {
+        throw wrongAt(numberStart, "an INT of 32 bits");
+      }
+      pos++;
+    }
+    if (pos == digitsStart) {
+      throw wrong("a digit");
+    }
+    pos++;
+    endScalar("an INT");
+    return (int) value;
+  }
+
+  /**
+   * Reads a REAL, in any form that C's printf makes, or an INT.
+   *
+   * @return the number as the nearest double to the text
+   * @throws KrlSyntaxException if there is none, or no 32-bit float can hold it
+   */
+  public double readReal() {
+    int c = peekAfterBlanks();
+    if (c == '\'') {
+      return readRadixInt();
+    }
+    numberStart = pos;
+    boolean negative = c == '-';
+    if (negative || c == '+') {
+      pos++;
+    }
+    long digits = 0;
+    int exponent = 0;
+    int count = 0;
+    int significant = 0;
+    boolean point = false;
+    while (true) {
+      int d = peek();
+      if (isDigit(d)) {
+        count++;
+        if (significant < 18) {
+          digits = digits * 10 + (d - '0');
+          if (digits != 0) {
+            significant++;
+          }
+          if (point) {
+            exponent--;
+          }
+        } else {
+          // more digits than a long holds: the slow way below reads them
+          significant++;
+        }
+      } else if (d == '.' && !point) {
+        point = true;
+      } else {
+        break;
+      }
+      pos++;
+    }
+    if (count == 0) {
+      throw wrong("a REAL");
+    }
+    int e = peek();
+    if (e == 'E' || e == 'e') {
+      pos++;
+      exponent += readExponent();
+    }
+    endScalar("a REAL");
+    double value = significant > 18 ? Double.NaN : RealText.exactly(digits, exponent);
+    if (Double.isNaN(value)) {
+      value = Math.abs(Double.parseDouble(text.subSequence(numberStart, pos).toString()));
+    }
+    if ((float) value == Float.POSITIVE_INFINITY) {
+      throw wrongAt(numberStart, "a REAL within ±3.4028235E38");
+    }
+    return negative ? -value : value;
+  }
+
+  private int readExponent() {
+    boolean negative = peek() == '-';
+    if (negative || peek() == '+') {
+      pos++;
+    }
+    if (!isDigit(peek())) {
+      throw wrong("an exponent");
+    }
+    int value = 0;
+    while (isDigit(peek())) {
+      // does not overflow, and is out of range like the true one, however many digits come before
+      value = Math.min(value * 10 + (text.charAt(pos) - '0'), 100_000_000);
+      pos++;
+    }
+    return negative ? -value : value;
+  }
+
+  /**
+   * Reads a REAL as the float nearest to the text, which is the number that the controller holds.
+   *
+   * @return the number
+   * @throws KrlSyntaxException if there is none, or no float can hold it
+   */
+  public float readFloat() {
+    double value = readReal();
+    return RealText.narrowsSafely(value) || text.charAt(numberStart) == '\''
+        ? (float) value
+        : Float.parseFloat(text.subSequence(numberStart, pos).toString());
+  }
+
+  /** Says whether the number at the place reached is written as a REAL, with point or exponent. */
+  boolean looksReal() {
+    for (int i = pos; i < end; i++) {
+      char c = text.charAt(i);
+      if (c == '.' || c == 'E' || c == 'e') {
+        return true;
+      }
+      if (!isDigit(c) && c != '-' && c != '+') {
+        return false;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Reads a BOOL, in upper or lower case.
+   *
+   * @return the value
+   * @throws KrlSyntaxException if there is none
+   */
+  public boolean readBool() {
+    skipBlanks();
+    int start = pos;
+    if (matches("TRUE")) {
+      pos += 4;
+      endScalar("TRUE or FALSE");
+      return true;
+    }
+    if (matches("FALSE")) {
+      pos += 5;
+      endScalar("TRUE or FALSE");
+      return false;
+    }
+    throw wrongAt(start, "TRUE or FALSE");
+  }
+
+  private boolean matches(String word) {
+    if (end - pos < word.length()) {
+      return false;
+    }
+    for (int i = 0; i < word.length(); i++) {
+      if ((text.charAt(pos + i) & ~0x20) != word.charAt(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Reads a CHAR or CHAR array.
+   *
+   * @return the text between the quotes
+   * @throws KrlSyntaxException if there is none, or the closing quote is missing
+   */
+  public String readString() {
+    if (peekAfterBlanks() != '"') {
+      throw wrong("a text in double quotes");
+    }
+    int start = ++pos;
+    while (peek() != '"') {
+      if (pos >= end) {
+        throw wrong("a closing double quote");
+      }
+      pos++;
+    }
+    String value = text.subSequence(start, pos).toString();
+    pos++;
+    endScalar("a text in double quotes");
+    return value;
+  }
+
+  /**
+   * Reads a value of an ENUM.
+   *
+   * @return the constant's name, without the {@code #}
+   * @throws KrlSyntaxException if there is none
+   */
+  public String readEnum() {
+    if (peekAfterBlanks() != '#') {
+      throw wrong("an ENUM constant, such as #T1");
+    }
+    pos++;
+    int start = pos;
+    if (!isNameStart(peek())) {
+      throw wrong("a name");
+    }
+    while (isNamePart(peek())) {
+      pos++;
+    }
+    endScalar("an ENUM constant");
+    return text.subSequence(start, pos).toString();
+  }
+
+  /** Checks that a scalar is followed by a blank, the end, or the end of a field. */
+  private void endScalar(String what) {
+    if (pos < end) {
+      char c = text.charAt(pos);
+      if (!isBlank(c) && !(depth > 0 && (c == ',' || c == '}'))) {
+        throw wrong("the end of " + what);
+      }
+    }
+  }
+
+  /**
+   * Opens an aggregate and passes over its type name, if there is one.
+   *
+   * @throws KrlSyntaxException if there is no aggregate, or too many are open
+   */
+  public void openStruct() {
+    if (peekAfterBlanks() != '{') {
+      throw wrong("an aggregate in braces");
+    }
+    if (depth == KrlValue.MAX_DEPTH) {
+      throw wrong("at most " + KrlValue.MAX_DEPTH + " nested aggregates");
+    }
+    pos++;
+    depth++;
+    firstField = true;
+    skipBlanks();
+    nameStart = pos;
+    nameEnd = pos;
+    if (isNameStart(peek())) {
+      while (isNamePart(peek())) {
+        pos++;
+      }
+      int afterName = pos;
+      if (peekAfterBlanks() == ':') {
+        nameEnd = afterName;
+        pos++;
+      } else {
+        pos = nameStart;
+      }
+    }
+  }
+
+  /**
+   * Goes to the value of the next field, whose name {@link #fieldIs} and {@link #fieldName} then
+   * tell, or closes the aggregate. A field without a value is uninitialised (assumed: krl.md 1.3
+   * only says that uninitialised components are not printed) and passed over.
+   *
+   * @return false if there is no further field
+   * @throws KrlSyntaxException if what follows is neither a field nor the closing brace
+   */
+  public boolean nextField() {
+    while (true) {
+      int c = peekAfterBlanks();
+      if (c == '}') {
+        pos++;
+        depth--;
+        firstField = false;
+        return false;
+      }
+      if (!firstField) {
+        if (c != ',') {
+          throw wrong("',' or '}'");
+        }
+        pos++;
+        skipBlanks();
+      }
+      nameStart = pos;
+      if (!skipFieldName()) {
+        throw wrong(firstField ? "a field's name or '}'" : "a field's name");
+      }
+      firstField = false;
+      nameEnd = pos;
+      int next = peekAfterBlanks();
+      if (next != ',' && next != '}') {
+        if (pos == nameEnd && next != '{' && next != '"') {
+          throw wrong(pos == end ? "a value" : "a blank");
+        }
+        return true;
+      }
+    }
+  }
+
+  private boolean skipFieldName() {
+    if (!isNameStart(peek())) {
+      return false;
+    }
+    while (isNamePart(peek())) {
+      pos++;
+    }
+    if (peek() == '[') {
+      pos++;
+      while (isDigit(peek()) || peek() == ',') {
+        pos++;
+      }
+      if (peek() != ']') {
+        return false;
+      }
+      pos++;
+    }
+    return true;
+  }
+
+  /**
+   * Compares the name of the field reached, or after {@link #openStruct} the type, whatever its
+   * case.
+   *
+   * @param name ASCII, in upper case
+   * @return whether it is that name
+   */
+  public boolean fieldIs(String name) {
+    int length = name.length();
+    if (nameEnd - nameStart != length) {
+      return false;
+    }
+    for (int i = 0; i < length; i++) {
+      char c = text.charAt(nameStart + i);
+      if (c >= 'a' && c <= 'z') {
+        c = (char) (c - 0x20);
+      }
+      if (c != name.charAt(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Gives the name of the field reached, as printed.
+   *
+   * @return the name; after {@link #openStruct} the type's name, empty if there is none
+   */
+  public String fieldName() {
+    return text.subSequence(nameStart, nameEnd).toString();
+  }
+
+  /**
+   * Reads the value of the field reached, of whatever type.
+   *
+   * @return the value
+   * @throws KrlSyntaxException if there is none
+   */
+  public KrlValue readFieldValue() {
+    return KrlValueParser.fieldValue(this);
+  }
+
+  /** Says whether the field reached is a whole array, with {@code []} behind its name. */
+  boolean fieldHasBrackets() {
+    return nameEnd - nameStart > 2 && text.charAt(nameEnd - 2) == '[';
+  }
+}

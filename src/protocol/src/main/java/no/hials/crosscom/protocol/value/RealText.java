@@ -1,0 +1,199 @@
+package no.hials.crosscom.protocol.value;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+
+/**
+ * The text of 32-bit floats: both ways of printing them, and the rounding of doubles.
+ *
+ * <p>The KR C4 rule is krl.md 1.2: {@code %#.6g} if that text gives the same float again, else
+ * {@code %#.9g}, an upper-case exponent, and a {@code 0} after a final point. Ties are rounded to
+ * even, as C's printf does; krl.md has no case that shows it.
+ */
+final class RealText {
+  private static final double[] POW10 = {
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22
+  };
+
+  /** Nine significant digits tell any two floats apart. */
+  private static final int MAX_DIGITS = 9;
+
+  private RealText() {}
+
+  /** Rounds to the nearest float; a number that no float holds is refused. */
+  static float toFloat(double value) {
+    float f = (float) value;
+    if (!Float.isFinite(f)) {
+      throw new IllegalArgumentException(
+          "a REAL is a 32-bit float, within ±3.4028235E38 and not NaN, is " + value);
+    }
+    return f;
+  }
+
+  /**
+   * Gives the number {@code digits * 10^exponent} if a double computes it with one rounding, else
+   * NaN.
+   */
+  static double exactly(long digits, int exponent) {
+    if (digits <= 1L << 53) {
+      if (exponent >= 0 && exponent < POW10.length) {
+        return digits * POW10[exponent];
+      }
+      if (exponent < 0 && -exponent < POW10.length) {
+        return digits / POW10[-exponent];
+      }
+    }
+    return Double.NaN;
+  }
+
+  /**
+   * Says whether rounding this correctly rounded double to float is sure to give the float nearest
+   * to the decimal number behind it. It is not where the double lies half-way between two floats.
+   */
+  static boolean narrowsSafely(double value) {
+    return (Double.doubleToRawLongBits(value) & 0x1FFF_FFFFL) != 0x1000_0000L
+        && (Math.abs(value) >= Float.MIN_NORMAL || value == 0);
+  }
+
+  static void append(StringBuilder out, float value, RealStyle style) {
+    if (value == 0) {
+      out.append("0.0");
+      return;
+    }
+    if (value < 0) {
+      out.append('-');
+    }
+    float magnitude = Math.abs(value);
+    if (style == RealStyle.KRC4) {
+      Decimal six = Decimal.of(magnitude, 6);
+      appendG(out, six.is(magnitude) ? six : Decimal.of(magnitude, MAX_DIGITS));
+    } else {
+      appendShortest(out, magnitude);
+    }
+  }
+
+  private static void appendShortest(StringBuilder out, float magnitude) {
+    Decimal decimal = shortest(magnitude);
+    int exponent = decimal.exponent;
+    if (exponent >= -4 && exponent < MAX_DIGITS) {
+      appendFixed(out, decimal, Math.max(1, decimal.precision - 1 - exponent));
+    } else {
+      appendScientific(out, decimal);
+    }
+  }
+
+  private static Decimal shortest(float magnitude) {
+    // Below a power of two the floats lie twice as close as above it. The nearest decimal, when it
+    // lies below, may then be another float's, and the next one above still this float's.
+    boolean powerOfTwo = (Float.floatToRawIntBits(magnitude) & 0x7F_FFFF) == 0;
+    for (int precision = 1; precision < MAX_DIGITS; precision++) {
+      Decimal nearest = Decimal.of(magnitude, precision);
+      if (nearest.is(magnitude)) {
+        return nearest;
+      }
+      if (powerOfTwo) {
+        Decimal above = new Decimal(nearest.digits + 1, nearest.exponent, precision);
+        if (above.is(magnitude)) {
+          return above;
+        }
+      }
+    }
+    return Decimal.of(magnitude, MAX_DIGITS);
+  }
+
+  /** C's {@code %#g}. */
+  private static void appendG(StringBuilder out, Decimal decimal) {
+    if (decimal.exponent < -4 || decimal.exponent >= decimal.precision) {
+      appendScientific(out, decimal);
+    } else {
+      appendFixed(out, decimal, Math.max(1, decimal.precision - 1 - decimal.exponent));
+    }
+  }
+
+  private static void appendFixed(StringBuilder out, Decimal decimal, int decimals) {
+    // with at least one digit after the point, which also gives the 0 after a final point
+    int exponent = decimal.exponent;
+    if (exponent < 0) {
+      out.append("0.");
+      for (int i = -1; i > exponent; i--) {
+        out.append('0');
+      }
+      out.append(decimal.digits);
+      return;
+    }
+    int start = out.length();
+    out.append(decimal.digits);
+    for (int i = decimal.precision; i <= exponent + decimals; i++) {
+      out.append('0');
+    }
+    out.insert(start + exponent + 1, '.');
+  }
+
+  private static void appendScientific(StringBuilder out, Decimal decimal) {
+    int start = out.length();
+    out.append(decimal.digits);
+    if (decimal.precision == 1) {
+      out.append('0');
+    }
+    out.insert(start + 1, '.');
+    int exponent = decimal.exponent;
+    out.append('E').append(exponent < 0 ? '-' : '+');
+    if (Math.abs(exponent) < 10) {
+      out.append('0');
+    }
+    out.append(Math.abs(exponent));
+  }
+
+  /**
+   * A positive number as decimal digits.
+   *
+   * @param digits {@code precision} digits, the first not 0
+   * @param exponent the power of ten of the first digit
+   * @param precision how many digits there are
+   */
+  private record Decimal(long digits, int exponent, int precision) {
+
+    /** Rounds half to even, from the exact value of the float. */
+    static Decimal of(float magnitude, int precision) {
+      double value = magnitude;
+      int exponent = (int) Math.floor(Math.log10(value));
+      // twice at most: the estimate may be one off, and rounding up may add a digit
+      for (int attempt = 0; attempt < 2; attempt++) {
+        int shift = precision - 1 - exponent;
+        if (Math.abs(shift) >= POW10.length) {
+          break;
+        }
+        double scaled = shift >= 0 ? value * POW10[shift] : value / POW10[-shift];
+        double rounded = Math.rint(scaled);
+        if (Math.abs(Math.abs(scaled - rounded) - 0.5) < 1e-6) {
+          // too near a tie for a product that was itself rounded
+          break;
+        }
+        if (rounded >= POW10[precision]) {
+          exponent++;
+        } else if (rounded < POW10[precision - 1]) {
+          exponent--;
+        } else {
+          return new Decimal((long) rounded, exponent, precision);
+        }
+      }
+      BigDecimal exact =
+          new BigDecimal(value).round(new MathContext(precision, RoundingMode.HALF_EVEN));
+      int leading = exact.precision() - 1 - exact.scale();
+      return new Decimal(
+          exact.scaleByPowerOfTen(precision - 1 - leading).longValueExact(), leading, precision);
+    }
+
+    /** Says whether this text gives the float again. */
+    boolean is(float magnitude) {
+      int scale = exponent - precision + 1;
+      double value = exactly(digits, scale);
+      if (Double.isNaN(value) || !narrowsSafely(value)) {
+        return Float.parseFloat(digits + "E" + scale) == magnitude;
+      }
+      return (float) value == magnitude;
+    }
+  }
+}

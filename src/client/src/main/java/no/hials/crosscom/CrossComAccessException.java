@@ -1,5 +1,8 @@
 package no.hials.crosscom;
 
+import java.util.Optional;
+import no.hials.crosscom.protocol.ErrorCode;
+
 /**
  * Says that the controller refused to read or write a variable. Nothing was changed; the connection
  * can be used.
@@ -11,21 +14,41 @@ public final class CrossComAccessException extends CrossComException {
   private final Operation operation;
   private final int code;
 
-  CrossComAccessException(String variable, Operation operation, int code, String said) {
+  CrossComAccessException(
+      String variable, Operation operation, boolean success, int code) {
     super(
         "the controller refused to "
             + operation.verb
             + " "
             + variable
-            + ": "
-            + said
+            + ": it answered "
+            + (success
+                ? "success with an empty value"
+                : "failure, code " + code + " (" + nameOf(code) + ")")
             + "; likely cause: "
-            + operation.likelyCause,
+            + likelyCause(operation, success, code),
         null,
         false);
     this.variable = variable;
     this.operation = operation;
     this.code = code;
+  }
+
+  private static String nameOf(int code) {
+    ErrorCode known = ErrorCode.from(code).orElse(null);
+    if (known == null) {
+      return "unknown";
+    }
+    return known == ErrorCode.SUCCESS ? "KUKAVARPROXY gives no reason" : known.name();
+  }
+
+  private static String likelyCause(Operation operation, boolean success, int code) {
+    if (!success && ErrorCode.from(code).orElse(null) == ErrorCode.ACCESS) {
+      return operation == Operation.WRITE
+          ? "the variable is read-only"
+          : "the variable is not readable";
+    }
+    return operation.likelyCause;
   }
 
   /**
@@ -53,6 +76,16 @@ public final class CrossComAccessException extends CrossComException {
    */
   public int getCode() {
     return code;
+  }
+
+  /**
+   * Gives the name of the code, as C3 Bridge Interface calls it.
+   *
+   * @return the name; {@link ErrorCode#SUCCESS} from KUKAVARPROXY, which gives no reason; nothing if
+   *     the code is unknown
+   */
+  public Optional<ErrorCode> getErrorCode() {
+    return ErrorCode.from(code);
   }
 
   /** What was tried. */

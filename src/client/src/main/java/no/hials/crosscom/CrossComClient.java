@@ -828,14 +828,9 @@ public final class CrossComClient implements Closeable {
     readBuffer.clear().put(frame).flip();
     link.exchange(readBuffer, MessageType.READ, name);
     AnswerFrame answer = link.answer();
-    if (!answer.success()) {
-      throw new CrossComAccessException(
-          name, Operation.READ, answer.code(), "it answered failure, code " + answer.code());
-    }
-    if (answer.length() == 0) {
-      // KUKAVARPROXY of 2019 and later says success when the controller refuses (krl.md 1.8)
-      throw new CrossComAccessException(
-          name, Operation.READ, answer.code(), "it answered success with an empty value");
+    // KUKAVARPROXY of 2019 and later says success when the controller refuses (krl.md 1.8)
+    if (!answer.success() || answer.isEmpty()) {
+      throw new CrossComAccessException(name, Operation.READ, answer.success(), answer.code());
     }
   }
 
@@ -843,8 +838,7 @@ public final class CrossComClient implements Closeable {
     link.exchange(ByteBuffer.wrap(frame), MessageType.WRITE, name);
     AnswerFrame answer = link.answer();
     if (!answer.success()) {
-      throw new CrossComAccessException(
-          name, Operation.WRITE, answer.code(), "it answered failure, code " + answer.code());
+      throw new CrossComAccessException(name, Operation.WRITE, false, answer.code());
     }
   }
 

@@ -29,6 +29,7 @@ import no.hials.crosscom.mock.FailedRead;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import org.junit.jupiter.api.Test;
@@ -337,6 +338,27 @@ class ReadWriteTest extends RobotTest {
         .satisfies(e -> assertThat(e.getCode()).isEqualTo(1))
         .satisfies(e -> assertThat(e.isOutcomeUnknown()).isFalse());
     assertThat(client.readText("MYINT")).isEqualTo("0");
+  }
+
+  @Test
+  void aRefusalSaysTheServersCodeItsNameAndTheLikelyCause() {
+    robot.enqueue(
+        Fault.answer("5", new Tail(2, 0)),
+        Fault.answer("", new Tail(0, 0)),
+        Fault.answer("", new Tail(77, 0)));
+
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.writeText("$ROBRUNTIME", "5"))
+        .withMessageContaining("code 2 (ACCESS); likely cause: the variable is read-only")
+        .satisfies(e -> assertThat(e.getErrorCode()).contains(ErrorCode.ACCESS));
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.readText("NOSUCHVAR"))
+        .withMessageContaining("code 0 (GENERAL); likely cause: the variable is unknown");
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.readText("NOSUCHVAR"))
+        .withMessageContaining("code 77 (unknown)")
+        .satisfies(e -> assertThat(e.getErrorCode()).isEmpty())
+        .satisfies(e -> assertThat(e.getCode()).isEqualTo(77));
   }
 
   @Test

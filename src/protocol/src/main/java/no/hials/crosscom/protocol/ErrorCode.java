@@ -1,0 +1,62 @@
+package no.hials.crosscom.protocol;
+
+import java.util.Optional;
+
+/**
+ * The error codes of C3 Bridge Interface, in the tail of an answer that says failure (c3-bridge.md).
+ * KUKAVARPROXY knows none: there the same two bytes are a length, which is always 1.
+ */
+public enum ErrorCode {
+  /** Unspecified, such as an unknown variable or a refused write. */
+  GENERAL(0),
+  /** None; together with failure, the mark of a KUKAVARPROXY, which gives no reason. */
+  SUCCESS(1),
+  /** Access denied. */
+  ACCESS(2),
+  /** Invalid argument. */
+  ARGUMENT(3),
+  /** Out of memory. */
+  MEMORY(4),
+  /** Null pointer. */
+  POINTER(5),
+  /** Unexpected failure. */
+  UNEXPECTED(6),
+  /** Not implemented. */
+  NOT_IMPLEMENTED(7),
+  /** No interface. */
+  NO_INTERFACE(8),
+  /** The message's content is malformed. */
+  PROTOCOL(9),
+  /** The answer does not fit into one message. */
+  LONG_ANSWER(10);
+
+  private final int code;
+
+  ErrorCode(int code) {
+    this.code = code;
+  }
+
+  /**
+   * Gives the number on the wire.
+   *
+   * @return 0 to 10
+   */
+  public int code() {
+    return code;
+  }
+
+  /**
+   * Finds a code by its number.
+   *
+   * @param code any number
+   * @return the code, or nothing if it is unknown
+   */
+  public static Optional<ErrorCode> from(int code) {
+    for (ErrorCode known : values()) {
+      if (known.code == code) {
+        return Optional.of(known);
+      }
+    }
+    return Optional.empty();
+  }
+}

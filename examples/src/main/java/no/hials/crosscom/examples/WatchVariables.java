@@ -27,8 +27,7 @@ public final class WatchVariables {
 
   private static void watch(CrossComClient client) throws IOException, InterruptedException {
     BlockingQueue<Sample> samples = new LinkedBlockingQueue<>();
-    try (Watch watch =
-        client.watch(Duration.ofMillis(20), samples::add, "$AXIS_ACT", "$OV_PRO")) {
+    try (Watch watch = client.watch(Duration.ofMillis(20), samples::add, "$AXIS_ACT", "$OV_PRO")) {
       for (int i = 0; i < 5; i++) {
         Sample sample = samples.take();
         System.out.println(sample.number() + ": $OV_PRO = " + sample.value("$OV_PRO"));

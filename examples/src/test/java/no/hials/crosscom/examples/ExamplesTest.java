@@ -85,6 +85,15 @@ class ExamplesTest {
   }
 
   @Test
+  void ownRecordReadsAndWritesAStructureInOneAccessEach() {
+    assertThat(run(() -> OwnRecord.main(new String[0])))
+        .contains("seam 1 left, Z 3.0 mm")
+        .contains(
+            "{WELD: SPEED 0.800000, SEAM_NO 2, NAME[] \"right\", STATE #WELDING, OFFSET {FRAME: X"
+                + " 1.00000, Y 2.00000, Z 3.50000, A 0.0, B 0.0, C 0.0}}");
+  }
+
+  @Test
   void watchVariablesPrintsFiveSamples() {
     assertThat(run(() -> WatchVariables.main(new String[0])))
         .contains("1: $OV_PRO = 100")

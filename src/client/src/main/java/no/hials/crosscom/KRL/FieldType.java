@@ -1,0 +1,424 @@
+package no.hials.crosscom.KRL;
+
+import java.lang.reflect.Type;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+import no.hials.crosscom.KRL.structs.KRLAxis;
+import no.hials.crosscom.KRL.structs.KRLE6Axis;
+import no.hials.crosscom.KRL.structs.KRLE6Pos;
+import no.hials.crosscom.KRL.structs.KRLFrame;
+import no.hials.crosscom.KRL.structs.KRLPos;
+import no.hials.crosscom.KRL.structs.KRLStruct;
+import no.hials.crosscom.protocol.value.KrlPrinter;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlScanner;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.protocol.value.RealStyle;
+import org.jspecify.annotations.Nullable;
+
+/** How a value of one Java type is read from, and printed to, a field of a STRUC. Immutable. */
+abstract class FieldType {
+  private static final Map<Class<?>, FieldType> SCALARS =
+      Map.of(
+          int.class, new Int(),
+          Integer.class, new Int(),
+          float.class, new Single(),
+          Float.class, new Single(),
+          double.class, new Real(),
+          Double.class, new Real(),
+          boolean.class, new Bool(),
+          Boolean.class, new Bool());
+
+  private static final Map<Class<?>, FieldType> OTHERS =
+      Map.of(
+          char.class, new Char(),
+          Character.class, new Char(),
+          String.class, new Text(),
+          KRLFrame.class, new Frame(KRLFrame.class, KRLFrame::new),
+          KRLPos.class, new Frame(KRLPos.class, KRLPos::new),
+          KRLE6Pos.class, new Frame(KRLE6Pos.class, KRLE6Pos::new),
+          KRLAxis.class, new Frame(KRLAxis.class, KRLAxis::new),
+          KRLE6Axis.class, new Frame(KRLE6Axis.class, KRLE6Axis::new));
+
+  /** Says why a type cannot be mapped, as the end of a sentence about the component. */
+  static final class UnmappableException extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    UnmappableException(String message) {
+      super(message);
+    }
+  }
+
+  /**
+   * Finds how a type is mapped.
+   *
+   * @param around the records in which the component is, one in the other
+   */
+  static FieldType of(Type declared, List<Class<?>> around) throws UnmappableException {
+    if (declared instanceof Class<?> type) {
+      FieldType known = scalar(type);
+      if (known == null) {
+        known = OTHERS.get(type);
+      }
+      if (known != null) {
+        return known;
+      }
+      if (type.isRecord()) {
+        if (around.contains(type)) {
+          throw new UnmappableException("is of type " + type.getTypeName() + ", which contains it");
+        }
+        return new Part(new RecordShape(type, around));
+      }
+      FieldType element = type.isArray() ? scalar(type.getComponentType()) : null;
+      if (element != null
+          && (type.getComponentType().isPrimitive() || element instanceof Constant)) {
+        return new Array(type.getComponentType(), element);
+      }
+    }
+    throw new UnmappableException(
+        "is of type " + declared.getTypeName() + ", to which no KRL type is mapped");
+  }
+
+  /** Gives the type of what may be an element of an array, or null. */
+  private static @Nullable FieldType scalar(Class<?> type) throws UnmappableException {
+    return type.isEnum() ? new Constant(type) : SCALARS.get(type);
+  }
+
+  /**
+   * Reads the value that the scanner has reached.
+   *
+   * @param path that of the record in which the field is
+   * @param name the field's name
+   * @throws KrlSyntaxException if it is not of this type
+   * @throws RecordShape.PathException if a part of it is wrong
+   */
+  abstract Object read(KrlScanner scanner, String path, String name);
+
+  /**
+   * Prints a value.
+   *
+   * @param path that of the record in which the field is
+   * @param name the field's name
+   * @throws RecordShape.PathException if a part of it cannot be written
+   * @throws IllegalArgumentException if the value cannot be written
+   */
+  abstract void print(StringBuilder out, Object value, String path, String name);
+
+  /** Gives what stands behind the name of such a field. */
+  String brackets() {
+    return "";
+  }
+
+  private static final class Int extends FieldType {
+    @Override
+    Object read(KrlScanner scanner, String path, String name) {
+      return scanner.readInt();
+    }
+
+    @Override
+    void print(StringBuilder out, Object value, String path, String name) {
+      out.append(((Integer) value).intValue());
+    }
+  }
+
+  private static final class Real extends FieldType {
+    @Override
+    Object read(KrlScanner scanner, String path, String name) {
+      return scanner.readReal();
+    }
+
+    @Override
+    void print(StringBuilder out, Object value, String path, String name) {
+      KrlPrinter.appendReal(out, KrlReal.of((Double) value).value(), RealStyle.SHORTEST);
+    }
+  }
+
+  private static final class Single extends FieldType {
+    /** Up to this, a float holds every INT. The next is rounded to it. */
+    private static final float EXACT = 1 << 24;
+
+    @Override
+    Object read(KrlScanner scanner, String path, String name) {
+      int start = scanner.position();
+      float value = scanner.readFloat();
+      if (Math.abs(value) >= EXACT) {
+        // seldom: a REAL is a float already, but an INT of the controller's may have more digits
+        String text = scanner.text().subSequence(start, scanner.position()).toString();
+        KrlScanner again = new KrlScanner(text);
+        if (isInt(text) && again.readInt() != (double) value) {
+          throw new KrlSyntaxException(scanner.text(), start, "an INT that a float can hold", text);
+        }
+      }
+      return value;
+    }
+
+    private static boolean isInt(String text) {
+      return text.startsWith("'") || text.chars().noneMatch(c -> c == '.' || c == 'E' || c == 'e');
+    }
+
+    @Override
+    void print(StringBuilder out, Object value, String path, String name) {
+      KrlPrinter.appendReal(out, new KrlReal((Float) value).value(), RealStyle.SHORTEST);
+    }
+  }
+
+  private static final class Bool extends FieldType {
+    @Override
+    Object read(KrlScanner scanner, String path, String name) {
+      return scanner.readBool();
+    }
+
+    @Override
+    void print(StringBuilder out, Object value, String path, String name) {
+      KrlPrinter.appendBool(out, (Boolean) value);
+    }
+  }
+
+  private static void printText(StringBuilder out, String text) {
+    for (int i = 0; i < text.length(); i++) {
+      if (text.charAt(i) > 0xFF) {
+        throw new IllegalArgumentException(
+            String.format(
+                "must be ISO 8859-1, has U+%04X at index %d of: %s",
+                (int) text.charAt(i), i, text));
+      }
+    }
+    KrlPrinter.append(out, new KrlString(text), RealStyle.SHORTEST);
+  }
+
+  private static final class Char extends FieldType {
+    @Override
+    Object read(KrlScanner scanner, String path, String name) {
+      int start = scanner.position();
+      String text = scanner.readString();
+      if (text.length() != 1) {
+        throw scanner.wrongAt(start, "one character in double quotes");
+      }
+      return text.charAt(0);
+    }
+
+    @Override
+    void print(StringBuilder out, Object value, String path, String name) {
+      printText(out, value.toString());
+    }
+  }
+
+  private static final class Text extends FieldType {
+    @Override
+    Object read(KrlScanner scanner, String path, String name) {
+      String text = scanner.readString();
+      return text.equals(" ") ? "" : text;
+    }
+
+    @Override
+    void print(StringBuilder out, Object value, String path, String name) {
+      String text = (String) value;
+      // an empty literal is written as the controller prints it
+      printText(out, text.isEmpty() ? " " : text);
+    }
+
+    @Override
+    String brackets() {
+      return "[]";
+    }
+  }
+
+  /** An ENUM. */
+  private static final class Constant extends FieldType {
+    private final Map<String, Object> byName = new LinkedHashMap<>();
+    private final Map<Object, String> names = new HashMap<>();
+
+    Constant(Class<?> type) throws UnmappableException {
+      for (Object constant : type.getEnumConstants()) {
+        String javaName = ((Enum<?>) constant).name();
+        String name = RecordShape.krlName(annotation(type, javaName), javaName);
+        if (name == null) {
+          throw new UnmappableException(
+              "is of type " + type.getTypeName() + ", whose " + javaName + " has no KRL name");
+        }
+        if (byName.put(name, constant) != null) {
+          throw new UnmappableException(
+              "is of type " + type.getTypeName() + ", which has the name " + name + " twice");
+        }
+        names.put(constant, name);
+      }
+    }
+
+    private static @Nullable KrlName annotation(Class<?> type, String constant) {
+      try {
+        return type.getDeclaredField(constant).getAnnotation(KrlName.class);
+      } catch (NoSuchFieldException e) {
+        throw new AssertionError("each constant of an enum is a field of it", e);
+      }
+    }
+
+    @Override
+    Object read(KrlScanner scanner, String path, String name) {
+      int start = scanner.position();
+      String text = scanner.readEnum();
+      Object constant = byName.get(text.toUpperCase(Locale.ROOT));
+      if (constant == null) {
+        throw new KrlSyntaxException(
+            scanner.text(), start, "one of #" + String.join(", #", byName.keySet()), "#" + text);
+      }
+      return constant;
+    }
+
+    @Override
+    void print(StringBuilder out, Object value, String path, String name) {
+      out.append('#').append(names.get(value));
+    }
+  }
+
+  /** A whole array of one dimension. */
+  static final class Array extends FieldType {
+    private final Class<?> elementClass;
+    private final FieldType element;
+
+    Array(Class<?> elementClass, FieldType element) {
+      this.elementClass = elementClass;
+      this.element = element;
+    }
+
+    /** Reads one element. */
+    Object readElement(KrlScanner scanner) {
+      return element.read(scanner, "", "");
+    }
+
+    /** Makes an array. */
+    Object arrayOf(Collection<Object> elements) {
+      Object array = java.lang.reflect.Array.newInstance(elementClass, elements.size());
+      int i = 0;
+      for (Object value : elements) {
+        java.lang.reflect.Array.set(array, i++, value);
+      }
+      return array;
+    }
+
+    @Override
+    Object read(KrlScanner scanner, String path, String name) {
+      List<Object> elements = new ArrayList<>();
+      do {
+        elements.add(readElement(scanner));
+      } while (scanner.hasMore() && !atEnd(scanner.text().charAt(scanner.position())));
+      return arrayOf(elements);
+    }
+
+    private static boolean atEnd(char c) {
+      return c == ',' || c == '}';
+    }
+
+    @Override
+    void print(StringBuilder out, Object value, String path, String name) {
+      int length = java.lang.reflect.Array.getLength(value);
+      if (length == 0) {
+        throw new IllegalArgumentException("must have at least 1 element, has 0");
+      }
+      for (int i = 0; i < length; i++) {
+        if (i > 0) {
+          out.append(' ');
+        }
+        try {
+          Object part = java.lang.reflect.Array.get(value, i);
+          if (part == null) {
+            throw new IllegalArgumentException("must not be null");
+          }
+          element.print(out, part, path, name);
+        } catch (IllegalArgumentException e) {
+          throw new RecordShape.PathException(
+              path + "." + name + "[" + (i + 1) + "]: " + e.getMessage(), e);
+        }
+      }
+    }
+
+    @Override
+    String brackets() {
+      return "[]";
+    }
+  }
+
+  /** A record in a record. */
+  private static final class Part extends FieldType {
+    private final RecordShape shape;
+
+    Part(RecordShape shape) {
+      this.shape = shape;
+    }
+
+    @Override
+    Object read(KrlScanner scanner, String path, String name) {
+      return shape.readPart(scanner, path + "." + name);
+    }
+
+    @Override
+    void print(StringBuilder out, Object value, String path, String name) {
+      shape.print(out, value, path + "." + name);
+    }
+  }
+
+  /** A FRAME and its like, which know themselves which of their fields are there. */
+  private static final class Frame extends FieldType {
+    private final Class<? extends KRLStruct> type;
+    private final Function<String, KRLStruct> constructor;
+    private final List<String> fields;
+
+    Frame(Class<? extends KRLStruct> type, Function<String, KRLStruct> constructor) {
+      this.type = type;
+      this.constructor = constructor;
+      this.fields = List.of(constructor.apply("FIELDS").getNodes());
+    }
+
+    @Override
+    Object read(KrlScanner scanner, String path, String name) {
+      KRLStruct struct = constructor.apply(path + "." + name);
+      int start = scanner.position();
+      scanner.openStruct();
+      while (scanner.nextField()) {
+        String part = struct.getName() + "." + scanner.fieldName();
+        if (!fields.contains(scanner.fieldName().toUpperCase(Locale.ROOT))) {
+          throw new RecordShape.PathException(
+              part + " is no field of a " + type.getSimpleName() + ", which has " + fields, null);
+        }
+        try {
+          scanner.readReal();
+        } catch (KrlSyntaxException e) {
+          throw new RecordShape.PathException(part + ": " + e.getMessage(), e);
+        }
+      }
+      // only the structure itself can note which of its fields are missing
+      KRLVariable variable = struct;
+      variable.setValueFromString(scanner.text().subSequence(start, scanner.position()).toString());
+      return struct;
+    }
+
+    @Override
+    void print(StringBuilder out, Object value, String path, String name) {
+      if (value.getClass() != type) {
+        // a POS is a KRLFrame too, but has fields that a FRAME does not have
+        throw new IllegalArgumentException(
+            "must be a " + type.getSimpleName() + ", is a " + value.getClass().getSimpleName());
+      }
+      KRLStruct struct = (KRLStruct) value;
+      String[] all = struct.getNodes();
+      Map<String, ?> values = struct.getValue();
+      String[] there = Arrays.stream(all).filter(values::containsKey).toArray(String[]::new);
+      if (there.length == all.length) {
+        out.append(struct.getStringValue());
+      } else if (there.length == 0) {
+        out.append("{}");
+      } else {
+        // not as 0.0, as the structure alone does: a record cannot be written in part, and to
+        // give Status and Turn to a position without them would change how it is reached
+        out.append(struct.getStringValueOf(there));
+      }
+    }
+  }
+}

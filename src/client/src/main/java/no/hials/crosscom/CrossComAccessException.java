@@ -14,8 +14,7 @@ public final class CrossComAccessException extends CrossComException {
   private final Operation operation;
   private final int code;
 
-  CrossComAccessException(
-      String variable, Operation operation, boolean success, int code) {
+  CrossComAccessException(String variable, Operation operation, boolean success, int code) {
     super(
         "the controller refused to "
             + operation.verb
@@ -81,8 +80,8 @@ public final class CrossComAccessException extends CrossComException {
   /**
    * Gives the name of the code, as C3 Bridge Interface calls it.
    *
-   * @return the name; {@link ErrorCode#SUCCESS} from KUKAVARPROXY, which gives no reason; nothing if
-   *     the code is unknown
+   * @return the name; {@link ErrorCode#SUCCESS} from KUKAVARPROXY, which gives no reason; nothing
+   *     if the code is unknown
    */
   public Optional<ErrorCode> getErrorCode() {
     return ErrorCode.from(code);

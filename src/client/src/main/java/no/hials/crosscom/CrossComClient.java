@@ -120,46 +120,60 @@ public final class CrossComClient implements Closeable {
   }
 
   private void readWhole(KRLVariable variable) throws CrossComException {
-    VariableAccess access = VariableAccess.get();
     String text;
     lock.lock();
     try {
-      byte[] frame = access.readFrame(variable);
-      read(frame, variable.getName());
-      AnswerFrame answer = link.answer();
-      scanner.reset(answer);
-      try {
-        if (access.scan(variable, scanner, false)) {
-          access.setReadTime(variable, link.exchangeNanos());
-          return;
-        }
-      } catch (KrlSyntaxException e) {
-        throw notOfType(variable, answer.toString(), e);
-      }
-      text = answer.toString();
-      access.setReadTime(variable, link.exchangeNanos());
+      read(VariableAccess.get().readFrame(variable), variable.getName());
+      text = takeInPlace(variable, false);
     } finally {
       lock.unlock();
     }
-    // a class of the program's own: its code does not run under the lock
-    setFromString(variable, text);
+    takeText(variable, text, false);
   }
 
-  private static void setFromString(KRLVariable variable, String text)
+  /**
+   * Sets a variable from the answer, in place. The lock is held.
+   *
+   * @param written whether it is the answer to a write
+   * @return nothing if the variable is set; else the text for {@link #takeText}
+   */
+  private @Nullable String takeInPlace(KRLVariable variable, boolean written)
       throws CrossComValueException {
+    VariableAccess access = VariableAccess.get();
+    AnswerFrame answer = link.answer();
+    scanner.reset(answer);
     try {
-      VariableAccess.get().setFromString(variable, text);
+      boolean taken = access.scan(variable, scanner, written);
+      access.setReadTime(variable, link.exchangeNanos());
+      return taken ? null : answer.toString();
     } catch (IllegalArgumentException e) {
-      throw notOfType(variable, text, e);
+      throw notOfType(variable, answer.toString(), written, e);
+    }
+  }
+
+  /** Sets a variable of a class of the program's own, whose code does not run under the lock. */
+  private static void takeText(KRLVariable variable, @Nullable String text, boolean written)
+      throws CrossComValueException {
+    if (text != null) {
+      try {
+        VariableAccess.get().setFromString(variable, text);
+      } catch (IllegalArgumentException e) {
+        throw notOfType(variable, text, written, e);
+      }
     }
   }
 
   private static CrossComValueException notOfType(
-      KRLVariable variable, String text, IllegalArgumentException e) {
+      KRLVariable variable, String text, boolean written, IllegalArgumentException e) {
     return new CrossComValueException(
         variable.getName(),
         text,
-        "what the controller has is not a value for " + variable.getType() + ": " + e.getMessage(),
+        (written
+                ? "the write was done, but its answer is not a value for "
+                : "what the controller has is not a value for ")
+            + variable.getType()
+            + ": "
+            + e.getMessage(),
         e);
   }
 
@@ -199,45 +213,20 @@ public final class CrossComClient implements Closeable {
 
   private void write(KRLVariable variable, String text) throws CrossComException {
     byte[] frame = encodeWrite(variable.getName(), text);
-    String echo;
+    String echo = null;
     lock.lock();
     try {
       write(frame, variable.getName());
-      VariableAccess access = VariableAccess.get();
-      access.setReadTime(variable, link.exchangeNanos());
-      AnswerFrame answer = link.answer();
-      if (answer.length() == 0) {
-        return; // done; there is no value to update the variable from
+      if (!link.answer().isEmpty()) {
+        echo = takeInPlace(variable, true);
+      } else {
+        // done, but there is no value to update the variable from
+        VariableAccess.get().setReadTime(variable, link.exchangeNanos());
       }
-      scanner.reset(answer);
-      try {
-        if (access.scan(variable, scanner, true)) {
-          return;
-        }
-      } catch (KrlSyntaxException e) {
-        throw echoNotOfType(variable, answer.toString(), e);
-      }
-      echo = answer.toString();
     } finally {
       lock.unlock();
     }
-    try {
-      VariableAccess.get().setFromString(variable, echo);
-    } catch (IllegalArgumentException e) {
-      throw echoNotOfType(variable, echo, e);
-    }
-  }
-
-  private static CrossComValueException echoNotOfType(
-      KRLVariable variable, String text, IllegalArgumentException e) {
-    return new CrossComValueException(
-        variable.getName(),
-        text,
-        "the write was done, but its answer is not a value for "
-            + variable.getType()
-            + ": "
-            + e.getMessage(),
-        e);
+    takeText(variable, echo, true);
   }
 
   /**
@@ -275,7 +264,7 @@ public final class CrossComClient implements Closeable {
         e.setElementsDone(i - 1, total);
         throw e;
       } catch (KrlSyntaxException e) {
-        CrossComValueException wrong = notOfType(array, e.text(), e);
+        CrossComValueException wrong = notOfType(array, e.text(), false, e);
         wrong.setElementsDone(i - 1, total);
         throw wrong;
       }

@@ -3,8 +3,9 @@ package no.hials.crosscom.protocol;
 import java.util.Optional;
 
 /**
- * The error codes of C3 Bridge Interface, in the tail of an answer that says failure (c3-bridge.md).
- * KUKAVARPROXY knows none: there the same two bytes are a length, which is always 1.
+ * The error codes of C3 Bridge Interface, in the tail of an answer that says failure
+ * (c3-bridge.md). KUKAVARPROXY knows none: there the same two bytes are a length, which is always
+ * 1.
  */
 public enum ErrorCode {
   /** Unspecified, such as an unknown variable or a refused write. */

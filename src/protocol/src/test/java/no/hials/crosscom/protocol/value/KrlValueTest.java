@@ -524,6 +524,9 @@ final class KrlValueTest {
             (Runnable) () -> new KrlArray(List.of(new KrlInt(1), new KrlInt(2), KrlReal.of(3))),
             "an array's elements must be of one type, [1] is 1, [3] is 3.00000"),
         arguments(
+            (Runnable) () -> new KrlString("\""),
+            "a CHAR array cannot hold a double quote, found one at index 0 of: \""),
+        arguments(
             (Runnable) () -> new KrlString("a\"b"),
             "a CHAR array cannot hold a double quote, found one at index 1 of: a\"b"),
         arguments(

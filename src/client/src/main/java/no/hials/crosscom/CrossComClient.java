@@ -42,8 +42,9 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>The client can be used by several threads: exchanges take place one at a time, in the order in
  * which they were asked for. The variables handed to it are for one thread at a time. A call blocks
- * until the answer is there, for the request time-out at most once its turn has come (if the
- * connection has to be made anew, for the connect time-out too).
+ * until the answer is there: once its turn has come for the request time-out at most, if the
+ * connection has to be made anew for the connect time-out too, and if a read is repeated for both
+ * again.
  *
  * <p>A refused access or an unreadable value leaves the connection usable. After a time-out, a
  * broken connection or an answer that is not one, the connection is closed, and the next call makes
@@ -774,6 +775,7 @@ public final class CrossComClient implements Closeable {
   }
 
   private byte[] encodeWrite(String name, String value) throws CrossComValueException {
+    Objects.requireNonNull(value, () -> "the value to be written to " + name);
     byte[] frame = Codec.encode(new WriteRequest(0, checkName(name), value));
     int limit = config.maxAggregateLength();
     if (limit > 0 && value.length() > limit && value.stripLeading().startsWith("{")) {
@@ -803,6 +805,7 @@ public final class CrossComClient implements Closeable {
   }
 
   private static String checkName(String name) {
+    Objects.requireNonNull(name, "the variable's name");
     if (name.isBlank()) {
       throw new IllegalArgumentException("a variable's name must not be blank");
     }

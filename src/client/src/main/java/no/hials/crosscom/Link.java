@@ -103,6 +103,13 @@ final class Link {
    * @param name the variable, for error messages
    */
   void exchange(ByteBuffer frame, MessageType type, String name) throws CrossComException {
+    if (Thread.currentThread().isInterrupted()) {
+      // an exchange would close the connection, and could not say whether anything was sent
+      throw new CrossComConnectionLostException(
+          "the thread was interrupted before the access to " + name + "; nothing was sent",
+          null,
+          false);
+    }
     makeUsable();
     try {
       send(frame, type, name);
@@ -230,7 +237,8 @@ final class Link {
       } finally {
         lock.unlock();
       }
-      if (wait > 0) {
+      // waiting for the lock may have used up the wake-up of close(), so it is asked again
+      if (wait > 0 && !closed) {
         LockSupport.parkNanos(this, wait);
       } else if (!config.reconnect() && connection.isClosed()) {
         return;

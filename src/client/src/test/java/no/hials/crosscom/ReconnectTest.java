@@ -18,9 +18,11 @@ import no.hials.crosscom.ConnectionEvent.Kind;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.Tail;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Survives what breaks a connection. */
 class ReconnectTest extends RobotTest {
@@ -109,6 +111,46 @@ class ReconnectTest extends RobotTest {
       awaitNoClientButOne();
       its.writeText("MYINT", "4");
       assertThat(robot.variables().get("MYINT")).isEqualTo("4");
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {100, 2037, 2038, 2039, 3000, 60_000})
+  void aLongAnswerDoesNotHideThatTheServerClosedTheConnection(int length) throws Exception {
+    try (CrossComClient its = steady(LONG)) {
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      String value = "\"" + "a".repeat(length - 2) + "\"";
+      robot.enqueue(Fault.answer(value, Tail.SUCCESS));
+      assertThat(its.readText("MYSTRING[]")).isEqualTo(value);
+      int port = its.getLocalPort();
+      robot.disconnectClients();
+      client.close();
+      client = client(LONG);
+      awaitNoClientButOne();
+      its.writeText("MYINT", "4");
+      assertThat(its.getLocalPort()).as("a new connection").isNotEqualTo(port);
+    }
+    assertThat(robot.variables().get("MYINT")).isEqualTo("4");
+  }
+
+  @Test
+  void aClosedClientLeavesNoKeepAliveThreadBehind() throws Exception {
+    for (int i = 0; i < 100; i++) {
+      try (MockServer other = MockServer.start()) {
+        CrossComClient its = new CrossComClient(other.host(), other.port());
+        its.readText("$OV_PRO");
+        String name = "crosscom-keepalive-" + other.port();
+        Optional<Thread> keeper =
+            Thread.getAllStackTraces().keySet().stream()
+                .filter(t -> t.getName().equals(name))
+                .findAny();
+        its.close();
+        if (keeper.isPresent()) {
+          // the default keep-alive time is 10 s: a thread that missed the end would wait for it
+          keeper.get().join(5_000);
+          assertThat(keeper.get().isAlive()).isFalse();
+        }
+      }
     }
   }
 
@@ -276,17 +318,38 @@ class ReconnectTest extends RobotTest {
   }
 
   @Test
-  void anInterruptedCallFailsKeepsTheFlagAndIsNotRepeated() throws Exception {
+  void anInterruptedThreadSendsNothingAndKeepsItsFlag() throws Exception {
+    try (CrossComClient its = steady(LONG)) {
+      assertThat(its.readText("MYINT")).isEqualTo("0");
+      int port = its.getLocalPort();
+      Thread.currentThread().interrupt();
+      assertThatExceptionOfType(CrossComException.class)
+          .isThrownBy(() -> its.writeText("MYINT", "5"))
+          .withMessageContaining("the thread was interrupted")
+          .satisfies(e -> assertThat(e.isOutcomeUnknown()).isFalse());
+      assertThat(Thread.interrupted()).isTrue();
+      assertThat(its.readText("MYINT")).isEqualTo("0");
+      assertThat(its.getLocalPort()).as("still the same connection").isEqualTo(port);
+    }
+  }
+
+  @Test
+  void aCallThatIsInterruptedWhileItWaitsFailsAndIsNotRepeated() throws Exception {
     CountDownLatch never = new CountDownLatch(1);
+    Thread caller = Thread.currentThread();
     try (CrossComClient its = steady(LONG)) {
       assertThat(its.readText("$OV_PRO")).isEqualTo("100");
       robot.clearRequests();
-      robot.enqueue(Fault.hold(never));
-      Thread.currentThread().interrupt();
+      robot.faults(
+          request -> {
+            caller.interrupt();
+            return Optional.of(Fault.hold(never));
+          });
       assertThatExceptionOfType(CrossComException.class)
           .isThrownBy(() -> its.readText("$OV_PRO"))
           .withMessageContaining("the thread was interrupted");
       assertThat(Thread.interrupted()).isTrue();
+      assertThat(robot.requests()).hasSize(1);
       never.countDown();
       robot.clearFaults();
       assertThat(its.readText("$OV_PRO")).isEqualTo("100");

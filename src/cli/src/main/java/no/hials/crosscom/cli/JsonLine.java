@@ -14,6 +14,7 @@ import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 
 /**
@@ -27,19 +28,54 @@ final class JsonLine {
 
   private JsonLine() {}
 
+  /**
+   * Prints what a controller has.
+   *
+   * @param text its text; one that is no KRL value, such as the {@code PONG} of {@code PING},
+   *     becomes a string of the type UNKNOWN
+   */
+  static String of(String name, String text) {
+    KrlValue value;
+    try {
+      value = KrlValue.parse(text);
+    } catch (KrlSyntaxException e) {
+      return line(
+          name,
+          json -> {
+            json.writeStringField("type", "UNKNOWN");
+            json.writeStringField("value", text);
+          });
+    }
+    return of(name, value);
+  }
+
   static String of(String name, KrlValue value) {
     boolean whole = name.endsWith("]") && (name.endsWith("[]") || name.endsWith(",]"));
     KrlValue shown = whole && isElement(value) ? new KrlArray(List.of(value)) : value;
+    return line(
+        name,
+        json -> {
+          json.writeStringField("type", type(shown, whole));
+          if (shown instanceof KrlStruct struct) {
+            json.writeStringField("struc", struct.typeName());
+          }
+          json.writeFieldName("value");
+          write(json, shown);
+        });
+  }
+
+  /** Writes what comes behind the name. */
+  @FunctionalInterface
+  private interface Content {
+    void write(JsonGenerator json) throws IOException;
+  }
+
+  private static String line(String name, Content content) {
     StringWriter text = new StringWriter();
     try (JsonGenerator json = FACTORY.createGenerator(text)) {
       json.writeStartObject();
       json.writeStringField("name", name);
-      json.writeStringField("type", type(shown, whole));
-      if (shown instanceof KrlStruct struct) {
-        json.writeStringField("struc", struct.typeName());
-      }
-      json.writeFieldName("value");
-      write(json, shown);
+      content.write(json);
       json.writeEndObject();
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -21,14 +21,16 @@ import picocli.CommandLine.Parameters;
     footer = {
       "",
       "If a variable cannot be read, the others still are; the exit code is that of the gravest"
-          + " failure, which is the highest. A lost connection ends the command.",
+          + " failure, which is the highest. A lost connection ends the command. Control characters"
+          + " in a value are printed as \\x0A, so that a line is a variable.",
       "",
       "JSON: one object a line (JSON Lines), with name, type and value. The type is INT, REAL,"
           + " BOOL, CHAR, CHAR[], ENUM or STRUC, or that of the elements with [] for a whole array."
           + " INT and REAL are numbers, BOOL is true or false, the others are strings, an ENUM with"
           + " its #; an array is an array; a STRUC is an object of its initialised fields under the"
           + " names that the controller prints, and struc is the name of its type, or null."
-          + " Characters beyond ASCII are escaped.",
+          + " Characters beyond ASCII are escaped. What is no KRL value is a string, its type"
+          + " UNKNOWN.",
       "",
       "Quoting: a shell replaces $NAME and takes [ ] for a pattern, so put names into single"
           + " quotes, in PowerShell too; cmd.exe needs none.",
@@ -89,7 +91,22 @@ final class ReadCommand extends ConsoleCommand {
   }
 
   private String read(CrossComClient client, String name) throws IOException {
-    return json ? JsonLine.of(name, client.readValue(name)) : name + " = " + client.readText(name);
+    String text = client.readText(name);
+    return json ? JsonLine.of(name, text) : name + " = " + printable(text);
+  }
+
+  /** Keeps a value on its line, and its characters from steering the terminal. */
+  private static String printable(String text) {
+    StringBuilder line = new StringBuilder();
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (Character.isISOControl(c)) {
+        line.append(String.format("\\x%02X", (int) c));
+      } else {
+        line.append(c);
+      }
+    }
+    return line.toString();
   }
 
   private static boolean endsTheConnection(CrossComException e) {

@@ -202,14 +202,26 @@ class ReadCommandTest {
   }
 
   @Test
-  void readsTheOthersIfOneIsNoKrlValueForJson() {
-    server.enqueue(Fault.answer("{X 1.0", Tail.SUCCESS));
+  void printsWhatIsNoKrlValueAsAStringOfTypeUnknown() {
+    server.enqueue(Fault.answer("?? \"what\"", Tail.SUCCESS));
 
-    Cli.Result result = Cli.runOn(server, "read", "--json", "MYPOS", "MYINT");
+    Cli.Result result = Cli.runOn(server, "read", "--json", "MYPOS", "PING", "MYINT");
 
-    assertThat(result.lines()).containsExactly("{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":0}");
-    assertThat(result.errLines()).singleElement().asString().startsWith("jopenshowvar: MYPOS: ");
-    assertThat(result.code()).isEqualTo(4);
+    assertThat(result.code()).isZero();
+    assertThat(result.out().lines())
+        .containsExactly(
+            "{\"name\":\"MYPOS\",\"type\":\"UNKNOWN\",\"value\":\"?? \\\"what\\\"\"}",
+            "{\"name\":\"PING\",\"type\":\"UNKNOWN\",\"value\":\"PONG\"}",
+            "{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":0}");
+  }
+
+  @Test
+  void printsControlCharactersSoThatALineIsAVariable() {
+    server.enqueue(Fault.answer("\"a\nb\u001b[31m\"", Tail.SUCCESS));
+
+    Cli.Result result = Cli.runOn(server, "read", "MYSTRING[]");
+
+    assertThat(result.out()).isEqualTo("MYSTRING[] = \"a\\x0Ab\\x1B[31m\"\n");
   }
 
   @Test

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.ReadableByteChannel;
+import java.util.Arrays;
 
 /**
  * Cuts a stream into frames, however TCP has cut it: in single bytes, in pieces, or several frames
@@ -17,15 +18,14 @@ public final class FrameReader {
   private static final int START_CAPACITY = 2048;
 
   private final Source source;
-  private ByteBuffer view = ByteBuffer.allocate(START_CAPACITY);
-  private byte[] buffer = view.array();
+  private byte[] buffer = new byte[START_CAPACITY];
   private int end;
   private int length;
 
   /** Where the bytes come from. */
   @FunctionalInterface
   private interface Source {
-    int read(ByteBuffer into) throws IOException;
+    int read(byte[] into, int offset, int count) throws IOException;
   }
 
   private FrameReader(Source source) {
@@ -37,9 +37,8 @@ public final class FrameReader {
    *
    * @param in the stream; should not be read by others from now on
    */
-  @SuppressWarnings("ByteBufferBackingArray") // all of them come from allocate: no offset
   public FrameReader(InputStream in) {
-    this((Source) into -> in.read(into.array(), into.position(), into.remaining()));
+    this((Source) in::read);
   }
 
   /**
@@ -48,7 +47,27 @@ public final class FrameReader {
    * @param in the channel; should not be read by others from now on
    */
   public FrameReader(ReadableByteChannel in) {
-    this((Source) in::read);
+    this(new ChannelSource(in));
+  }
+
+  /** Reads by way of memory outside the heap, so that the channel need not find some each time. */
+  private static final class ChannelSource implements Source {
+    private final ReadableByteChannel in;
+    private final ByteBuffer direct = ByteBuffer.allocateDirect(START_CAPACITY);
+
+    ChannelSource(ReadableByteChannel in) {
+      this.in = in;
+    }
+
+    @Override
+    public int read(byte[] into, int offset, int count) throws IOException {
+      direct.clear().limit(Math.min(count, START_CAPACITY));
+      int got = in.read(direct);
+      if (got > 0) {
+        direct.get(0, into, offset, got);
+      }
+      return got;
+    }
   }
 
   /**
@@ -69,9 +88,7 @@ public final class FrameReader {
     }
     int needed = Codec.frameLength(buffer, 0);
     if (needed > buffer.length) {
-      view = ByteBuffer.allocate(needed);
-      System.arraycopy(buffer, 0, view.array(), 0, end);
-      buffer = view.array();
+      buffer = Arrays.copyOf(buffer, needed);
     }
     while (end < needed) {
       fill();
@@ -94,8 +111,10 @@ public final class FrameReader {
   }
 
   private int read() throws IOException {
-    view.limit(buffer.length).position(end);
-    int count = source.read(view);
+    if (end == buffer.length) {
+      buffer = Arrays.copyOf(buffer, end + START_CAPACITY); // full of one frame: make room for more
+    }
+    int count = source.read(buffer, end, buffer.length - end);
     end += Math.max(0, count);
     return count;
   }

@@ -20,6 +20,9 @@ final class RealText {
   /** Nine significant digits tell any two floats apart. */
   private static final int MAX_DIGITS = 9;
 
+  /** Up to so many digits, no two decimals are the same normal float. */
+  private static final int SURE_DIGITS = 6;
+
   private RealText() {}
 
   /** Rounds to the nearest float; a number that no float holds is refused. */
@@ -88,7 +91,17 @@ final class RealText {
     // Below a power of two the floats lie twice as close as above it. The nearest decimal, when it
     // lies below, may then be another float's, and the next one above still this float's.
     boolean powerOfTwo = (Float.floatToRawIntBits(magnitude) & 0x7F_FFFF) == 0;
-    for (int precision = 1; precision < MAX_DIGITS; precision++) {
+    int first = 1;
+    if (magnitude >= Float.MIN_NORMAL) {
+      // No two decimals of up to six digits are the same float, so if six digits give this one,
+      // fewer can only be the same number without its final zeros.
+      Decimal six = Decimal.of(magnitude, SURE_DIGITS);
+      if (six.is(magnitude)) {
+        return six.withoutFinalZeros();
+      }
+      first = SURE_DIGITS;
+    }
+    for (int precision = first; precision < MAX_DIGITS; precision++) {
       Decimal nearest = Decimal.of(magnitude, precision);
       if (nearest.is(magnitude)) {
         return nearest;
@@ -184,6 +197,16 @@ final class RealText {
       int leading = exact.precision() - 1 - exact.scale();
       return new Decimal(
           exact.scaleByPowerOfTen(precision - 1 - leading).longValueExact(), leading, precision);
+    }
+
+    Decimal withoutFinalZeros() {
+      long fewer = digits;
+      int left = precision;
+      while (fewer % 10 == 0) {
+        fewer /= 10;
+        left--;
+      }
+      return new Decimal(fewer, exponent, left);
     }
 
     /** Says whether this text gives the float again. */

@@ -49,6 +49,10 @@ final class Connection {
   private final SocketChannel channel;
   private final FrameReader reader;
   private final AnswerFrame answer = new AnswerFrame();
+
+  /** What goes out. Outside the heap, so that the channel need not copy it there. */
+  private ByteBuffer out = ByteBuffer.allocateDirect(512);
+
   private final InetSocketAddress remote;
   private final int localPort;
   private final Thread watchdog;
@@ -196,16 +200,20 @@ final class Connection {
   /**
    * Sends a request and waits for its answer, which is then {@link #answer}.
    *
-   * @param frame the request, from position to limit
-   * @param id the request's id
+   * @param frame the request; its id is not sent
+   * @param id the id to be sent instead
    * @param type its type
    * @param name the variable, for error messages
    */
-  @SuppressWarnings("ByteBufferBackingArray") // all requests are made by wrap or allocate
-  void exchange(ByteBuffer frame, int id, MessageType type, String name) throws CrossComException {
+  void exchange(byte[] frame, int id, MessageType type, String name) throws CrossComException {
     boolean write = type == MessageType.WRITE;
+    if (out.capacity() < frame.length) {
+      out = ByteBuffer.allocateDirect(frame.length);
+    }
+    out.clear().put(frame).flip();
+    Codec.setId(out, id);
     if (LOG.isTraceEnabled()) {
-      LOG.trace("sending {}", MalformedFrameException.hex(frame.array(), frame.limit()));
+      LOG.trace("sending {}, id {}", MalformedFrameException.hex(frame, frame.length), id);
     }
     long timeout = timeoutNanos;
     long start = System.nanoTime();
@@ -216,8 +224,8 @@ final class Connection {
       }
     }
     try {
-      while (frame.hasRemaining()) {
-        channel.write(frame);
+      while (out.hasRemaining()) {
+        channel.write(out);
       }
       int answerLength = reader.next();
       if (answerLength < 0) {

@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.SocketException;
 import java.net.UnknownHostException;
-import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -65,7 +64,6 @@ public final class CrossComClient implements Closeable {
   private final ThreadPoolExecutor async;
   private final ReentrantLock lock;
   private final KrlScanner scanner = new KrlScanner();
-  private ByteBuffer readBuffer = ByteBuffer.allocate(64);
 
   /**
    * Connects, with the default times: 5 s for connecting, 3 s for a request.
@@ -813,12 +811,7 @@ public final class CrossComClient implements Closeable {
   }
 
   private void read(byte[] frame, String name) throws CrossComException {
-    if (readBuffer.capacity() < frame.length) {
-      readBuffer = ByteBuffer.allocate(frame.length);
-    }
-    // a variable's frame may be in use by another client too, so the id goes into a copy
-    readBuffer.clear().put(frame).flip();
-    link.exchange(readBuffer, MessageType.READ, name);
+    link.exchange(frame, MessageType.READ, name);
     AnswerFrame answer = link.answer();
     // KUKAVARPROXY of 2019 and later says success when the controller refuses (krl.md 1.8)
     if (!answer.success() || answer.isEmpty()) {
@@ -827,7 +820,7 @@ public final class CrossComClient implements Closeable {
   }
 
   private void write(byte[] frame, String name) throws CrossComException {
-    link.exchange(ByteBuffer.wrap(frame), MessageType.WRITE, name);
+    link.exchange(frame, MessageType.WRITE, name);
     AnswerFrame answer = link.answer();
     if (!answer.success()) {
       throw new CrossComAccessException(name, Operation.WRITE, false, answer.code());

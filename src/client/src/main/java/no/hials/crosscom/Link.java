@@ -1,6 +1,5 @@
 package no.hials.crosscom;
 
-import java.nio.ByteBuffer;
 import java.time.Instant;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -29,7 +28,7 @@ final class Link {
   private final ReentrantLock lock = new ReentrantLock(true);
   private final ThreadPoolExecutor events;
   private final @Nullable Thread keeper;
-  private final ByteBuffer ping = ByteBuffer.wrap(Codec.encode(new ReadRequest(0, "PING")));
+  private final byte[] ping = Codec.encode(new ReadRequest(0, "PING"));
   private volatile Connection connection;
   private volatile long timeoutNanos;
   private volatile boolean closed;
@@ -98,11 +97,11 @@ final class Link {
    *
    * <p>If the connection breaks, a read is repeated once on a new connection. A write never is.
    *
-   * @param frame the request, whose id is set here
+   * @param frame the request, whose id does not matter
    * @param type its type
    * @param name the variable, for error messages
    */
-  void exchange(ByteBuffer frame, MessageType type, String name) throws CrossComException {
+  void exchange(byte[] frame, MessageType type, String name) throws CrossComException {
     if (Thread.currentThread().isInterrupted()) {
       // an exchange would close the connection, and could not say whether anything was sent
       throw new CrossComConnectionLostException(
@@ -125,11 +124,8 @@ final class Link {
     }
   }
 
-  @SuppressWarnings("ByteBufferBackingArray") // all requests are made by wrap or allocate
-  private void send(ByteBuffer frame, MessageType type, String name) throws CrossComException {
+  private void send(byte[] frame, MessageType type, String name) throws CrossComException {
     lastId = (lastId + 1) & 0xFFFF;
-    Codec.setId(frame.array(), lastId);
-    frame.rewind();
     boolean known = connection.hasAnswered();
     try {
       connection.exchange(frame, lastId, type, name);

@@ -1,5 +1,6 @@
 package no.hials.crosscom.protocol;
 
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 
@@ -69,6 +70,17 @@ public final class Codec {
   public static void setId(byte[] frame, int id) {
     Ranges.u16("id", id);
     putU16(frame, 0, id);
+  }
+
+  /**
+   * Puts another id into an encoded message.
+   *
+   * @param frame a buffer that has the frame at index 0; its position does not matter
+   * @param id 0 to 65535
+   */
+  public static void setId(ByteBuffer frame, int id) {
+    Ranges.u16("id", id);
+    frame.put(0, (byte) (id >> 8)).put(1, (byte) id);
   }
 
   /**

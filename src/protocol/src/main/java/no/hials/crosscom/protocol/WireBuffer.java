@@ -30,7 +30,7 @@ final class WireBuffer {
 
   /** Makes a buffer to write to, which grows. */
   static WireBuffer forWriting() {
-    return new WireBuffer(new byte[256], 0, 0, 0);
+    return new WireBuffer(new byte[64], 0, 0, 0);
   }
 
   byte[] toByteArray() {
@@ -51,10 +51,17 @@ final class WireBuffer {
 
   /** A STRING: a byte count, then ISO 8859-1, which the message's constructor has checked. */
   void putString(String value) {
-    u16(value.length());
-    for (int i = 0; i < value.length(); i++) {
-      u8(value.charAt(i));
+    int count = value.length();
+    u16(count);
+    if (frame.length - pos < count) {
+      frame = Arrays.copyOf(frame, 2 * pos + count);
     }
+    byte[] target = frame;
+    int offset = pos;
+    for (int i = 0; i < count; i++) {
+      target[offset + i] = (byte) value.charAt(i);
+    }
+    pos += count;
   }
 
   /** A block of 16-bit numbers: a byte count, then the numbers. */

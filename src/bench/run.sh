@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# Reruns every figure of docs/reference/performance.md, in about ten minutes. Nothing else should
+# run on the machine meanwhile.
+#
+#   src/bench/run.sh          all of it
+#   src/bench/run.sh ratio    the client against a bare socket, both on one CPU
+#   src/bench/run.sh strace   the system calls of 20,000 exchanges, if strace is installed
+#   src/bench/run.sh load     the mock server under load
+#   src/bench/run.sh jmh ...  JMH, with its options
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+mvn -B -q -pl src/bench -am -Dmaven.test.skip=true package
+
+one_cpu=()
+if command -v taskset >/dev/null; then
+  one_cpu=(taskset -c 0)
+fi
+java=${JAVA_HOME:+$JAVA_HOME/bin/}java
+run=("$java" -cp 'src/bench/target/classes:src/bench/target/lib/*')
+ours=no.hials.crosscom.bench
+
+ratio() {
+  "${one_cpu[@]}" "${run[@]}" $ours.RatioBenchmark "$@"
+}
+
+system_calls() {
+  if ! command -v strace >/dev/null; then
+    echo "strace is not installed: the system calls are not counted"
+    return
+  fi
+  local who
+  for who in client socket; do
+    echo "== 20,000 exchanges by the $who; the server in the same process reads and writes as often"
+    "${one_cpu[@]}" strace -c -f -o src/bench/target/strace.txt \
+      "${run[@]}" $ours.ExchangeLoop $who READ_INT 20000
+    grep -E ' (read|write|calls|recv[a-z]*|send[a-z]*|poll)( |$)' src/bench/target/strace.txt
+  done
+}
+
+jmh() {
+  "${one_cpu[@]}" "${run[@]}" org.openjdk.jmh.Main -prof gc "$@"
+}
+
+case ${1:-all} in
+  ratio) ratio "${@:2}" ;;
+  strace) system_calls ;;
+  load) "${run[@]}" $ours.MockLoad ;;
+  jmh) jmh "${@:2}" ;;
+  all)
+    date
+    "$java" -version
+    uname -srm
+    nproc
+    uptime
+    ratio
+    system_calls
+    "${run[@]}" $ours.MockLoad
+    jmh
+    uptime
+    ;;
+  *)
+    echo "usage: $0 [all|ratio|strace|load|jmh]" >&2
+    exit 64
+    ;;
+esac

@@ -1,0 +1,168 @@
+package no.hials.crosscom.bench;
+
+import com.sun.management.ThreadMXBean;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import no.hials.crosscom.CrossComClient;
+
+/**
+ * Compares the client with a bare socket that sends the same bytes to the same server, in turns, so
+ * that whatever else the machine does meets both.
+ *
+ * <p>A block is some exchanges in a row, of one of both; a round is four blocks: one, other, other,
+ * one. A trial has connections of its own, since a connection may be lucky. What is reported is the
+ * median time of all blocks, per exchange, and the ratio of both medians.
+ */
+public final class RatioBenchmark {
+  private static final int BLOCK = 25;
+  private static final int WARM_UP_ROUNDS = 600;
+
+  private final PrintStream out;
+  private final int trials;
+  private final int rounds;
+
+  RatioBenchmark(PrintStream out, int trials, int rounds) {
+    this.out = out;
+    this.trials = trials;
+    this.rounds = rounds;
+  }
+
+  /**
+   * Runs the comparison. For both sides to share a CPU: {@code taskset -c 0 java ...}.
+   *
+   * @param args how many trials (10) and how many rounds in each (1000)
+   * @throws IOException if an exchange fails
+   */
+  public static void main(String[] args) throws IOException {
+    int trials = args.length > 0 ? Integer.parseInt(args[0]) : 10;
+    int rounds = args.length > 1 ? Integer.parseInt(args[1]) : 1000;
+    new RatioBenchmark(System.out, trials, rounds).run();
+  }
+
+  /**
+   * What came of a comparison, in ns per exchange.
+   *
+   * @param one the median of what is measured
+   * @param other the median of the bare socket
+   * @param least the least ratio of a trial
+   * @param most the greatest ratio of a trial
+   */
+  record Result(double one, double other, double least, double most) {
+    double ratio() {
+      return one / other;
+    }
+  }
+
+  void run() throws IOException {
+    out.printf("CPUs for this process: %d%n", Runtime.getRuntime().availableProcessors());
+    out.printf(
+        "%-14s %10s %10s %7s %15s %13s %13s%n",
+        "operation",
+        "client us",
+        "socket us",
+        "ratio",
+        "of trials",
+        "client bytes",
+        "socket bytes");
+    for (Operation operation : Operation.values()) {
+      measure(operation.name(), operation, false);
+    }
+    // what the method itself makes of two that are equal
+    measure("socket twice", Operation.READ_INT, true);
+  }
+
+  private void measure(String title, Operation operation, boolean control) throws IOException {
+    List<double[]> ones = new ArrayList<>();
+    List<double[]> others = new ArrayList<>();
+    double oneBytes = Double.NaN;
+    double otherBytes = Double.NaN;
+    try (BareServer server = new BareServer(operation)) {
+      for (int trial = 0; trial < trials; trial++) {
+        try (CrossComClient client = new CrossComClient("127.0.0.1", server.port());
+            BareClient first = new BareClient(server.port(), operation);
+            BareClient bare = new BareClient(server.port(), operation)) {
+          Exchange one = control ? first : operation.through(client);
+          int warmUp = Math.min(rounds, trial == 0 ? WARM_UP_ROUNDS : WARM_UP_ROUNDS / 10);
+          compare(one, bare, new double[2 * warmUp], new double[2 * warmUp]);
+          double[] oneTimes = new double[2 * rounds];
+          double[] otherTimes = new double[2 * rounds];
+          compare(one, bare, oneTimes, otherTimes);
+          ones.add(oneTimes);
+          others.add(otherTimes);
+          oneBytes = allocated(one, BLOCK * rounds);
+          otherBytes = allocated(bare, BLOCK * rounds);
+        }
+      }
+    }
+    Result result = evaluate(ones, others);
+    out.printf(
+        Locale.ROOT,
+        "%-14s %10.3f %10.3f %7.3f %7.3f-%7.3f %13.1f %13.1f%n",
+        title,
+        result.one() / 1000,
+        result.other() / 1000,
+        result.ratio(),
+        result.least(),
+        result.most(),
+        oneBytes,
+        otherBytes);
+  }
+
+  private static void compare(Exchange one, Exchange other, double[] oneTimes, double[] otherTimes)
+      throws IOException {
+    for (int i = 0; i < oneTimes.length; i += 2) {
+      oneTimes[i] = block(one);
+      otherTimes[i] = block(other);
+      otherTimes[i + 1] = block(other);
+      oneTimes[i + 1] = block(one);
+    }
+  }
+
+  /** Gives the time of an exchange in ns. */
+  private static double block(Exchange exchange) throws IOException {
+    // not timed: what the other one pushed out of the caches
+    exchange.run();
+    long start = System.nanoTime();
+    for (int i = 0; i < BLOCK; i++) {
+      exchange.run();
+    }
+    return (System.nanoTime() - start) / (double) BLOCK;
+  }
+
+  /** Gives how many bytes of heap this thread takes for an exchange. */
+  static double allocated(Exchange exchange, int count) throws IOException {
+    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long before = threads.getCurrentThreadAllocatedBytes();
+    for (int i = 0; i < count; i++) {
+      exchange.run();
+    }
+    return (threads.getCurrentThreadAllocatedBytes() - before) / (double) count;
+  }
+
+  static Result evaluate(List<double[]> ones, List<double[]> others) {
+    double least = Double.POSITIVE_INFINITY;
+    double most = 0;
+    for (int i = 0; i < ones.size(); i++) {
+      double ratio = median(ones.get(i)) / median(others.get(i));
+      least = Math.min(least, ratio);
+      most = Math.max(most, ratio);
+    }
+    return new Result(median(all(ones)), median(all(others)), least, most);
+  }
+
+  private static double[] all(List<double[]> trials) {
+    return trials.stream().flatMapToDouble(Arrays::stream).toArray();
+  }
+
+  private static double median(double[] times) {
+    double[] sorted = times.clone();
+    Arrays.sort(sorted);
+    int middle = sorted.length / 2;
+    return sorted.length % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+  }
+}

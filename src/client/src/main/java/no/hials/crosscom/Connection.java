@@ -213,7 +213,9 @@ final class Connection {
     out.clear().put(frame).flip();
     Codec.setId(out, id);
     if (LOG.isTraceEnabled()) {
-      LOG.trace("sending {}, id {}", MalformedFrameException.hex(frame, frame.length), id);
+      byte[] sent = frame.clone();
+      Codec.setId(sent, id);
+      LOG.trace("sending {}", MalformedFrameException.hex(sent, sent.length));
     }
     long timeout = timeoutNanos;
     long start = System.nanoTime();

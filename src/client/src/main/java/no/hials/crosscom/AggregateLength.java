@@ -32,7 +32,7 @@ final class AggregateLength {
     while (scanner.nextField()) {
       String name = scanner.fieldName();
       String inner = "";
-      if (scanner.text().charAt(scanner.position()) == '{') {
+      if (scanner.hasMore() && scanner.text().charAt(scanner.position()) == '{') {
         inner = " (" + fields(scanner) + ")";
       } else {
         scanner.readFieldValue();

@@ -1,11 +1,11 @@
 package no.hials.crosscom;
 
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.locks.Lock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,42 +18,64 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T> {
   /** Set by whoever is first: the operation that begins, or the caller who cancels. */
   private final AtomicBoolean decided = new AtomicBoolean();
 
-  private AsyncCall() {}
+  private final Link link;
+  private @Nullable Thread runner;
+
+  private AsyncCall(Link link) {
+    this.link = link;
+  }
 
   /**
    * Queues an operation.
    *
-   * @param executor does it
-   * @param lock is held while it is done, so that it has begun only when its turn has come
+   * @param executor does it, in one thread
+   * @param link asks {@link #begin} before it sends
    * @param operation the operation
    */
   static <T extends @Nullable Object> CompletableFuture<T> submit(
-      ThreadPoolExecutor executor, Lock lock, Callable<T> operation) {
-    AsyncCall<T> call = new AsyncCall<>();
+      ThreadPoolExecutor executor, Link link, Callable<T> operation) {
+    AsyncCall<T> call = new AsyncCall<>(link);
     try {
-      executor.execute(() -> call.run(lock, operation));
+      executor.execute(() -> call.run(operation));
     } catch (RejectedExecutionException e) {
       call.completeExceptionally(new CrossComClosedException("the client is closed", e, false));
     }
     return call;
   }
 
-  private void run(Lock lock, Callable<T> operation) {
+  private void run(Callable<T> operation) {
+    if (isDone()) {
+      return;
+    }
     T result;
-    lock.lock();
+    runner = Thread.currentThread();
+    link.setUnsent(this);
     try {
-      if (isDone() || !decided.compareAndSet(false, true)) {
-        return;
-      }
       result = operation.call();
     } catch (Exception | Error e) {
       // what follows on the future is the program's code, which must not hold up other operations
       defaultExecutor().execute(() -> completeExceptionally(e));
       return;
     } finally {
-      lock.unlock();
+      link.setUnsent(null);
     }
     defaultExecutor().execute(() -> complete(result));
+  }
+
+  /** Says whether the calling thread does this operation. */
+  boolean isOwn() {
+    return runner == Thread.currentThread();
+  }
+
+  /**
+   * Begins the operation, now that its turn has come, unless it was cancelled.
+   *
+   * @throws CancellationException if it was
+   */
+  void begin() {
+    if (isDone() || !decided.compareAndSet(false, true)) {
+      throw new CancellationException("cancelled before it was sent");
+    }
   }
 
   @Override

@@ -13,6 +13,7 @@ import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.SocketChannel;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.FrameReader;
@@ -76,11 +77,19 @@ final class Connection {
     watchdog.setDaemon(true);
   }
 
-  static Connection open(ClientConfig config) throws CrossComConnectException {
+  /**
+   * Connects.
+   *
+   * @param config what to, and how
+   * @param started gets the channel before it connects, so that others can close it
+   */
+  static Connection open(ClientConfig config, Consumer<SocketChannel> started)
+      throws CrossComConnectException {
     String where = config.host() + ":" + config.port();
     SocketChannel channel = null;
     try {
       channel = SocketChannel.open();
+      started.accept(channel);
       channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
       channel
           .socket()
@@ -101,7 +110,7 @@ final class Connection {
       } else if (e instanceof ClosedByInterruptException) {
         why = "the thread was interrupted";
       } else {
-        why = e.getMessage();
+        why = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
       }
       throw new CrossComConnectException("could not connect to " + where + ": " + why, e);
     }
@@ -373,7 +382,7 @@ final class Connection {
     }
   }
 
-  private static void closeQuietly(@Nullable SocketChannel channel) {
+  static void closeQuietly(@Nullable SocketChannel channel) {
     try {
       if (channel != null) {
         channel.close();

@@ -10,8 +10,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -63,6 +65,7 @@ public final class CrossComClient implements Closeable {
   private final Link link;
   private final ThreadPoolExecutor async;
   private final ReentrantLock lock;
+  private final Set<Watch> watches = ConcurrentHashMap.newKeySet();
   private final KrlScanner scanner = new KrlScanner();
 
   /**
@@ -357,6 +360,11 @@ public final class CrossComClient implements Closeable {
     void to(KRLVariable variable) throws IOException;
   }
 
+  /** Forgets a watch that has ended. */
+  void ended(Watch watch) {
+    watches.remove(watch);
+  }
+
   private static List<VariableResult> each(
       List<? extends KRLVariable> variables, Access access, String done) {
     List<VariableResult> results = new ArrayList<>(variables.size());
@@ -404,8 +412,12 @@ public final class CrossComClient implements Closeable {
    */
   public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener) {
     Watch watch = new Watch(this, watchConfig);
+    watches.add(watch);
     watch.addListener(listener);
     watch.start();
+    if (isClosed()) {
+      watch.close();
+    }
     return watch;
   }
 
@@ -456,9 +468,9 @@ public final class CrossComClient implements Closeable {
    * @param value KRL text: {@code 50}, {@code TRUE}, {@code #T1}, {@code "text"} with its quotes,
    *     or an aggregate
    * @throws CrossComAccessException if the controller refused
-   * @throws CrossComValueException if the text is too long to be sent
+   * @throws CrossComValueException if the text is too long to be sent, or not ISO 8859-1
    * @throws CrossComException if the exchange failed
-   * @throws IllegalArgumentException if the name is blank, or name or value not ISO 8859-1
+   * @throws IllegalArgumentException if the name is blank or not ISO 8859-1
    */
   public void writeText(String name, String value) throws IOException {
     write(name, value);
@@ -726,7 +738,7 @@ public final class CrossComClient implements Closeable {
   private CompletableFuture<Void> doAsync(Action action) {
     return AsyncCall.<@Nullable Void>submit(
         async,
-        lock,
+        link,
         () -> {
           action.run();
           return null;
@@ -734,7 +746,7 @@ public final class CrossComClient implements Closeable {
   }
 
   private <T> CompletableFuture<T> callAsync(Callable<T> call) {
-    return AsyncCall.submit(async, lock, call);
+    return AsyncCall.submit(async, link, call);
   }
 
   // --- exchanges; the lock is held
@@ -774,7 +786,7 @@ public final class CrossComClient implements Closeable {
 
   private byte[] encodeWrite(String name, String value) throws CrossComValueException {
     Objects.requireNonNull(value, () -> "the value to be written to " + name);
-    byte[] frame = Codec.encode(new WriteRequest(0, checkName(name), value));
+    byte[] frame = encoded(name, value);
     int limit = config.maxAggregateLength();
     if (limit > 0 && value.length() > limit && value.stripLeading().startsWith("{")) {
       throw new CrossComValueException(
@@ -790,16 +802,27 @@ public final class CrossComClient implements Closeable {
           null);
     }
     if (frame.length > config.maxRequestLength()) {
-      throw new CrossComValueException(
-          name,
-          value,
-          "a request must have at most "
-              + config.maxRequestLength()
-              + " bytes, has "
-              + frame.length,
-          null);
+      throw tooLong(name, value, frame.length);
     }
     return frame;
+  }
+
+  private CrossComValueException tooLong(String name, String text, int length) {
+    return new CrossComValueException(
+        name,
+        text,
+        "a request must have at most " + config.maxRequestLength() + " bytes, has " + length,
+        null);
+  }
+
+  private static byte[] encoded(String name, String value) throws CrossComValueException {
+    try {
+      return Codec.encode(new WriteRequest(0, checkName(name), value));
+    } catch (IllegalArgumentException e) {
+      encodeRead(name); // throws if it is the name
+      throw new CrossComValueException(
+          name, value, "the value cannot be sent: " + e.getMessage(), e);
+    }
   }
 
   private static String checkName(String name) {
@@ -811,6 +834,9 @@ public final class CrossComClient implements Closeable {
   }
 
   private void read(byte[] frame, String name) throws CrossComException {
+    if (frame.length > config.maxRequestLength()) {
+      throw tooLong(name, name, frame.length);
+    }
     link.exchange(frame, MessageType.READ, name);
     AnswerFrame answer = link.answer();
     // KUKAVARPROXY of 2019 and later says success when the controller refuses (krl.md 1.8)
@@ -908,6 +934,7 @@ public final class CrossComClient implements Closeable {
   @Override
   public void close() throws IOException {
     link.close();
+    watches.forEach(Watch::close);
     async.shutdown(); // what is queued fails soon, saying that the client is closed
   }
 

@@ -1,5 +1,6 @@
 package no.hials.crosscom;
 
+import java.nio.channels.SocketChannel;
 import java.time.Instant;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -33,6 +34,12 @@ final class Link {
   private volatile long timeoutNanos;
   private volatile boolean closed;
 
+  /** An operation of another thread that can still be cancelled. */
+  private volatile @Nullable AsyncCall<?> unsent;
+
+  /** What is connecting, if anything, so that it can be ended. */
+  private volatile @Nullable SocketChannel connecting;
+
   // guarded by the lock
   private int lastId;
   private @Nullable CrossComException lostBy;
@@ -42,7 +49,7 @@ final class Link {
   Link(ClientConfig config) throws CrossComConnectException {
     this.config = config;
     this.timeoutNanos = config.requestTimeout().toNanos();
-    this.connection = Connection.open(config);
+    this.connection = Connection.open(config, channel -> {});
     connection.setTimeout(timeoutNanos);
     this.events = Threads.lazy("crosscom-events-" + config.port());
     if (config.keepAlive().isZero()) {
@@ -59,6 +66,11 @@ final class Link {
     if (keeper != null) {
       keeper.start();
     }
+  }
+
+  /** Makes an operation ask before its first exchange whether it was cancelled. */
+  void setUnsent(@Nullable AsyncCall<?> call) {
+    unsent = call;
   }
 
   ReentrantLock lock() {
@@ -108,6 +120,11 @@ final class Link {
           "the thread was interrupted before the access to " + name + "; nothing was sent",
           null,
           false);
+    }
+    AsyncCall<?> call = unsent;
+    if (call != null && call.isOwn()) {
+      call.begin();
+      unsent = null;
     }
     makeUsable();
     try {
@@ -200,12 +217,17 @@ final class Link {
   private void connect() throws CrossComException {
     Connection made;
     try {
-      made = Connection.open(config);
+      made = Connection.open(config, this::connecting);
     } catch (CrossComConnectException e) {
+      if (closed) {
+        throw new CrossComClosedException("the client was closed while it connected", e, false);
+      }
       lostBy = e;
       delayNextAttempt();
       tell(Kind.RECONNECT_FAILED, e);
       throw e;
+    } finally {
+      connecting = null;
     }
     connection = made;
     made.setTimeout(timeoutNanos);
@@ -214,6 +236,13 @@ final class Link {
       throw new CrossComClosedException("the client is closed", null, false);
     }
     tell(Kind.RECONNECTED, null);
+  }
+
+  private void connecting(SocketChannel channel) {
+    connecting = channel;
+    if (closed) {
+      Connection.closeQuietly(channel);
+    }
   }
 
   /** Uses the connection when nothing else did for a while, and makes it anew when it is gone. */
@@ -262,7 +291,7 @@ final class Link {
           () -> {
             try {
               listener.connectionChanged(event);
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | Error e) {
               LOG.warn("the connection listener failed on {}", event, e);
             }
           });
@@ -278,6 +307,7 @@ final class Link {
     }
     closed = true;
     connection.close();
+    Connection.closeQuietly(connecting);
     if (keeper != null) {
       LockSupport.unpark(keeper);
     }

@@ -16,7 +16,9 @@ import org.jspecify.annotations.Nullable;
  * @param time when the reading began
  * @param duration how long reading all variables took
  * @param readings what came of each variable, in the order in which they were asked for
- * @param changed the names of those that changed since the last sample; all in the first
+ * @param changed the names of those that changed since a sample last said so, by more than the dead
+ *     band; all in the first. If somebody was too slow to get a sample, what changed in it is named
+ *     again in the next, for all
  * @param missedPeriods how many periods before this sample were left out because the reading before
  *     took too long
  * @param failedPolls how many readings since the last sample failed as a whole, as during a loss of

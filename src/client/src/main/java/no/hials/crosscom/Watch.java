@@ -2,15 +2,17 @@ package no.hials.crosscom;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.Flow;
 import java.util.concurrent.SubmissionPublisher;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
@@ -45,7 +47,6 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private final CrossComClient client;
   private final WatchConfig config;
   private final List<KRLAny> variables;
-  private final ExecutorService listeners;
   private final SubmissionPublisher<Sample> publisher;
   private final Thread thread;
   private final AtomicLong dropped = new AtomicLong();
@@ -58,15 +59,27 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private long samples;
   private long missedSinceSample;
   private long failedSinceSample;
-  private @Nullable Map<String, Reading> lastGiven;
+
+  /** What the samples last said of each variable; one that stayed in the dead band is as it was. */
+  private final Map<String, Reading> told = new HashMap<>();
+
+  /** What changed in samples that somebody did not get, and so has to be told again. */
+  private final Set<String> owed = new HashSet<>();
 
   Watch(CrossComClient client, WatchConfig config) {
     this.client = client;
     this.config = config;
     this.variables = config.names().stream().map(KRLAny::new).toList();
     String name = "crosscom-watch-" + COUNT.incrementAndGet();
-    this.listeners =
-        Executors.newCachedThreadPool(
+    // never shut down, since what waits in the buffers may be asked for after the end; its threads
+    // end by themselves when there is nothing to do
+    ThreadPoolExecutor listeners =
+        new ThreadPoolExecutor(
+            0,
+            Integer.MAX_VALUE,
+            1,
+            TimeUnit.SECONDS,
+            new SynchronousQueue<>(),
             task -> {
               Thread listener = new Thread(task, name + "-listener");
               listener.setDaemon(true);
@@ -151,8 +164,8 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
       next += (leftOut + 1) * period;
       poll();
     }
+    client.ended(this);
     publisher.close();
-    listeners.shutdown();
   }
 
   private void poll() {
@@ -172,6 +185,9 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
         LOG.debug("a reading failed: {}", failure.getMessage());
         failed.incrementAndGet();
         failedSinceSample++;
+        if (client.isClosed()) {
+          close(); // the connection is lost and not to be made again
+        }
         return;
       }
       readings.put(
@@ -188,26 +204,29 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   }
 
   private void give(Sample sample) {
-    lastGiven = sample.readings();
-    missedSinceSample = 0;
-    failedSinceSample = 0;
+    sample.changed().forEach(name -> told.put(name, sample.readings().get(name)));
+    long before = dropped.get();
     publisher.offer(
         sample,
         (subscriber, lost) -> {
           dropped.incrementAndGet();
           return false;
         });
+    if (dropped.get() == before) {
+      missedSinceSample = 0;
+      failedSinceSample = 0;
+      owed.clear();
+    } else {
+      // the next sample says it again, so that a slow listener ends up with the last values too
+      owed.addAll(sample.changed());
+    }
   }
 
   private Set<String> changed(Map<String, Reading> readings) {
-    Map<String, Reading> before = lastGiven;
-    if (before == null) {
-      return readings.keySet();
-    }
-    Set<String> changed = new HashSet<>();
+    Set<String> changed = new HashSet<>(owed);
     readings.forEach(
         (name, reading) -> {
-          if (differs(before.get(name), reading)) {
+          if (differs(told.get(name), reading)) {
             changed.add(name);
           }
         });
@@ -275,7 +294,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     public void onNext(Sample sample) {
       try {
         listener.accept(sample);
-      } catch (RuntimeException e) {
+      } catch (RuntimeException | Error e) {
         LOG.warn("the listener of a watch failed on sample {}", sample.number(), e);
       }
     }

@@ -155,4 +155,29 @@ class AsyncTest extends RobotTest {
     never.countDown();
     blocked.get();
   }
+
+  @Test
+  void noLockIsHeldWhileTheProgramsCodeRuns() throws Exception {
+    KRLIntArray ints = new KRLIntArray("MYINTS");
+    ints.setValue(1, 2, 3);
+    client
+        .writeVariableAsync(
+            ints,
+            (done, total) ->
+                // another thread uses the client, and this one waits for it
+                assertThat(
+                        CompletableFuture.supplyAsync(
+                                () -> {
+                                  try {
+                                    return client.readText("$OV_PRO");
+                                  } catch (java.io.IOException e) {
+                                    throw new java.io.UncheckedIOException(e);
+                                  }
+                                })
+                            .join())
+                    .isEqualTo("100"))
+        .get();
+
+    assertThat(robot.variables().get("MYINTS[3]")).isEqualTo("3");
+  }
 }

@@ -435,7 +435,7 @@ class KRLRecordTest extends RobotTest {
     assertThat(readText("{F 16777216}", F.class).f()).isEqualTo(16777216f);
     assertThat(readText("{F 16777218}", F.class).f()).isEqualTo(16777218f);
     assertThat(readText("{F 'H2000000'}", F.class).f()).isEqualTo(33554432f);
-    assertThat(readText("{F 1.23456789E+15}", F.class).f()).isEqualTo(1.23456795E15f);
+    assertThat(readText("{F 1.23456789E+15}", F.class).f()).isEqualTo((float) 1.23456789E15);
     assertThat(readText("{F 16777217.0}", F.class).f()).isEqualTo(16777216f);
   }
 
@@ -727,5 +727,22 @@ class KRLRecordTest extends RobotTest {
   @SuppressWarnings("deprecation")
   private static void update(KRLRecord<?> variable, String text) {
     variable.update(variable.getId(), text, 1);
+  }
+
+  @Test
+  void framesAndArraysOfAWrittenRecordStayThoseOfTheProgram() throws Exception {
+    record Joint(int seam, KRLFrame offset) {}
+
+    robot.variables().declareStruc("SEAMTYPE", "INT SEAM; FRAME OFFSET");
+    robot.variables().declare("MYSEAM", "SEAMTYPE", null);
+    KRLFrame offset = new KRLFrame("OFFSET").setX(1);
+    KRLRecord<Joint> seam = new KRLRecord<>("MYSEAM", Joint.class);
+    seam.setValue(new Joint(1, offset));
+    client.writeVariable(seam);
+    offset.setX(7);
+    client.writeVariable(seam);
+
+    assertThat(robot.variables().get("MYSEAM.OFFSET.X")).isEqualTo("7.00000");
+    assertThat(seam.recordValue().offset()).isSameAs(offset);
   }
 }

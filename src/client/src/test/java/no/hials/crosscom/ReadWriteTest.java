@@ -500,8 +500,27 @@ class ReadWriteTest extends RobotTest {
 
     assertThat(s.getValue()).isEqualTo("Größe 5 µm");
     s.setValue("5 €");
-    assertThatIllegalArgumentException()
+    assertThatExceptionOfType(CrossComValueException.class)
         .isThrownBy(() -> client.writeVariable(s))
-        .withMessageContaining("U+20AC");
+        .withMessageContaining("U+20AC")
+        .satisfies(e -> assertThat(e.getText()).isEqualTo("\"5 €\""));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"{A", "{A 1,B", "{A {B 1}", "{"})
+  void anAggregateThatIsTooLongAndBrokenIsRefusedToo(String beginning) {
+    String text = beginning + " ".repeat(300);
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.writeText("MYFRAME", text))
+        .withMessageContaining("must have at most 255 bytes");
+    assertThat(robot.requests()).isEmpty();
+  }
+
+  @Test
+  void aNameThatMakesARequestTooLongIsRefused() {
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.readText("A".repeat(3000)))
+        .withMessageContaining("a request must have at most 2048 bytes, has 3007");
+    assertThat(robot.requests()).isEmpty();
   }
 }

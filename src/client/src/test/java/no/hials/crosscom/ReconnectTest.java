@@ -3,13 +3,19 @@ package no.hials.crosscom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -353,6 +359,47 @@ class ReconnectTest extends RobotTest {
       robot.clearFaults();
       assertThat(its.readText("$OV_PRO")).isEqualTo("100");
       assertThat(robot.requests()).as("the interrupted one and this").hasSize(2);
+    }
+  }
+
+  @Test
+  void closingEndsConnecting() throws Exception {
+    // a server that takes one connection and leaves further ones in a full queue
+    try (ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      BlockingQueue<ConnectionEvent> events = new LinkedBlockingQueue<>();
+      CrossComClient its =
+          new CrossComClient(
+              ClientConfig.create(
+                  full.getInetAddress().getHostAddress(),
+                  cfg ->
+                      cfg.port(full.getLocalPort())
+                          .connectTimeout(LONG)
+                          .keepAlive(Duration.ZERO)
+                          .listener(events::add)));
+      List<Socket> fillers = new ArrayList<>();
+      for (int i = 0; i < 10; i++) {
+        Socket filler = new Socket();
+        fillers.add(filler);
+        try {
+          filler.connect(full.getLocalSocketAddress(), 50);
+        } catch (SocketTimeoutException e) {
+          break; // now it is full
+        }
+      }
+      full.accept().close();
+      CompletableFuture<String> read = its.readTextAsync("$OV_PRO");
+      ConnectionEvent event;
+      do {
+        event = events.poll(60, TimeUnit.SECONDS);
+        assertThat(event).isNotNull();
+      } while (event.kind() != Kind.LOST);
+      its.close();
+
+      assertThatExceptionOfType(ExecutionException.class)
+          .isThrownBy(() -> read.get(30, TimeUnit.SECONDS));
+      for (Socket filler : fillers) {
+        filler.close();
+      }
     }
   }
 

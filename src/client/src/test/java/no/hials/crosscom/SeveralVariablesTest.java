@@ -10,6 +10,7 @@ import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLIntArray;
 import no.hials.crosscom.KRL.KRLReal;
 import no.hials.crosscom.KRL.KRLRealArray;
+import no.hials.crosscom.KRL.KRLString;
 import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -142,5 +143,20 @@ class SeveralVariablesTest extends RobotTest {
         .withMessageEndingWith("; 10 of 11 elements were done")
         .satisfies(e -> assertThat(e.getElementsDone()).hasValue(10));
     assertThat(progress).containsExactly(1, 2, 3, 4, 5, 6, 7, 8, 9, 10);
+  }
+
+  @Test
+  void aValueThatCannotBeSentIsTheFailureOfItsVariableOnly() {
+    KRLInt good = new KRLInt("MYINT");
+    good.setValue(1);
+    KRLString euro = new KRLString("MYSTRING[]");
+    euro.setValue("5 €");
+    KRLReal last = new KRLReal("MYREAL");
+    last.setValue(3);
+
+    List<VariableResult> results = client.writeVariables(good, euro, last);
+
+    assertThat(results).extracting(VariableResult::isOk).containsExactly(true, false, true);
+    assertThat(results.get(1).failure()).isInstanceOf(CrossComValueException.class);
   }
 }

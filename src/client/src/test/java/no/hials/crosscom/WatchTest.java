@@ -131,7 +131,7 @@ class WatchTest extends RobotTest {
             sample -> {
               samples.add(sample);
               if (calls.getAndIncrement() == 0) {
-                throw new IllegalStateException("on purpose");
+                throw new AssertionError("on purpose"); // worse than an exception
               }
             },
             "$OV_PRO")) {
@@ -205,15 +205,77 @@ class WatchTest extends RobotTest {
     CountDownLatch ended = new CountDownLatch(1);
     CrossComClient its = client(cfg -> {});
     Watch watch = its.watch(PERIOD, samples::add, "$OV_PRO");
+    watch.subscribe(ending(ended));
+    next();
+    its.close();
+
+    assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+  }
+
+  @Test
+  void aSlowListenerEndsUpWithTheLastValue() throws Exception {
+    CountDownLatch go = new CountDownLatch(1);
+    WatchConfig config =
+        WatchConfig.create(
+            List.of("MYINT"),
+            cfg -> cfg.period(Duration.ofMillis(1)).changesOnly(true).bufferSize(1));
+    try (Watch watch =
+        client.watch(
+            config,
+            sample -> {
+              try {
+                go.await();
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+              samples.add(sample);
+            })) {
+      for (int i = 1; watch.droppedSamples() == 0; i++) {
+        robot.variables().set("MYINT", String.valueOf(i));
+      }
+      robot.variables().set("MYINT", "-1");
+      go.countDown();
+      Sample sample;
+      do {
+        sample = next();
+      } while (!sample.value("MYINT").equals(new KrlInt(-1)));
+    }
+  }
+
+  @Test
+  void aSlowDriftIsToldOnceItLeavesTheDeadBand() throws Exception {
+    try (Watch watch = client.watch(changes(1, "MYREAL", "MYINT"), samples::add)) {
+      next();
+      for (int i = 1; i <= 3; i++) {
+        robot.variables().set("MYREAL", String.valueOf(i * 0.5));
+        robot.variables().set("MYINT", String.valueOf(i));
+        Sample sample;
+        do {
+          sample = next();
+        } while (!sample.value("MYINT").equals(new KrlInt(i)));
+        assertThat(sample.changed().contains("MYREAL")).as("at %s", i * 0.5).isEqualTo(i == 3);
+      }
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
+  @Test
+  void whatWaitsForASubscriberCanBeAskedForAfterTheEnd() throws Exception {
+    BlockingQueue<Flow.Subscription> subscriptions = new LinkedBlockingQueue<>();
+    BlockingQueue<Long> got = new LinkedBlockingQueue<>();
+    CountDownLatch ended = new CountDownLatch(1);
+    Watch watch = client.watch(PERIOD, samples::add, "$OV_PRO");
     watch.subscribe(
         new Flow.Subscriber<>() {
           @Override
           public void onSubscribe(Flow.Subscription subscription) {
-            subscription.request(Long.MAX_VALUE);
+            subscriptions.add(subscription);
           }
 
           @Override
-          public void onNext(Sample sample) {}
+          public void onNext(Sample sample) {
+            got.add(sample.number());
+          }
 
           @Override
           public void onError(Throwable failure) {
@@ -225,10 +287,63 @@ class WatchTest extends RobotTest {
             ended.countDown();
           }
         });
+    Flow.Subscription subscription = subscriptions.take();
+    for (int i = 0; i < 5; i++) {
+      next();
+    }
+    watch.close();
+    assertThat(got).isEmpty();
+    subscription.request(Long.MAX_VALUE);
+
+    assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+    assertThat(got).hasSizeGreaterThanOrEqualTo(4);
+    watch.addListener(samples::add); // comes too late, and does no harm
+  }
+
+  @Test
+  void closingTheClientEndsAWatchWithALongPeriodAtOnce() throws Exception {
+    CountDownLatch ended = new CountDownLatch(1);
+    CrossComClient its = client(cfg -> {});
+    Watch watch = its.watch(Duration.ofDays(1), samples::add, "$OV_PRO");
+    watch.subscribe(ending(ended));
     next();
     its.close();
 
     assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+  }
+
+  @Test
+  void aWatchEndsWhenItsConnectionIsLostForGood() throws Exception {
+    CountDownLatch ended = new CountDownLatch(1);
+    // the client of the base class does not connect again
+    Watch watch = client.watch(PERIOD, samples::add, "$OV_PRO");
+    watch.subscribe(ending(ended));
+    next();
+    robot.disconnectClients();
+
+    assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+  }
+
+  private static Flow.Subscriber<Sample> ending(CountDownLatch ended) {
+    return new Flow.Subscriber<>() {
+      @Override
+      public void onSubscribe(Flow.Subscription subscription) {
+        subscription.request(Long.MAX_VALUE);
+      }
+
+      @Override
+      public void onNext(Sample sample) {}
+
+      @Override
+      public void onError(Throwable failure) {
+        throw new AssertionError(failure);
+      }
+
+      @Override
+      public void onComplete() {
+        ended.countDown();
+      }
+    };
   }
 
   @Test

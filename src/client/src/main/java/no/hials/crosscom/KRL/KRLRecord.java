@@ -46,6 +46,9 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
   private final RecordShape shape;
   private @Nullable T value;
 
+  /** What the last write sent. */
+  private @Nullable String sent;
+
   /**
    * Makes a variable without a value.
    *
@@ -111,12 +114,20 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
     if (text.equals("{}")) {
       throw new IllegalStateException(getName() + " has no field to write: all are empty");
     }
+    sent = text;
     return text;
   }
 
-  // setValueFrom is not overridden: the record's constructor is the program's own code, which
-  // does not run under the client's lock. An answer to a write is the text that was sent, and so
-  // has all fields that a write has.
+  /**
+   * Keeps the record if what was written is what was sent, so that its frames and arrays stay those
+   * of the program. Otherwise the text is read by {@link #setValueFromString}: the record's
+   * constructor is the program's own code, which does not run under the client's lock.
+   */
+  @Override
+  protected boolean setValueFrom(KrlScanner scanner, boolean written) {
+    return written && sent != null && sent.contentEquals(scanner.text());
+  }
+
   @Override
   protected void setValueFromString(String strValue) {
     KrlScanner scanner = new KrlScanner(strValue);

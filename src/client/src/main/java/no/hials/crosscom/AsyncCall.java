@@ -3,6 +3,7 @@ package no.hials.crosscom;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -21,20 +22,30 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T> {
   private final Link link;
   private @Nullable Thread runner;
 
-  private AsyncCall(Link link) {
+  private final Executor callbacks;
+
+  private AsyncCall(Link link, Executor callbacks) {
     this.link = link;
+    this.callbacks = callbacks;
+  }
+
+  @Override
+  public Executor defaultExecutor() {
+    return callbacks;
   }
 
   /**
    * Queues an operation.
    *
    * @param executor does it, in one thread
+   * @param callbacks completes the result, and so runs what the program does with it; the common
+   *     pool would not do, as it may have one thread only
    * @param link asks {@link #begin} before it sends
    * @param operation the operation
    */
   static <T extends @Nullable Object> CompletableFuture<T> submit(
-      ThreadPoolExecutor executor, Link link, Callable<T> operation) {
-    AsyncCall<T> call = new AsyncCall<>(link);
+      ThreadPoolExecutor executor, Executor callbacks, Link link, Callable<T> operation) {
+    AsyncCall<T> call = new AsyncCall<>(link, callbacks);
     try {
       executor.execute(() -> call.run(operation));
     } catch (RejectedExecutionException e) {
@@ -54,12 +65,12 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T> {
       result = operation.call();
     } catch (Exception | Error e) {
       // what follows on the future is the program's code, which must not hold up other operations
-      defaultExecutor().execute(() -> completeExceptionally(e));
+      callbacks.execute(() -> completeExceptionally(e));
       return;
     } finally {
       link.setUnsent(null);
     }
-    defaultExecutor().execute(() -> complete(result));
+    callbacks.execute(() -> complete(result));
   }
 
   /** Says whether the calling thread does this operation. */

@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -55,8 +56,9 @@ import org.jspecify.annotations.Nullable;
  * <p>The client runs these daemon threads, where PORT is the server's: {@code
  * crosscom-watchdog-PORT} enforces the time-out; {@code crosscom-keepalive-PORT} uses the
  * connection when the program does not; {@code crosscom-events-PORT} calls the {@link
- * ConnectionListener}, and {@code crosscom-async-PORT} does what the {@code ...Async} methods were
- * asked for, both only while there is something to do. Each {@link Watch} has threads of its own.
+ * ConnectionListener}, {@code crosscom-async-PORT} does what the {@code ...Async} methods were
+ * asked for, and {@code crosscom-callback-PORT} runs what the program does with the results, all
+ * three only while there is something to do. Each {@link Watch} has threads of its own.
  */
 public final class CrossComClient implements Closeable {
   private static final ArrayProgress NO_PROGRESS = (done, total) -> {};
@@ -64,6 +66,7 @@ public final class CrossComClient implements Closeable {
   private final ClientConfig config;
   private final Link link;
   private final ThreadPoolExecutor async;
+  private final Executor callbacks;
   private final ReentrantLock lock;
   private final Set<Watch> watches = ConcurrentHashMap.newKeySet();
   private final KrlScanner scanner = new KrlScanner();
@@ -92,6 +95,7 @@ public final class CrossComClient implements Closeable {
     this.config = Objects.requireNonNull(config, "config");
     this.link = new Link(config);
     this.lock = link.lock();
+    this.callbacks = Threads.forCallbacks("crosscom-callback-" + config.port());
     this.async = Threads.lazy("crosscom-async-" + config.port());
     link.start();
   }
@@ -738,6 +742,7 @@ public final class CrossComClient implements Closeable {
   private CompletableFuture<Void> doAsync(Action action) {
     return AsyncCall.<@Nullable Void>submit(
         async,
+        callbacks,
         link,
         () -> {
           action.run();
@@ -746,7 +751,7 @@ public final class CrossComClient implements Closeable {
   }
 
   private <T> CompletableFuture<T> callAsync(Callable<T> call) {
-    return AsyncCall.submit(async, link, call);
+    return AsyncCall.submit(async, callbacks, link, call);
   }
 
   // --- exchanges; the lock is held
@@ -927,7 +932,8 @@ public final class CrossComClient implements Closeable {
 
   /**
    * Closes the connection for good. An exchange under way in another thread ends with {@link
-   * CrossComClosedException}, and what waits for its turn too. Closing again does nothing.
+   * CrossComClosedException}, unless its answer comes at the same moment, and what waits for its
+   * turn ends so too. Closing again does nothing.
    *
    * @throws IOException never; declared for programs of the original, which may catch it
    */

@@ -10,9 +10,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Flow;
 import java.util.concurrent.SubmissionPublisher;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
@@ -71,21 +68,9 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     this.config = config;
     this.variables = config.names().stream().map(KRLAny::new).toList();
     String name = "crosscom-watch-" + COUNT.incrementAndGet();
-    // never shut down, since what waits in the buffers may be asked for after the end; its threads
-    // end by themselves when there is nothing to do
-    ThreadPoolExecutor listeners =
-        new ThreadPoolExecutor(
-            0,
-            Integer.MAX_VALUE,
-            1,
-            TimeUnit.SECONDS,
-            new SynchronousQueue<>(),
-            task -> {
-              Thread listener = new Thread(task, name + "-listener");
-              listener.setDaemon(true);
-              return listener;
-            });
-    this.publisher = new SubmissionPublisher<>(listeners, config.bufferSize());
+    // not shut down, since what waits in the buffers may be asked for after the end
+    this.publisher =
+        new SubmissionPublisher<>(Threads.forCallbacks(name + "-listener"), config.bufferSize());
     this.thread = new Thread(this::run, name);
     thread.setDaemon(true);
   }

@@ -126,13 +126,13 @@ class AsyncTest extends RobotTest {
     CompletableFuture<String> second = client.readTextAsync("$OV_JOG");
     asked.await();
     client.close();
-    release.countDown();
 
     for (CompletableFuture<String> future : List.of(first, second, client.readTextAsync("X"))) {
       assertThatExceptionOfType(ExecutionException.class)
           .isThrownBy(future::get)
           .withCauseInstanceOf(CrossComClosedException.class);
     }
+    release.countDown();
   }
 
   @Test

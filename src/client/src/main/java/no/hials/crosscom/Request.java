@@ -1,6 +1,6 @@
 package no.hials.crosscom;
 
-import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.internal.BoxedFrame;
 import no.hials.crosscom.protocol.ReadRequest;
 import no.hials.crosscom.protocol.WriteRequest;
 import org.jspecify.annotations.Nullable;
@@ -74,14 +74,9 @@ public final class Request {
    * @return the bytes
    */
   public Byte[] getCmd() {
-    byte[] frame =
+    return BoxedFrame.of(
         value == null
-            ? Codec.encode(new ReadRequest(id & 0xFFFF, variable))
-            : Codec.encode(new WriteRequest(id & 0xFFFF, variable, value));
-    Byte[] boxed = new Byte[frame.length];
-    for (int i = 0; i < frame.length; i++) {
-      boxed[i] = frame[i];
-    }
-    return boxed;
+            ? new ReadRequest(id & 0xFFFF, variable)
+            : new WriteRequest(id & 0xFFFF, variable, value));
   }
 }

@@ -31,6 +31,17 @@ class AsyncTest extends RobotTest {
         });
   }
 
+  private CompletableFuture<String> readSynchronouslyInAnotherThread() {
+    return CompletableFuture.supplyAsync(
+        () -> {
+          try {
+            return client.readText("$OV_PRO");
+          } catch (java.io.IOException e) {
+            throw new java.io.UncheckedIOException(e);
+          }
+        });
+  }
+
   @Test
   void everyOperationHasATwin() throws Exception {
     KRLInt i = new KRLInt("MYINT");
@@ -99,15 +110,7 @@ class AsyncTest extends RobotTest {
   @Test
   void whatWaitsBehindASynchronousCallCanStillBeCancelled() throws Exception {
     holdFirstRequest();
-    CompletableFuture<String> sync =
-        CompletableFuture.supplyAsync(
-            () -> {
-              try {
-                return client.readText("$OV_PRO");
-              } catch (java.io.IOException e) {
-                throw new java.io.UncheckedIOException(e);
-              }
-            });
+    CompletableFuture<String> sync = readSynchronouslyInAnotherThread();
     asked.await();
     CompletableFuture<Void> write = client.writeTextAsync("MYINT", "9");
 
@@ -165,17 +168,7 @@ class AsyncTest extends RobotTest {
             ints,
             (done, total) ->
                 // another thread uses the client, and this one waits for it
-                assertThat(
-                        CompletableFuture.supplyAsync(
-                                () -> {
-                                  try {
-                                    return client.readText("$OV_PRO");
-                                  } catch (java.io.IOException e) {
-                                    throw new java.io.UncheckedIOException(e);
-                                  }
-                                })
-                            .join())
-                    .isEqualTo("100"))
+                assertThat(readSynchronouslyInAnotherThread().join()).isEqualTo("100"))
         .get();
 
     assertThat(robot.variables().get("MYINTS[3]")).isEqualTo("3");

@@ -4,6 +4,7 @@ import java.util.Objects;
 import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
+import no.hials.crosscom.internal.BoxedFrame;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.ReadRequest;
@@ -172,7 +173,7 @@ public abstract class KRLVariable {
    */
   @Deprecated
   public Byte[] getReadCommand() {
-    return box(new ReadRequest(id & 0xFFFF, name));
+    return BoxedFrame.of(new ReadRequest(id & 0xFFFF, name));
   }
 
   /**
@@ -184,16 +185,7 @@ public abstract class KRLVariable {
    */
   @Deprecated
   public Byte[] getWriteCommand() {
-    return box(new WriteRequest(id & 0xFFFF, name, getStringValue()));
-  }
-
-  private static Byte[] box(no.hials.crosscom.protocol.Request request) {
-    byte[] frame = Codec.encode(request);
-    Byte[] boxed = new Byte[frame.length];
-    for (int i = 0; i < frame.length; i++) {
-      boxed[i] = frame[i];
-    }
-    return boxed;
+    return BoxedFrame.of(new WriteRequest(id & 0xFFFF, name, getStringValue()));
   }
 
   /**

@@ -376,6 +376,11 @@ final class Connection {
   void close() {
     if (!closed) {
       closed = true;
+      try {
+        channel.shutdownInput(); // ends a read under way even where closing alone is late to do so
+      } catch (IOException e) {
+        LOG.debug("ending the input failed", e);
+      }
       closeQuietly(channel);
       LockSupport.unpark(watchdog);
       LOG.debug("closed the connection to {}, local port {}", remote, localPort);

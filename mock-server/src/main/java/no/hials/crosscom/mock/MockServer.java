@@ -15,6 +15,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.EmptyResponse;
 import no.hials.crosscom.protocol.MalformedFrameException;

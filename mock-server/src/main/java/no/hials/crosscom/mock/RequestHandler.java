@@ -2,6 +2,7 @@ package no.hials.crosscom.mock;
 
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.ReadArrayRequest;
 import no.hials.crosscom.protocol.ReadArrayResponse;

@@ -1,15 +1,11 @@
 package no.hials.crosscom.mock;
 
 import java.util.ArrayList;
-import java.util.BitSet;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.SortedSet;
-import java.util.TreeSet;
-import no.hials.crosscom.protocol.value.KrlBool;
-import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.mock.internal.data.Path;
+import no.hials.crosscom.mock.internal.data.RefusedException;
+import no.hials.crosscom.mock.internal.data.Scope;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -27,20 +23,9 @@ import org.jspecify.annotations.Nullable;
  * <p>Safe for use by several threads; every access is atomic. The table starts no thread.
  */
 public final class VariableTable {
-  private static final String OUTPUTS = "$OUT";
+  private final Scope scope = new Scope();
 
-  private final Object lock = new Object();
-  private final Map<String, Type> types = new HashMap<>();
-  private final Map<String, Variable> variables = new HashMap<>();
-
-  /** The outputs that system signals are wired to; null if that has to be found out again. */
-  private @Nullable BitSet systemOutputs;
-
-  private VariableTable() {
-    for (Type.Base type : Type.Base.values()) {
-      types.put(type.name(), type);
-    }
-  }
+  private VariableTable() {}
 
   /**
    * Makes a table of a KR 6 R900 sixx with a KR C4 (KSS 8.3), standing at its home position in mode
@@ -68,10 +53,7 @@ public final class VariableTable {
    */
   public VariableTable copy() {
     VariableTable copy = new VariableTable();
-    synchronized (lock) {
-      copy.types.putAll(types);
-      copy.variables.putAll(variables);
-    }
+    copy.scope.copyFrom(scope);
     return copy;
   }
 
@@ -85,24 +67,20 @@ public final class VariableTable {
    *     NAME[24]; FRAME OFFSET}
    */
   public void declareStruc(String name, String definition) {
-    checkTypeName(name);
-    synchronized (lock) {
-      List<Declarator> components = new ArrayList<>();
-      for (String group : definition.split(";", -1)) {
-        String declaration = group.strip();
-        int blank = declaration.indexOf(' ');
-        if (blank < 0) {
-          throw new IllegalArgumentException(
-              "a group of components is a type and names, is '" + declaration + "'");
-        }
-        Type type = type(declaration.substring(0, blank));
-        // commas within brackets part dimensions
-        for (String component : declaration.substring(blank).split(",(?![^\\[]*])", -1)) {
-          components.add(Declarator.parse(type, component));
-        }
+    List<Scope.Component> components = new ArrayList<>();
+    for (String group : definition.split(";", -1)) {
+      String declaration = group.strip();
+      int blank = declaration.indexOf(' ');
+      if (blank < 0) {
+        throw new IllegalArgumentException(
+            "a group of components is a type and names, is '" + declaration + "'");
       }
-      types.put(key(name), Type.Struc.of(name, components));
+      // commas within brackets part dimensions
+      for (String component : declaration.substring(blank).split(",(?![^\\[]*])", -1)) {
+        components.add(new Scope.Component(declaration.substring(0, blank), component));
+      }
     }
+    scope.declareStruc(name, components);
   }
 
   /**
@@ -112,22 +90,7 @@ public final class VariableTable {
    * @param constants the constants, without {@code #}
    */
   public void declareEnum(String name, String... constants) {
-    checkTypeName(name);
-    Type.Enumeration type = Type.Enumeration.of(name, List.of(constants));
-    synchronized (lock) {
-      types.put(key(name), type);
-    }
-  }
-
-  private static void checkTypeName(String name) {
-    if (!Path.isName(name)) {
-      throw new IllegalArgumentException("a type's name is a KRL name, is '" + name + "'");
-    }
-    for (Type.Base type : Type.Base.values()) {
-      if (type.name().equalsIgnoreCase(name)) {
-        throw new IllegalArgumentException(name + " is a type of KRL itself");
-      }
-    }
+    scope.declareEnum(name, List.of(constants));
   }
 
   /**
@@ -156,28 +119,17 @@ public final class VariableTable {
    *     an uninitialised variable
    */
   public void declare(String name, String type, Access access, @Nullable String value) {
-    synchronized (lock) {
-      Variable variable;
-      if (key(type).equals("SIGNAL")) {
-        Declarator declarator = Declarator.parse(Type.Base.BOOL, name);
-        if (value == null || !declarator.dimensions().isEmpty()) {
-          throw new IllegalArgumentException(name + " needs a wiring and no dimensions");
-        }
-        variable = new Variable(declarator.name(), access, null, Signal.parse(value));
-      } else {
-        Declarator declarator = Declarator.parse(type(type), name);
-        Node contents = declarator.uninitialised();
-        try {
-          if (value != null) {
-            contents = contents.assign(parse(value));
-          }
-        } catch (RefusedException e) {
-          throw refusedToJava(name, e);
-        }
-        variable = new Variable(declarator.name(), access, contents, null);
+    if (Scope.key(type).equals("SIGNAL")) {
+      if (value == null) {
+        throw new IllegalArgumentException("SIGNAL " + name + " needs a wiring");
       }
-      variables.put(key(variable.name()), variable);
-      systemOutputs = null;
+      scope.declareSignal(name, value, access);
+      return;
+    }
+    try {
+      scope.declare(name, type, access, value == null ? null : parse(value));
+    } catch (RefusedException e) {
+      throw refusedToJava(name, e);
     }
   }
 
@@ -188,10 +140,7 @@ public final class VariableTable {
    * @return whether there was one
    */
   public boolean remove(String name) {
-    synchronized (lock) {
-      systemOutputs = null;
-      return variables.remove(key(name)) != null;
-    }
+    return scope.remove(name);
   }
 
   /**
@@ -201,9 +150,7 @@ public final class VariableTable {
    * @return whether there is one
    */
   public boolean contains(String name) {
-    synchronized (lock) {
-      return variables.containsKey(key(name));
-    }
+    return scope.contains(name);
   }
 
   /**
@@ -212,25 +159,7 @@ public final class VariableTable {
    * @return the names as declared, without dimensions, sorted; a copy
    */
   public SortedSet<String> names() {
-    SortedSet<String> names = new TreeSet<>();
-    synchronized (lock) {
-      for (Variable variable : variables.values()) {
-        names.add(variable.name());
-      }
-    }
-    return names;
-  }
-
-  private static String key(String name) {
-    return name.strip().toUpperCase(Locale.ROOT);
-  }
-
-  private Type type(String name) {
-    Type type = types.get(key(name));
-    if (type == null) {
-      throw new IllegalArgumentException("type " + name + " is not declared");
-    }
-    return type;
+    return scope.names();
   }
 
   // access from Java
@@ -292,10 +221,7 @@ public final class VariableTable {
    */
   public void set(String name, KrlValue value) {
     try {
-      Path path = Path.parse(name);
-      synchronized (lock) {
-        assign(path, find(path.first().name()), value, false);
-      }
+      scope.write(Path.parse(name), value, Scope.Writer.SYSTEM);
     } catch (RefusedException e) {
       throw refusedToJava(name, e);
     }
@@ -309,22 +235,17 @@ public final class VariableTable {
 
   /** Gives the text of a variable as the controller prints it. */
   String read(String name) throws RefusedException {
-    Path path = Path.parse(name);
-    synchronized (lock) {
-      Variable variable = find(path.first().name());
-      Node contents = variable.contents();
-      return contents == null ? signalValue(path, variable).print() : contents.read(path).text();
-    }
+    return scope.print(Path.parse(name));
   }
 
   /** Gives the value of a variable. */
   KrlValue readValue(String name) throws RefusedException {
-    Path path = Path.parse(name);
-    synchronized (lock) {
-      Variable variable = find(path.first().name());
-      Node contents = variable.contents();
-      return contents == null ? signalValue(path, variable) : contents.read(path).value();
-    }
+    return scope.read(Path.parse(name));
+  }
+
+  /** Gives the scope of the global variables. */
+  Scope scope() {
+    return scope;
   }
 
   /**
@@ -343,13 +264,7 @@ public final class VariableTable {
           Refusal.TOO_LONG,
           "an aggregate may have " + maxAggregateLength + " bytes, has " + text.length());
     }
-    synchronized (lock) {
-      Variable variable = find(path.first().name());
-      if (variable.access() == Access.READ_ONLY) {
-        throw new RefusedException(Refusal.READ_ONLY, "may only be read");
-      }
-      assign(path, variable, value, true);
-    }
+    scope.write(path, value, Scope.Writer.CLIENT);
   }
 
   private static KrlValue parse(String text) throws RefusedException {
@@ -358,132 +273,5 @@ public final class VariableTable {
     } catch (KrlSyntaxException e) {
       throw new RefusedException(Refusal.NO_VALUE, e.getMessage());
     }
-  }
-
-  private Variable find(String key) throws RefusedException {
-    Variable variable = variables.get(key);
-    if (variable == null) {
-      throw new RefusedException(Refusal.UNKNOWN_VARIABLE, "no variable " + key);
-    }
-    return variable;
-  }
-
-  private void assign(Path path, Variable variable, KrlValue value, boolean byClient)
-      throws RefusedException {
-    Node contents = variable.contents();
-    if (contents == null) {
-      assignSignal(path, variable, value, byClient);
-      return;
-    }
-    String key = path.first().name();
-    if (byClient) {
-      if (contents.read(path) instanceof Node.ArrayNode) {
-        // assumed: there is no way to set an array as a whole before KSS 8 (krl.md 1.4, ISS #14),
-        // and none is documented for later
-        throw new RefusedException(Refusal.WHOLE_ARRAY, "an array is written by element");
-      }
-      Index index = path.first().index();
-      if (key.equals(OUTPUTS) && index.count() > 0 && systemOutputs().get(index.number(0))) {
-        // krl.md 2.6, marked U: outputs that system signals use cannot be set from outside
-        throw new RefusedException(Refusal.READ_ONLY, "is used by a system signal");
-      }
-    }
-    variables.put(key, variable.with(contents.write(path, value)));
-  }
-
-  // signals
-
-  private static Signal checkedSignal(Path path, Variable variable) throws RefusedException {
-    Signal signal = variable.signal();
-    if (signal == null) {
-      throw new IllegalStateException(variable.name() + " has neither contents nor wiring");
-    }
-    if (!path.first().index().isNone()) {
-      throw Node.badIndex("a SIGNAL is no array");
-    }
-    if (!path.isLast(0)) {
-      throw new RefusedException(Refusal.UNKNOWN_COMPONENT, "a SIGNAL has no components");
-    }
-    return signal;
-  }
-
-  private static Path element(String array, int index) {
-    return new Path(List.of(new Path.Step(array, new Index(new int[] {index}, false))));
-  }
-
-  private KrlValue signalValue(Path path, Variable variable) throws RefusedException {
-    Signal signal = checkedSignal(path, variable);
-    String array = signal.array();
-    if (array == null) {
-      return new KrlBool(false);
-    }
-    if (signal.isSingle()) {
-      return elementValue(array, signal.first());
-    }
-    int bits = 0;
-    for (int i = signal.last(); i >= signal.first(); i--) {
-      if (!(elementValue(array, i) instanceof KrlBool bit)) {
-        throw new RefusedException(Refusal.WRONG_TYPE, array + " is no array of BOOL");
-      }
-      bits = bits << 1 | (bit.value() ? 1 : 0);
-    }
-    return new KrlInt(bits);
-  }
-
-  private KrlValue elementValue(String array, int index) throws RefusedException {
-    Node contents = find(array).contents();
-    if (contents == null) {
-      throw new RefusedException(Refusal.UNKNOWN_VARIABLE, array + " is no array");
-    }
-    return contents.read(element(array, index)).value();
-  }
-
-  private void assignSignal(Path path, Variable variable, KrlValue value, boolean byClient)
-      throws RefusedException {
-    Signal signal = checkedSignal(path, variable);
-    String array = signal.array();
-    if (array == null) {
-      throw new RefusedException(Refusal.READ_ONLY, "is not wired");
-    }
-    Variable target = find(array);
-    if (byClient && target.access() == Access.READ_ONLY) {
-      throw new RefusedException(Refusal.READ_ONLY, array + " may only be read");
-    }
-    if (signal.isSingle()) {
-      assign(element(array, signal.first()), target, value, byClient);
-      return;
-    }
-    if (!(value instanceof KrlInt number)) {
-      throw new RefusedException(Refusal.WRONG_TYPE, "needs INT, was given " + value.print());
-    }
-    int width = signal.last() - signal.first() + 1;
-    if (width < Integer.SIZE && number.value() >>> width != 0) {
-      throw new RefusedException(
-          Refusal.OUT_OF_RANGE, "has " + width + " bits, was given " + number);
-    }
-    for (int i = 0; i < width; i++) {
-      KrlBool bit = new KrlBool((number.value() >>> i & 1) != 0);
-      try {
-        assign(element(array, signal.first() + i), find(array), bit, byClient);
-      } catch (RefusedException e) {
-        variables.put(array, target); // all bits or none
-        throw e;
-      }
-    }
-  }
-
-  private BitSet systemOutputs() {
-    BitSet known = systemOutputs;
-    if (known == null) {
-      known = new BitSet();
-      for (Variable variable : variables.values()) {
-        Signal signal = variable.signal();
-        if (signal != null && variable.name().startsWith("$") && OUTPUTS.equals(signal.array())) {
-          known.set(signal.first(), signal.last() + 1);
-        }
-      }
-      systemOutputs = known;
-    }
-    return known;
   }
 }

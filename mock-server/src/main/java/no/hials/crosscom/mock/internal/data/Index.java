@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal.data;
 
 import java.util.Arrays;
 
@@ -6,38 +6,61 @@ import java.util.Arrays;
  * What stands behind a name: nothing, {@code []}, {@code [1]}, {@code [1,2]} or {@code [1,]}.
  * Immutable.
  */
-final class Index {
+public final class Index {
   /** No brackets. */
-  static final Index NONE = new Index(new int[0], false);
+  public static final Index NONE = new Index(new int[0], false);
 
   /** {@code []}. */
-  static final Index WHOLE = new Index(new int[0], true);
+  public static final Index WHOLE = new Index(new int[0], true);
 
   private final int[] numbers;
   private final boolean open;
 
   /**
+   * Makes an index.
+   *
    * @param numbers the indices, from 1
    * @param open whether the last dimension is left open, as in {@code []} and {@code [1,]}
    */
-  Index(int[] numbers, boolean open) {
-    this.numbers = numbers;
+  public Index(int[] numbers, boolean open) {
+    this.numbers = numbers.clone();
     this.open = open;
   }
 
-  int count() {
+  /**
+   * Counts the indices.
+   *
+   * @return how many there are
+   */
+  public int count() {
     return numbers.length;
   }
 
-  int number(int dimension) {
+  /**
+   * Gives one index.
+   *
+   * @param dimension which, from 0
+   * @return the index, from 1
+   */
+  public int number(int dimension) {
     return numbers[dimension];
   }
 
-  boolean isNone() {
+  /**
+   * Says whether there are no brackets.
+   *
+   * @return whether the name stands alone
+   */
+  public boolean isNone() {
     return numbers.length == 0 && !open;
   }
 
-  boolean isWhole() {
+  /**
+   * Says whether the brackets are empty.
+   *
+   * @return whether it is {@code []}
+   */
+  public boolean isWhole() {
     return numbers.length == 0 && open;
   }
 

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal.data;
 
 import java.util.Locale;
 import java.util.regex.Matcher;

@@ -1,7 +1,8 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal.data;
 
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.mock.Refusal;
 import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
@@ -12,7 +13,9 @@ import org.jspecify.annotations.Nullable;
  * The contents of a variable or of a part of it. Immutable: a write makes a new node, so that a
  * write that is refused half-way has changed nothing, and tables can share their initial contents.
  */
-abstract sealed class Node {
+public abstract sealed class Node {
+
+  private Node() {}
 
   /** Makes the new contents of a part out of the old. */
   @FunctionalInterface
@@ -23,11 +26,20 @@ abstract sealed class Node {
   /** The text as printed, kept since the same variable tends to be read again and again. */
   private @Nullable String text;
 
-  /** Says whether there is something to print. */
-  abstract boolean initialised();
+  /**
+   * Says whether there is something to print.
+   *
+   * @return whether a part of it has a value
+   */
+  public abstract boolean initialised();
 
-  /** Gives the value of the whole. */
-  abstract KrlValue value() throws RefusedException;
+  /**
+   * Gives the value of the whole.
+   *
+   * @return the value
+   * @throws RefusedException if it has none
+   */
+  public abstract KrlValue value() throws RefusedException;
 
   /** Gives these contents after a value has been assigned to the whole. */
   abstract Node assign(KrlValue value) throws RefusedException;
@@ -118,12 +130,12 @@ abstract sealed class Node {
     }
 
     @Override
-    boolean initialised() {
+    public boolean initialised() {
       return value != null;
     }
 
     @Override
-    KrlValue value() throws RefusedException {
+    public KrlValue value() throws RefusedException {
       if (value == null) {
         throw notInitialised();
       }
@@ -147,12 +159,12 @@ abstract sealed class Node {
     }
 
     @Override
-    boolean initialised() {
+    public boolean initialised() {
       return characters != null;
     }
 
     @Override
-    KrlValue value() throws RefusedException {
+    public KrlValue value() throws RefusedException {
       if (characters == null) {
         throw notInitialised();
       }
@@ -226,7 +238,7 @@ abstract sealed class Node {
     }
 
     @Override
-    boolean initialised() {
+    public boolean initialised() {
       for (Node part : parts) {
         if (part.initialised()) {
           return true;
@@ -236,7 +248,7 @@ abstract sealed class Node {
     }
 
     @Override
-    KrlValue value() throws RefusedException {
+    public KrlValue value() throws RefusedException {
       List<KrlStruct.Field> fields = new ArrayList<>(parts.length);
       for (int i = 0; i < parts.length; i++) {
         // only initialised components are printed (krl.md 1.3)
@@ -306,7 +318,7 @@ abstract sealed class Node {
     }
 
     @Override
-    boolean initialised() {
+    public boolean initialised() {
       for (Node element : elements) {
         if (element.initialised()) {
           return true;
@@ -325,7 +337,7 @@ abstract sealed class Node {
     }
 
     @Override
-    KrlValue value() throws RefusedException {
+    public KrlValue value() throws RefusedException {
       if (!hasScalars()) {
         // krl.md 1.4 has no sample of it: assumed to fail
         throw new RefusedException(

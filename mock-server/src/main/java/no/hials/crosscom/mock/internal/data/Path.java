@@ -1,16 +1,17 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal.data;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import no.hials.crosscom.mock.Refusal;
 
 /**
  * A variable's name as clients send it, taken apart: {@code LOAD_DATA[1].CM.X} are three steps.
  *
  * @param steps at least one
  */
-record Path(List<Step> steps) {
+public record Path(List<Step> steps) {
   /** KRL arrays have three dimensions at most (krl.md 1.1). */
   private static final int MAX_DIMENSIONS = 3;
 
@@ -22,21 +23,57 @@ record Path(List<Step> steps) {
    * @param name in upper case, since names are the same in any case (krl.md 1.1)
    * @param index what stands behind it
    */
-  record Step(String name, Index index) {}
+  public record Step(String name, Index index) {}
 
-  Step first() {
+  /**
+   * Gives the variable's own step.
+   *
+   * @return the first step
+   */
+  public Step first() {
     return steps.get(0);
   }
 
-  boolean isLast(int step) {
+  /**
+   * Says whether a step is the last.
+   *
+   * @param step its position, from 0
+   * @return whether none follows
+   */
+  public boolean isLast(int step) {
     return step == steps.size() - 1;
   }
 
-  static Path parse(String text) throws RefusedException {
+  /**
+   * Gives the path of an array's element.
+   *
+   * @param array the array's name
+   * @param index the index, from 1
+   * @return the path
+   */
+  public static Path element(String array, int index) {
+    return new Path(
+        List.of(new Step(array.toUpperCase(Locale.ROOT), new Index(new int[] {index}, false))));
+  }
+
+  /**
+   * Parses a name as clients send it.
+   *
+   * @param text such as {@code LOAD_DATA[1].CM.X}
+   * @return the path
+   * @throws RefusedException if it is not a name
+   */
+  public static Path parse(String text) throws RefusedException {
     return new Parser(text.strip()).path();
   }
 
-  static boolean isName(String text) {
+  /**
+   * Says whether a text is a KRL name.
+   *
+   * @param text a text
+   * @return whether it is one
+   */
+  public static boolean isName(String text) {
     if (text.isEmpty() || !isNameStart(text.charAt(0))) {
       return false;
     }

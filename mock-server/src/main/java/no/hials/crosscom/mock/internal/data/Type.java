@@ -1,9 +1,10 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal.data;
 
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import no.hials.crosscom.mock.Refusal;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;

@@ -1,0 +1,24 @@
+package no.hials.crosscom.kinematics;
+
+/** The checks of the records' constructors, and the range of an angle. */
+final class Numbers {
+
+  private Numbers() {}
+
+  static void finite(String field, double value) {
+    if (!Double.isFinite(value)) {
+      throw new IllegalArgumentException(field + " must be finite, is " + value);
+    }
+  }
+
+  /** Gives the same angle in degrees, above -180 and up to 180, and 0 for -0. */
+  static double normalised(double degrees) {
+    double angle = Math.IEEEremainder(degrees, 360);
+    return angle == -180 ? 180 : angle + 0.0;
+  }
+
+  /** Gives the same angle in degrees, no further than 180 from another one. */
+  static double near(double degrees, double other) {
+    return other + Math.IEEEremainder(degrees - other, 360);
+  }
+}

@@ -1,0 +1,238 @@
+package no.hials.crosscom.kinematics;
+
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The geometry of an arm with an ortho-parallel base (A2 and A3 parallel, both square to A1) and a
+ * spherical wrist (A4, A5 and A6 meet in the wrist centre), for which there is a closed solution.
+ *
+ * <p>Inside, an angle {@code theta} is {@code sign * (axis - offset)}: all are 0 with the arm
+ * stretched upwards, and all turn by the right-hand rule.
+ *
+ * @param a1 from A1 to A2, forward, mm
+ * @param a2 from A3 to the wrist centre, forward, mm
+ * @param b from A1 to the wrist centre, to the left, mm
+ * @param c1 from the floor to A2, up, mm
+ * @param c2 from A2 to A3, up, mm
+ * @param c3 from A3 to the wrist centre, up, mm
+ * @param c4 from the wrist centre to the flange, up, mm
+ * @param sign 1 or -1 for each axis
+ * @param offset the axes with the arm stretched upwards, degrees
+ */
+record OrthoParallelArm(
+    double a1,
+    double a2,
+    double b,
+    double c1,
+    double c2,
+    double c3,
+    double c4,
+    Axes sign,
+    Axes offset) {
+  /** Bit 0 of the Status (krl.md 3): the wrist centre lies behind A1. */
+  static final int BEHIND = 1;
+
+  /** Bit 1 of the Status: A3 is at or above the angle of the straight arm. */
+  static final int ELBOW = 2;
+
+  /**
+   * Bit 2 of the Status: A5 is negative. At 0 krl.md contradicts itself: section 3 sets the bit
+   * (marked U), section 2.1 has S 2 for the home position, which is followed.
+   */
+  static final int WRIST = 4;
+
+  /**
+   * What a position may be off, mm: a REAL of KRL is a 32-bit float, and a frame that was read from
+   * a controller must still be reached by the axes that it was read with.
+   */
+  private static final double LENGTH_TOLERANCE = 1e-3;
+
+  /** So near to A5 = 0, A4 and A6 are one axis, degrees; above what a 32-bit float loses. */
+  private static final double WRIST_SINGULARITY = 1e-4;
+
+  /** Gives the coordinate systems in which A1 to A6 turn, and last the flange. */
+  Transform[] chain(Axes axes) {
+    Transform one = Transform.IDENTITY.translate(0, 0, c1);
+    Transform two = one.rotateZ(theta(axes, 0)).translate(a1, 0, 0);
+    Transform three = two.rotateY(theta(axes, 1)).translate(0, 0, c2);
+    Transform four = three.rotateY(theta(axes, 2)).translate(a2, b, c3);
+    Transform five = four.rotateZ(theta(axes, 3));
+    Transform six = five.rotateY(theta(axes, 4));
+    Transform flange = six.rotateZ(theta(axes, 5)).translate(0, 0, c4);
+    return new Transform[] {one, two, three, four, five, six, flange};
+  }
+
+  /** Gives the axes' directions and levers in rows, per degree; the rows as the caller says. */
+  double[][] jacobian(Axes axes) {
+    Transform[] chain = chain(axes);
+    Vector flange = chain[Axes.COUNT].position();
+    double[][] rows = new double[6][Axes.COUNT];
+    for (int axis = 0; axis < Axes.COUNT; axis++) {
+      Vector line = axis == 1 || axis == 2 || axis == 4 ? Vector.Y : Vector.Z;
+      Vector turn = chain[axis].rotation().rotate(line).times(sign.get(axis));
+      Vector way = turn.cross(flange.minus(chain[axis].position())).times(Math.toRadians(1));
+      double[] column = {way.x(), way.y(), way.z(), turn.x(), turn.y(), turn.z()};
+      for (int row = 0; row < column.length; row++) {
+        rows[row][axis] = column[row];
+      }
+    }
+    return rows;
+  }
+
+  int status(Axes axes) {
+    double a3 = sign.a3() * (theta(axes, 2) + forearmAngle());
+    int behind = forward(axes) < -LENGTH_TOLERANCE ? BEHIND : 0;
+    int elbow = Numbers.normalised(a3) >= 0 ? ELBOW : 0;
+    int wrist = Numbers.normalised(axes.a5() - offset.a5()) < 0 ? WRIST : 0;
+    return behind | elbow | wrist;
+  }
+
+  /** Tells whether the wrist centre lies on A1, so that the front and the rear are the same. */
+  boolean overhead(Axes axes) {
+    return Math.abs(forward(axes)) <= LENGTH_TOLERANCE;
+  }
+
+  /** Says why the flange cannot get there; null if it can. Only {@link #BEHIND} matters. */
+  @Nullable String outOfReach(Frame flange, int status) {
+    Vector wrist = wristCentre(Transform.of(flange));
+    double fromA1 = Math.hypot(wrist.x(), wrist.y());
+    if (fromA1 < Math.abs(b) - LENGTH_TOLERANCE) {
+      return tooNear(Math.abs(b), fromA1, "A1");
+    }
+    double fromA2 = Math.hypot(forward(wrist, status) - a1, wrist.z() - c1);
+    double longest = c2 + forearm();
+    double shortest = Math.abs(c2 - forearm());
+    if (fromA2 > longest + LENGTH_TOLERANCE) {
+      return String.format(
+              Locale.ROOT,
+              "the wrist centre is %.3f mm beyond reach, which is %.3f mm from A2",
+              fromA2 - longest,
+              longest)
+          + side(status);
+    }
+    return fromA2 < shortest - LENGTH_TOLERANCE
+        ? tooNear(shortest, fromA2, "A2") + side(status)
+        : null;
+  }
+
+  /**
+   * Gives the one solution of a status, each angle above -180 and up to 180. The flange must be in
+   * reach. An angle that a singularity leaves free is taken from {@code free}: A1 if the wrist
+   * centre lies on A1, and A4 if A5 is 0.
+   */
+  Axes solve(Frame flange, int status, Axes free) {
+    Transform target = Transform.of(flange);
+    Vector wrist = wristCentre(target);
+    double forward = forward(wrist, status);
+    double theta1 =
+        Math.hypot(wrist.x(), wrist.y()) <= LENGTH_TOLERANCE
+            ? theta(free, 0)
+            : Math.toDegrees(Math.atan2(wrist.y(), wrist.x()) - Math.atan2(b, forward));
+    double bend = bend(Math.hypot(forward - a1, wrist.z() - c1), status);
+    double theta2 =
+        Math.toDegrees(
+            Math.atan2(forward - a1, wrist.z() - c1)
+                - Math.atan2(forearm() * Math.sin(bend), c2 + forearm() * Math.cos(bend)));
+    double theta3 = Math.toDegrees(bend) - forearmAngle();
+    Rotation hand =
+        Rotation.aboutZ(theta1)
+            .times(Rotation.aboutY(theta2 + theta3))
+            .inverse()
+            .times(target.rotation());
+    double[] wristAngles = wristAngles(hand, status, theta(free, 3));
+    return new Axes(
+        axis(0, theta1),
+        axis(1, theta2),
+        axis(2, theta3),
+        axis(3, wristAngles[0]),
+        axis(4, wristAngles[1]),
+        axis(5, wristAngles[2]));
+  }
+
+  /**
+   * Splits a rotation into those of A4, A5 and A6. The quaternion of Rz(4) Ry(5) Rz(6) is
+   *
+   * <pre>
+   * w =  cos(5/2) cos((4+6)/2)     x = -sin(5/2) sin((4-6)/2)
+   * z =  cos(5/2) sin((4+6)/2)     y =  sin(5/2) cos((4-6)/2)
+   * </pre>
+   *
+   * so that the sum and the difference of A4 and A6 can be read off.
+   */
+  private double[] wristAngles(Rotation hand, int status, double free4) {
+    double theta5 =
+        2
+            * Math.toDegrees(
+                Math.atan2(Math.hypot(hand.x(), hand.y()), Math.hypot(hand.w(), hand.z())));
+    double sum = 2 * Math.toDegrees(Math.atan2(hand.z(), hand.w()));
+    if (theta5 < WRIST_SINGULARITY) {
+      return new double[] {free4, 0, sum - free4};
+    }
+    double difference = 2 * Math.toDegrees(Math.atan2(-hand.x(), hand.y()));
+    boolean negative = isSet(status, WRIST) == sign.a5() > 0;
+    double theta4 = (sum + difference) / 2 + (negative ? 180 : 0);
+    return new double[] {theta4, negative ? -theta5 : theta5, sum - theta4};
+  }
+
+  /** Gives by how much the forearm is bent from the straight arm, in radians, by cosines' law. */
+  private double bend(double fromA2, int status) {
+    double cosine = (fromA2 * fromA2 - c2 * c2 - forearm() * forearm()) / (2 * c2 * forearm());
+    double bend = Math.acos(Math.max(-1, Math.min(1, cosine)));
+    return isSet(status, ELBOW) == sign.a3() > 0 ? bend : -bend;
+  }
+
+  private Vector wristCentre(Transform flange) {
+    return flange.translate(0, 0, -c4).position();
+  }
+
+  /** Gives how far the wrist centre lies before A1, negative if behind, for these axes. */
+  private double forward(Axes axes) {
+    double theta2 = theta(axes, 1);
+    double theta3 = theta(axes, 2) + forearmAngle();
+    return a1
+        + c2 * Math.sin(Math.toRadians(theta2))
+        + forearm() * Math.sin(Math.toRadians(theta2 + theta3));
+  }
+
+  /** Gives how far this wrist centre lies before A1, negative if behind, for this status. */
+  private double forward(Vector wrist, int status) {
+    double fromA1 = Math.hypot(wrist.x(), wrist.y());
+    double forward = Math.sqrt(Math.max(0, (fromA1 - b) * (fromA1 + b)));
+    return isSet(status, BEHIND) ? -forward : forward;
+  }
+
+  private double forearm() {
+    return Math.hypot(a2, c3);
+  }
+
+  /** Gives the angle at A3 between the forearm's line and the line to the wrist centre, degrees. */
+  private double forearmAngle() {
+    return Math.toDegrees(Math.atan2(a2, c3));
+  }
+
+  private double theta(Axes axes, int axis) {
+    return sign.get(axis) * (axes.get(axis) - offset.get(axis));
+  }
+
+  private double axis(int axis, double theta) {
+    return Numbers.normalised(sign.get(axis) * theta + offset.get(axis));
+  }
+
+  private static boolean isSet(int status, int bit) {
+    return (status & bit) != 0;
+  }
+
+  private static String tooNear(double shortest, double actual, String axis) {
+    return String.format(
+        Locale.ROOT,
+        "the wrist centre is %.3f mm too near to %s, from which it keeps %.3f mm",
+        shortest - actual,
+        axis,
+        shortest);
+  }
+
+  private static String side(int status) {
+    return isSet(status, BEHIND) ? ", with the wrist centre behind A1 (bit 0 of the Status)" : "";
+  }
+}

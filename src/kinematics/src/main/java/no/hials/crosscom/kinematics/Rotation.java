@@ -1,0 +1,62 @@
+package no.hials.crosscom.kinematics;
+
+/**
+ * A rotation, as a unit quaternion: of all forms the one in which the way between two rotations and
+ * the angles of a wrist are exact near every singularity.
+ */
+record Rotation(double w, double x, double y, double z) {
+  static final Rotation NONE = new Rotation(1, 0, 0, 0);
+
+  static Rotation aboutX(double degrees) {
+    double half = Math.toRadians(degrees) / 2;
+    return new Rotation(Math.cos(half), Math.sin(half), 0, 0);
+  }
+
+  static Rotation aboutY(double degrees) {
+    double half = Math.toRadians(degrees) / 2;
+    return new Rotation(Math.cos(half), 0, Math.sin(half), 0);
+  }
+
+  static Rotation aboutZ(double degrees) {
+    double half = Math.toRadians(degrees) / 2;
+    return new Rotation(Math.cos(half), 0, 0, Math.sin(half));
+  }
+
+  Rotation times(Rotation right) {
+    return new Rotation(
+        w * right.w - x * right.x - y * right.y - z * right.z,
+        w * right.x + x * right.w + y * right.z - z * right.y,
+        w * right.y - x * right.z + y * right.w + z * right.x,
+        w * right.z + x * right.y - y * right.x + z * right.w);
+  }
+
+  Rotation inverse() {
+    return new Rotation(w, -x, -y, -z);
+  }
+
+  Vector rotate(Vector v) {
+    Vector axis = new Vector(x, y, z);
+    Vector twice = axis.cross(v).times(2);
+    return v.plus(twice.times(w)).plus(axis.cross(twice));
+  }
+
+  /** Gives the angle of the rotation, 0 to 180 degrees. */
+  double angle() {
+    return Math.toDegrees(2 * Math.atan2(sineOfHalf(), Math.abs(w)));
+  }
+
+  /** Gives the same axis and the given part of the angle, the shorter way round. */
+  Rotation part(double s) {
+    double sine = sineOfHalf();
+    if (sine == 0) {
+      return NONE;
+    }
+    double half = s * Math.atan2(sine, Math.abs(w));
+    double scale = Math.copySign(Math.sin(half) / sine, w);
+    return new Rotation(Math.cos(half), x * scale, y * scale, z * scale);
+  }
+
+  private double sineOfHalf() {
+    return new Vector(x, y, z).length();
+  }
+}

@@ -1,0 +1,75 @@
+package no.hials.crosscom.kinematics;
+
+/** A coordinate system in another one: what a {@link Frame} says, in the form to reckon with. */
+record Transform(Vector position, Rotation rotation) {
+  static final Transform IDENTITY = new Transform(Vector.ZERO, Rotation.NONE);
+
+  /**
+   * So near to B = ±90 (cosine of B), A and C are one angle. Wide enough for what products of
+   * rotations lose, and far below what a REAL of KRL can say.
+   */
+  private static final double GIMBAL_LOCK = 1e-9;
+
+  static Transform of(Frame frame) {
+    Rotation rotation =
+        Rotation.aboutZ(frame.a())
+            .times(Rotation.aboutY(frame.b()))
+            .times(Rotation.aboutX(frame.c()));
+    return new Transform(new Vector(frame.x(), frame.y(), frame.z()), rotation);
+  }
+
+  Transform times(Transform right) {
+    return new Transform(
+        position.plus(rotation.rotate(right.position)), rotation.times(right.rotation));
+  }
+
+  Transform inverse() {
+    Rotation back = rotation.inverse();
+    return new Transform(back.rotate(position).times(-1), back);
+  }
+
+  Transform translate(double x, double y, double z) {
+    return new Transform(position.plus(rotation.rotate(new Vector(x, y, z))), rotation);
+  }
+
+  Transform rotateY(double degrees) {
+    return new Transform(position, rotation.times(Rotation.aboutY(degrees)));
+  }
+
+  Transform rotateZ(double degrees) {
+    return new Transform(position, rotation.times(Rotation.aboutZ(degrees)));
+  }
+
+  /** Extracts A, B, C as krl.md 3 has it, from the matrix of the quaternion. */
+  Frame toFrame() {
+    double w = rotation.w();
+    double x = rotation.x();
+    double y = rotation.y();
+    double z = rotation.z();
+    double r11 = 1 - 2 * (y * y + z * z);
+    double r21 = 2 * (x * y + w * z);
+    double sineOfB = 2 * (w * y - x * z);
+    double cosineOfB = Math.hypot(r11, r21);
+    if (cosineOfB < GIMBAL_LOCK) {
+      // krl.md 3 leaves the choice of A or C open, KSS's is not known. C = 0 is assumed: at home
+      // with A1 turned, the frame then shows the turn of A1 in A.
+      double r12 = 2 * (x * y - w * z);
+      double r22 = 1 - 2 * (x * x + z * z);
+      return frame(Math.atan2(-r12, r22), Math.copySign(Math.PI / 2, sineOfB), 0);
+    }
+    double r32 = 2 * (y * z + w * x);
+    double r33 = 1 - 2 * (x * x + y * y);
+    return frame(Math.atan2(r21, r11), Math.atan2(sineOfB, cosineOfB), Math.atan2(r32, r33));
+  }
+
+  /** Makes a frame of the angles, given in radians, without -0 anywhere. */
+  private Frame frame(double a, double b, double c) {
+    return new Frame(
+        position.x() + 0.0,
+        position.y() + 0.0,
+        position.z() + 0.0,
+        Numbers.normalised(Math.toDegrees(a)),
+        Numbers.normalised(Math.toDegrees(b)),
+        Numbers.normalised(Math.toDegrees(c)));
+  }
+}

@@ -1,0 +1,31 @@
+package no.hials.crosscom.kinematics;
+
+import org.junit.jupiter.params.aggregator.ArgumentsAccessor;
+
+/** What several tests need: rows of a table, and differences of angles. */
+final class Checks {
+
+  private Checks() {}
+
+  static Axes axes(ArgumentsAccessor row, int first) {
+    return Axes.of(six(row, first));
+  }
+
+  static Frame frame(ArgumentsAccessor row, int first) {
+    double[] six = six(row, first);
+    return new Frame(six[0], six[1], six[2], six[3], six[4], six[5]);
+  }
+
+  /** Gives the angle between two directions, so that 180 and -180 are the same. */
+  static double turnBetween(double one, double other) {
+    return Math.abs(Math.IEEEremainder(one - other, 360));
+  }
+
+  private static double[] six(ArgumentsAccessor row, int first) {
+    double[] six = new double[6];
+    for (int i = 0; i < six.length; i++) {
+      six[i] = row.getDouble(first + i);
+    }
+    return six;
+  }
+}

@@ -1,0 +1,154 @@
+package no.hials.crosscom.kinematics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+final class FrameTest {
+  private static final Frame SOME = new Frame(100, -200, 300, 30, -40, 50);
+
+  @Test
+  void theProductTakesAPointThroughTheRotation() {
+    Frame table = new Frame(10, 20, 30, 90, 0, 0);
+
+    Frame point = table.times(new Frame(1, 0, 5, 0, 0, 0));
+
+    assertSame(point, new Frame(10, 21, 35, 90, 0, 0));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    // Each about one axis: the next axis goes where the right-hand rule takes it.
+    "90, 0, 0, 0, 1, 0",
+    "0, 90, 0, 0, 0, -1",
+    "0, 0, 90, 1, 0, 0",
+    "90, 90, 0, 0, 0, -1"
+  })
+  void theAnglesTurnTheXAxisAboutZThenNewYThenNewX(
+      double a, double b, double c, double x, double y, double z) {
+    Frame onX = new Frame(0, 0, 0, a, b, c).times(new Frame(1, 0, 0, 0, 0, 0));
+
+    assertThat(onX.distance(new Frame(x, y, z, 0, 0, 0))).isLessThan(1e-12);
+  }
+
+  @Test
+  void theOrderOfAProductMatters() {
+    Frame shift = new Frame(1, 0, 0, 0, 0, 0);
+    Frame turn = new Frame(0, 0, 0, 90, 0, 0);
+
+    assertSame(shift.times(turn), new Frame(1, 0, 0, 90, 0, 0));
+    assertSame(turn.times(shift), new Frame(0, 1, 0, 90, 0, 0));
+  }
+
+  @Property(tries = 300)
+  void aFrameAndItsInverseMakeTheIdentity(@ForAll("frames") Frame frame) {
+    assertSame(frame.times(frame.inverse()), Frame.IDENTITY);
+    assertSame(frame.inverse().times(frame), Frame.IDENTITY);
+  }
+
+  @Property(tries = 300)
+  void theAnglesOfAProductAreNormalisedAndSayTheSame(@ForAll("frames") Frame frame) {
+    Frame same = frame.times(Frame.IDENTITY);
+
+    assertSame(same, frame);
+    assertThat(same.a()).isGreaterThan(-180).isLessThanOrEqualTo(180);
+    assertThat(same.b()).isBetween(-90.0, 90.0);
+    assertThat(same.c()).isGreaterThan(-180).isLessThanOrEqualTo(180);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "190, 0, 0, -170, 0, 0",
+    "-180, 0, 0, 180, 0, 0",
+    "0, 100, 0, 180, 80, 180",
+    // B = 90: C - A is all that matters; C = 0
+    "10, 90, 30, -20, 90, 0",
+    "10, -90, 30, 40, -90, 0"
+  })
+  void anglesAreNormalised(double a, double b, double c, double a2, double b2, double c2) {
+    Frame frame = new Frame(0, 0, 0, a, b, c).times(Frame.IDENTITY);
+
+    assertThat(frame.a()).isEqualTo(a2, within(1e-12));
+    assertThat(frame.b()).isEqualTo(b2, within(1e-12));
+    assertThat(frame.c()).isEqualTo(c2, within(1e-12));
+  }
+
+  @Property(tries = 300)
+  void theInterpolationGoesEvenlyFromOneToTheOther(
+      @ForAll("frames") Frame from, @ForAll("frames") Frame to) {
+    assertSame(from.interpolate(to, 0), from);
+    assertSame(from.interpolate(to, 1), to);
+    Frame between = from.interpolate(to, 0.25);
+    assertThat(between.distance(from)).isEqualTo(from.distance(to) / 4, within(1e-9));
+    assertThat(between.angle(from)).isEqualTo(from.angle(to) / 4, within(1e-6));
+    assertThat(between.angle(to)).isEqualTo(from.angle(to) * 3 / 4, within(1e-6));
+  }
+
+  @Test
+  void theInterpolationTakesTheShorterWayRound() {
+    Frame from = new Frame(0, 0, 0, 170, 0, 0);
+    Frame to = new Frame(0, 0, 0, -160, 0, 0);
+
+    assertThat(from.interpolate(to, 0.5).a()).isEqualTo(-175, within(1e-9));
+  }
+
+  @Test
+  void theInterpolationBetweenOppositesIsAlwaysTheSameWay() {
+    Frame opposite = new Frame(0, 0, 0, 180, 0, 0);
+
+    Frame half = Frame.IDENTITY.interpolate(opposite, 0.5);
+
+    assertThat(half.angle(Frame.IDENTITY)).isEqualTo(90, within(1e-9));
+    assertThat(Frame.IDENTITY.interpolate(opposite, 0.5)).isEqualTo(half);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {-1e-9, 1.000001, Double.NaN})
+  void refusesAPartOutsideTheWay(double s) {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Frame.IDENTITY.interpolate(SOME, s))
+        .withMessage("the part of the way must be 0 to 1, is " + s);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1e-7", "0.5", "179.9999", "180"})
+  void measuresSmallAndLargeAngles(double angle) {
+    assertThat(SOME.angle(SOME.times(new Frame(1, 2, 3, 0, 0, angle))))
+        .isEqualTo(angle, within(1e-12));
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
+  void refusesWhatIsNotFinite(double value) {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new Frame(0, value, 0, 0, 0, 0))
+        .withMessage("Y must be finite, is " + value);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new Frame(0, 0, 0, 0, 0, value))
+        .withMessage("C must be finite, is " + value);
+  }
+
+  @Provide
+  Arbitrary<Frame> frames() {
+    Arbitrary<Double> mm = Arbitraries.doubles().between(-2000, 2000);
+    Arbitrary<Double> degrees = Arbitraries.doubles().between(-360, 360);
+    return Combinators.combine(mm, mm, mm, degrees, degrees, degrees).as(Frame::new);
+  }
+
+  private static void assertSame(Frame actual, Frame expected) {
+    assertThat(actual.distance(expected)).isLessThan(1e-9);
+    // Near B = 90 the choice of A and C may lose so much.
+    assertThat(actual.angle(expected)).isLessThan(1e-6);
+  }
+}

@@ -1,0 +1,380 @@
+/*
+ * The lines of KRL: .src, .sub and .dat files (krl.md 4).
+ *
+ * KRL is a language of lines, so the start rule is a line. What belongs together over several
+ * lines (DEF ... END, IF ... ENDIF) is put together by FileBuilder: a mistake in a line stays
+ * in that line, and a missing ENDIF is one error and not a hundred.
+ *
+ * Every choice is made by the next token, but for the operators of an expression. So an error
+ * is found at the first token that cannot stand where it is.
+ *
+ * Keywords that have a meaning at one place only (SEC, STEP, DISTANCE, ...) are names elsewhere:
+ * $DATE.SEC is a component. Types are names, too. Statements that are not supported (SPTP, ...)
+ * are no part of the grammar: see UnsupportedStatements.
+ */
+grammar KrlGrammar;
+
+options {
+  caseInsensitive = true;
+}
+
+line : content? (NEWLINE | EOF) ;
+
+content
+  : HEADER
+  | modifier+ (definition | variables)
+  | definition
+  | named
+  | dataListBegin
+  | end
+  | blockBegin
+  | blockMiddle
+  | blockEnd
+  | simpleStatement
+  | motion
+  | pulse
+  | trigger
+  ;
+
+// ---- modules and declarations
+
+dataListBegin : DEFDAT name PUBLIC? ;
+
+end : END | ENDFCT | ENDDAT ;
+
+modifier : GLOBAL | DECL | CONST ;
+
+definition
+  : routineBegin
+  | functionBegin
+  | struc
+  | enumeration
+  | signal
+  | external
+  | externalFunction
+  | imported
+  | interrupt
+  ;
+
+routineBegin : DEF name parameters ;
+
+// That a function may give an array (CHAR[]) is assumed.
+functionBegin : DEFFCT name brackets? name parameters ;
+
+parameters : '(' (parameter (',' parameter)*)? ')' ;
+
+parameter : name brackets? (':' (IN | OUT))? ;
+
+variables : name declarator (',' declarator)* ;
+
+declarator : name brackets? ('=' expression)? ;
+
+struc : STRUC name component (',' component)* ;
+
+// A component without a type has the one before it.
+component : name name? brackets? ;
+
+enumeration : ENUM name name (',' name)* ;
+
+signal : SIGNAL name (FALSE | variable (TO variable)?) ;
+
+external : EXT name parameters ;
+
+externalFunction : EXTFCT name brackets? name parameters ;
+
+imported : IMPORT name name brackets? IS importPath ;
+
+importPath : ('/' name)+ '..' name ;
+
+// ---- statements
+
+// What begins with a name: a label, a call, a declaration without DECL, an assignment.
+named
+  : name
+    ( ':'
+    | arguments
+    | declarator (',' declarator)*
+    | steps '=' expression
+    )
+  ;
+
+blockBegin
+  : IF expression THEN
+  | SWITCH expression
+  | FOR variable '=' expression TO expression (STEP expression)?
+  | WHILE expression
+  | REPEAT
+  | LOOP
+  ;
+
+blockMiddle
+  : ELSE
+  | CASE expression (',' expression)*
+  | DEFAULT
+  ;
+
+blockEnd
+  : ENDIF
+  | ENDSWITCH
+  | ENDFOR
+  | ENDWHILE
+  | UNTIL expression
+  | ENDLOOP
+  ;
+
+simpleStatement
+  : EXIT
+  | GOTO name
+  | RETURN expression?
+  | HALT
+  | CONTINUE
+  | WAIT (FOR expression | SEC expression)
+  | RESUME
+  | BRAKE F?
+  ;
+
+interrupt
+  : INTERRUPT
+    ( DECL expression WHEN expression DO action
+    | (ON | OFF | ENABLE | DISABLE) expression?
+    )
+  ;
+
+trigger
+  : TRIGGER WHEN (DISTANCE | PATH) '=' distance=expression
+    (DELAY '=' delay=expression)?
+    DO action
+    (PRIO '=' priority=expression)?
+  ;
+
+action
+  : pulse
+  | name (arguments | steps '=' expression)
+  ;
+
+pulse : PULSE '(' variable ',' expression ',' expression ')' ;
+
+// PTP takes C_DIS and the like alone as well (assumed); the others have no C_PTP (krl.md 4).
+motion
+  : (PTP | PTP_REL) expression (anyApproximation anyApproximation?)?
+  | LIN expression (pathApproximation pathApproximation?)?
+  | LIN_REL expression (pathApproximation pathApproximation?)? ENUM_VALUE?
+  | CIRC expression ',' expression (',' CA expression)?
+    (pathApproximation pathApproximation?)?
+  | CIRC_REL expression ',' expression (',' CA expression)?
+    (pathApproximation pathApproximation?)? ENUM_VALUE?
+  ;
+
+anyApproximation : C_PTP | pathApproximation ;
+
+pathApproximation : C_DIS | C_VEL | C_ORI ;
+
+// ---- expressions
+
+// The order of the alternatives is the precedence, the tightest first; operators of one
+// alternative are taken from left to right.
+//
+// krl.md 4 names the operators (partly U) but not their order. KUKA's manuals, as far as known,
+// rank NOT B_NOT, then * /, then + -, then AND B_AND, then EXOR B_EXOR, then OR B_OR, and last the
+// comparisons; so does the grammar Roiki11/KRLparser (krl.md 4), with the geometric operator
+// behind NOT. Taken literally A==1 AND B==2 is then (A==(1 AND B))==2, which has no type.
+// Assumed here: the comparisons stand between the bit operators and the logical ones. So
+// A==1 AND B==2 joins two comparisons, and A B_AND 4==4 compares the result of B_AND. For three
+// BOOLs without parentheses (A AND B==C) a controller may differ.
+expression
+  : operator=('+' | '-' | NOT | B_NOT) expression
+  | expression operator=':' expression
+  | expression operator=('*' | '/') expression
+  | expression operator=('+' | '-') expression
+  | expression operator=B_AND expression
+  | expression operator=B_EXOR expression
+  | expression operator=B_OR expression
+  | expression operator=('==' | '<>' | '<' | '<=' | '>' | '>=') expression
+  | expression operator=AND expression
+  | expression operator=EXOR expression
+  | expression operator=OR expression
+  | primary
+  ;
+
+primary
+  : '(' expression ')'
+  | INT
+  | REAL
+  | BITS
+  | TRUE
+  | FALSE
+  | TEXT
+  | ENUM_VALUE
+  | aggregate
+  | reference
+  ;
+
+// {X 1,Y 2} or {FRAME: X 1,Y 2}: whether the first name is a type shows behind it.
+aggregate : '{' (name (':' (field (',' field)*)? | brackets? expression (',' field)*))? '}' ;
+
+field : name brackets? expression ;
+
+reference : name (arguments | steps) ;
+
+variable : name steps ;
+
+steps : brackets? ('.' step)* ;
+
+step : name brackets? ;
+
+brackets : '[' dimension (',' dimension)* ']' ;
+
+dimension : expression? ;
+
+arguments : '(' argument (',' argument)* ')' ;
+
+argument : expression? ;
+
+// Keywords at one place, names at all others.
+name
+  : NAME
+  | CA
+  | DELAY
+  | DISABLE
+  | DISTANCE
+  | ENABLE
+  | F
+  | IN
+  | IS
+  | OFF
+  | ON
+  | OUT
+  | PATH
+  | PRIO
+  | PUBLIC
+  | SEC
+  | STEP
+  ;
+
+// ---- tokens
+
+AND : 'AND' ;
+B_AND : 'B_AND' ;
+B_EXOR : 'B_EXOR' ;
+B_NOT : 'B_NOT' ;
+B_OR : 'B_OR' ;
+BRAKE : 'BRAKE' ;
+C_DIS : 'C_DIS' ;
+C_ORI : 'C_ORI' ;
+C_PTP : 'C_PTP' ;
+C_VEL : 'C_VEL' ;
+CA : 'CA' ;
+CASE : 'CASE' ;
+CIRC : 'CIRC' ;
+CIRC_REL : 'CIRC_REL' ;
+CONST : 'CONST' ;
+CONTINUE : 'CONTINUE' ;
+DECL : 'DECL' ;
+DEF : 'DEF' ;
+DEFAULT : 'DEFAULT' ;
+DEFDAT : 'DEFDAT' ;
+DEFFCT : 'DEFFCT' ;
+DELAY : 'DELAY' ;
+DISABLE : 'DISABLE' ;
+DISTANCE : 'DISTANCE' ;
+DO : 'DO' ;
+ELSE : 'ELSE' ;
+ENABLE : 'ENABLE' ;
+END : 'END' ;
+ENDDAT : 'ENDDAT' ;
+ENDFCT : 'ENDFCT' ;
+ENDFOR : 'ENDFOR' ;
+ENDIF : 'ENDIF' ;
+ENDLOOP : 'ENDLOOP' ;
+ENDSWITCH : 'ENDSWITCH' ;
+ENDWHILE : 'ENDWHILE' ;
+ENUM : 'ENUM' ;
+EXIT : 'EXIT' ;
+EXOR : 'EXOR' ;
+EXT : 'EXT' ;
+EXTFCT : 'EXTFCT' ;
+F : 'F' ;
+FALSE : 'FALSE' ;
+FOR : 'FOR' ;
+GLOBAL : 'GLOBAL' ;
+GOTO : 'GOTO' ;
+HALT : 'HALT' ;
+IF : 'IF' ;
+IMPORT : 'IMPORT' ;
+IN : 'IN' ;
+INTERRUPT : 'INTERRUPT' ;
+IS : 'IS' ;
+LIN : 'LIN' ;
+LIN_REL : 'LIN_REL' ;
+LOOP : 'LOOP' ;
+NOT : 'NOT' ;
+OFF : 'OFF' ;
+ON : 'ON' ;
+OR : 'OR' ;
+OUT : 'OUT' ;
+PATH : 'PATH' ;
+PRIO : 'PRIO' ;
+PTP : 'PTP' ;
+PTP_REL : 'PTP_REL' ;
+PUBLIC : 'PUBLIC' ;
+PULSE : 'PULSE' ;
+REPEAT : 'REPEAT' ;
+RESUME : 'RESUME' ;
+RETURN : 'RETURN' ;
+SEC : 'SEC' ;
+SIGNAL : 'SIGNAL' ;
+STEP : 'STEP' ;
+STRUC : 'STRUC' ;
+SWITCH : 'SWITCH' ;
+THEN : 'THEN' ;
+TO : 'TO' ;
+TRIGGER : 'TRIGGER' ;
+TRUE : 'TRUE' ;
+UNTIL : 'UNTIL' ;
+WAIT : 'WAIT' ;
+WHEN : 'WHEN' ;
+WHILE : 'WHILE' ;
+
+ASSIGN : '=' ;
+COLON : ':' ;
+COMMA : ',' ;
+DIVIDED : '/' ;
+DOT : '.' ;
+DOTS : '..' ;
+EQUAL : '==' ;
+UNEQUAL : '<>' ;
+LESS : '<' ;
+AT_MOST : '<=' ;
+GREATER : '>' ;
+AT_LEAST : '>=' ;
+MINUS : '-' ;
+PLUS : '+' ;
+TIMES : '*' ;
+LEFT_PARENTHESIS : '(' ;
+RIGHT_PARENTHESIS : ')' ;
+LEFT_BRACKET : '[' ;
+RIGHT_BRACKET : ']' ;
+LEFT_BRACE : '{' ;
+RIGHT_BRACE : '}' ;
+
+// krl.md 1.1
+INT : DIGIT+ ;
+REAL : DIGIT+ EXPONENT | DIGIT+ '.' DIGIT* EXPONENT? | '.' DIGIT+ EXPONENT? ;
+BITS : '\'' ('B' [01]+ | 'H' [0-9A-F]+) '\'' ;
+TEXT : '"' ~["\r\n]* '"' ;
+ENUM_VALUE : '#' WORD ;
+NAME : WORD ;
+HEADER : '&' ~[\r\n]* ;
+
+COMMENT : ';' ~[\r\n]* -> channel(HIDDEN) ;
+BLANK : [ \t]+ -> channel(HIDDEN) ;
+NEWLINE : '\r'? '\n' ;
+
+// What is no token is one all the same: the parser says where it stands and what it is.
+OPEN_TEXT : '"' ~["\r\n]* ;
+WRONG_BITS : '\'' ~['\r\n;]* '\''? ;
+UNKNOWN : . ;
+
+fragment DIGIT : [0-9] ;
+fragment EXPONENT : 'E' [+-]? DIGIT+ ;
+fragment WORD : [A-Z_$] [A-Z0-9_$]* ;

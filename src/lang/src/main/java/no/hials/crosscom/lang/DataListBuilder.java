@@ -1,0 +1,88 @@
+package no.hials.crosscom.lang;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.NamedContext;
+import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
+
+/** Puts the lines between {@code DEFDAT} and {@code ENDDAT} together. */
+final class DataListBuilder {
+  private final Errors errors;
+  private final ExpressionBuilder expressions;
+  private final DeclarationBuilder declarationBuilder;
+  private final Position position;
+  private final List<Declaration> declarations = new ArrayList<>();
+  private @Nullable String name;
+  private boolean isPublic;
+  private boolean suspect;
+
+  DataListBuilder(Line line, Errors errors) {
+    this.errors = errors;
+    expressions = new ExpressionBuilder(errors);
+    declarationBuilder = new DeclarationBuilder(errors, expressions, true);
+    position = errors.at(line.first());
+    ContentContext content = line.parse(errors);
+    if (content != null) {
+      name = declarationBuilder.declared(content.dataListBegin().name());
+      isPublic = content.dataListBegin().PUBLIC() != null;
+    }
+  }
+
+  /** Takes a line. */
+  void add(Line line) {
+    if (UnsupportedStatements.contain(line)) {
+      UnsupportedStatements.report(line, errors);
+      return;
+    }
+    // Two names can only be a declaration here, so DECL may be left out before any type (assumed).
+    if (line.isUnknown() && !ErrorWords.isName(line.second())) {
+      ErrorWords.reportUnknown(line, errors);
+      suspect |= line.isOneWord();
+      return;
+    }
+    ContentContext content = line.parse(errors);
+    if (content == null) {
+      return;
+    }
+    Declaration declaration = declarationBuilder.build(content, line.comment());
+    if (declaration == null) {
+      declaration = initialValue(line, content);
+    }
+    if (declaration != null) {
+      declarations.add(declaration);
+    }
+  }
+
+  private @Nullable Declaration initialValue(Line line, ContentContext content) {
+    NamedContext named = content.named();
+    if (named == null || named.steps() == null) {
+      errors.add(
+          line.first(), "only declarations stand in a data list, found " + line.first().getText());
+      return null;
+    }
+    return new Declaration.InitialValue(
+        expressions.at(named),
+        expressions.variable(named.name(), named.steps()),
+        expressions.build(named.expression()),
+        line.comment());
+  }
+
+  /**
+   * Ends the data list.
+   *
+   * @param found {@code ENDDAT}, or what stands where it should stand
+   * @return null if its first line was not understood
+   */
+  @Nullable DataList finish(Token found, Map<String, String> headers) {
+    if (found.getType() != KrlGrammarParser.ENDDAT && !suspect) {
+      errors.add(found, "expected ENDDAT, found " + ErrorWords.found(found));
+    }
+    return name == null
+        ? null
+        : new DataList(position, name, isPublic, headers, List.copyOf(declarations));
+  }
+}

@@ -1,0 +1,126 @@
+package no.hials.crosscom.lang;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** A declaration, or a line that gives something declared its initial value. */
+public sealed interface Declaration {
+
+  /**
+   * Gives the place.
+   *
+   * @return where it begins
+   */
+  Position position();
+
+  /**
+   * A name with dimensions and an initial value.
+   *
+   * @param position where the name stands
+   * @param name the name as written
+   * @param dimensions the length of each dimension: constant expressions; none for what is no
+   *     array; null for one left open, as in {@code NAME[]}
+   * @param initial the initial value, or null
+   */
+  record Declarator(
+      Position position,
+      String name,
+      List<@Nullable Expression> dimensions,
+      @Nullable Expression initial) {}
+
+  /**
+   * Variables of one type, with or without {@code DECL}.
+   *
+   * @param position where it begins
+   * @param global whether it says {@code GLOBAL}
+   * @param constant whether it says {@code CONST}
+   * @param type the type's name as written
+   * @param variables at least one
+   * @param comment the comment behind it on the same line, without {@code ;}; empty if none
+   */
+  record Variables(
+      Position position,
+      boolean global,
+      boolean constant,
+      String type,
+      List<Declarator> variables,
+      String comment)
+      implements Declaration {}
+
+  /**
+   * A structure type.
+   *
+   * @param position where it begins
+   * @param global whether it says {@code GLOBAL}
+   * @param name the type's name as written
+   * @param components the components in the order of the file; none has an initial value
+   * @param comment the comment behind it on the same line, without {@code ;}; empty if none
+   */
+  record Struc(
+      Position position, boolean global, String name, List<Component> components, String comment)
+      implements Declaration {}
+
+  /**
+   * A component of a structure type.
+   *
+   * @param type the type's name as written
+   * @param declarator name and dimensions
+   */
+  record Component(String type, Declarator declarator) {}
+
+  /**
+   * An enumeration type.
+   *
+   * @param position where it begins
+   * @param global whether it says {@code GLOBAL}
+   * @param name the type's name as written
+   * @param constants the constants, without {@code #}
+   * @param comment the comment behind it on the same line, without {@code ;}; empty if none
+   */
+  record Enumeration(
+      Position position, boolean global, String name, List<String> constants, String comment)
+      implements Declaration {}
+
+  /**
+   * A signal: {@code SIGNAL NAME $OUT[1] TO $OUT[8]}, or {@code SIGNAL NAME FALSE} for one that is
+   * not wired.
+   *
+   * @param position where it begins
+   * @param global whether it says {@code GLOBAL}
+   * @param name the name as written
+   * @param first the input or output, or the first of several; null if not wired
+   * @param last the last of several; null for a single one
+   * @param comment the comment behind it on the same line, without {@code ;}; empty if none
+   */
+  record Signal(
+      Position position,
+      boolean global,
+      String name,
+      Expression.@Nullable Variable first,
+      Expression.@Nullable Variable last,
+      String comment)
+      implements Declaration {}
+
+  /**
+   * A line of a data list that gives an element or a component its value: {@code
+   * $SOFTN_END[1]=-170.0}.
+   *
+   * @param position where it begins
+   * @param target what gets the value
+   * @param value the value
+   * @param comment the comment behind it on the same line, without {@code ;}; empty if none
+   */
+  record InitialValue(
+      Position position, Expression.Variable target, Expression value, String comment)
+      implements Declaration {}
+
+  /**
+   * A routine or variable of another module: {@code EXT}, {@code EXTFCT}, {@code IMPORT}.
+   *
+   * @param position where it begins
+   * @param name the name that it makes known
+   * @param source where {@code IMPORT ... IS /R1/MODULE..NAME} says it comes from; empty if it does
+   *     not say
+   */
+  record External(Position position, String name, String source) implements Declaration {}
+}

@@ -1,0 +1,236 @@
+package no.hials.crosscom.lang;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.lang.Declaration.Component;
+import no.hials.crosscom.lang.Declaration.Declarator;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BracketsContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ComponentContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.DeclaratorContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.DefinitionContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.EnumerationContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ImportedContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ModifierContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.NameContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.NamedContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ParameterContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ParametersContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.SignalContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.StrucContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.VariableContext;
+import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
+
+/** Makes the records of declarations. */
+final class DeclarationBuilder {
+  /** krl.md 1.1. */
+  private static final int MAX_NAME = 24;
+
+  private final Errors errors;
+  private final ExpressionBuilder expressions;
+  private final boolean dataList;
+
+  /**
+   * @param dataList whether initial values are allowed
+   */
+  DeclarationBuilder(Errors errors, ExpressionBuilder expressions, boolean dataList) {
+    this.errors = errors;
+    this.expressions = expressions;
+    this.dataList = dataList;
+  }
+
+  /** Gives the declaration on a line, or null if it is something else. */
+  @Nullable Declaration build(ContentContext content, String comment) {
+    if (content.variables() != null) {
+      return variables(
+          content, content.variables().name(), content.variables().declarator(), comment);
+    }
+    NamedContext named = content.named();
+    if (named != null && !named.declarator().isEmpty()) {
+      return variables(content, named.name(), named.declarator(), comment);
+    }
+    return content.definition() == null ? null : definition(content, content.definition(), comment);
+  }
+
+  private @Nullable Declaration definition(
+      ContentContext content, DefinitionContext definition, String comment) {
+    if (definition.struc() != null) {
+      return struc(content, definition.struc(), comment);
+    }
+    if (definition.enumeration() != null) {
+      return enumeration(content, definition.enumeration(), comment);
+    }
+    if (definition.signal() != null) {
+      return signal(content, definition.signal(), comment);
+    }
+    return external(content, definition);
+  }
+
+  private @Nullable Declaration external(ContentContext content, DefinitionContext definition) {
+    NameContext name;
+    String source = "";
+    if (definition.external() != null) {
+      name = definition.external().name();
+      parameters(definition.external().parameters());
+    } else if (definition.externalFunction() != null) {
+      name = definition.externalFunction().name(1);
+      parameters(definition.externalFunction().parameters());
+    } else if (definition.imported() != null) {
+      ImportedContext imported = definition.imported();
+      name = imported.name(1);
+      source = imported.importPath().getText();
+    } else {
+      return null;
+    }
+    return new Declaration.External(begin(content, false, false), declared(name), source);
+  }
+
+  private Declaration variables(
+      ContentContext content,
+      NameContext type,
+      List<DeclaratorContext> declarators,
+      String comment) {
+    Position position = begin(content, true, true);
+    boolean constant = has(content, KrlGrammarParser.CONST);
+    List<Declarator> variables = new ArrayList<>();
+    for (DeclaratorContext declarator : declarators) {
+      variables.add(declarator(declarator, constant));
+    }
+    return new Declaration.Variables(
+        position, isGlobal(content), constant, type.getText(), List.copyOf(variables), comment);
+  }
+
+  private Declarator declarator(DeclaratorContext context, boolean constant) {
+    Expression initial = expressions.buildOptional(context.expression());
+    if (initial != null && !dataList) {
+      errors.add(
+          context.ASSIGN().getSymbol(), "a variable has an initial value in a data list only");
+    }
+    if (initial == null && constant && dataList) {
+      errors.add(
+          context.getStart(),
+          "expected an initial value of the constant " + context.name().getText());
+    }
+    return new Declarator(
+        expressions.at(context),
+        declared(context.name()),
+        expressions.dimensions(context.brackets()),
+        initial);
+  }
+
+  private Declaration struc(ContentContext content, StrucContext struc, String comment) {
+    Position position = begin(content, true, false);
+    String name = declared(struc.name());
+    List<Component> components = new ArrayList<>();
+    String type = "";
+    for (ComponentContext context : struc.component()) {
+      if (context.name().size() == 2) {
+        type = context.name(0).getText();
+      } else if (components.isEmpty()) {
+        errors.add(context.getStart(), "expected a type and a name, found " + context.getText());
+      }
+      NameContext component = context.name(context.name().size() - 1);
+      components.add(
+          new Component(
+              type,
+              new Declarator(
+                  expressions.at(component),
+                  declared(component),
+                  expressions.dimensions(context.brackets()),
+                  null)));
+    }
+    return new Declaration.Struc(
+        position, isGlobal(content), name, List.copyOf(components), comment);
+  }
+
+  private Declaration enumeration(
+      ContentContext content, EnumerationContext enumeration, String comment) {
+    Position position = begin(content, true, false);
+    List<String> names = enumeration.name().stream().map(this::declared).toList();
+    return new Declaration.Enumeration(
+        position, isGlobal(content), names.get(0), names.subList(1, names.size()), comment);
+  }
+
+  private Declaration signal(ContentContext content, SignalContext signal, String comment) {
+    Position position = begin(content, true, false);
+    List<VariableContext> ends = signal.variable();
+    return new Declaration.Signal(
+        position,
+        isGlobal(content),
+        declared(signal.name()),
+        ends.isEmpty() ? null : expressions.variable(ends.get(0)),
+        ends.size() < 2 ? null : expressions.variable(ends.get(1)),
+        comment);
+  }
+
+  List<Routine.Parameter> parameters(ParametersContext context) {
+    List<Routine.Parameter> parameters = new ArrayList<>();
+    for (ParameterContext parameter : context.parameter()) {
+      parameters.add(
+          new Routine.Parameter(
+              expressions.at(parameter),
+              declared(parameter.name()),
+              openDimensions(parameter.brackets()),
+              parameter.IN() == null));
+    }
+    return List.copyOf(parameters);
+  }
+
+  /** Gives how many dimensions brackets leave open, as a parameter's do. */
+  private int openDimensions(@Nullable BracketsContext brackets) {
+    List<@Nullable Expression> dimensions = expressions.dimensions(brackets);
+    for (@Nullable Expression dimension : dimensions) {
+      if (dimension != null) {
+        errors.add(dimension.position(), "a parameter's dimensions are left open, as in NAME[]");
+      }
+    }
+    return dimensions.size();
+  }
+
+  /** Gives a name that is made known, and reports one that is too long. */
+  String declared(NameContext context) {
+    String name = context.getText();
+    if (name.length() > MAX_NAME) {
+      errors.add(
+          context.getStart(),
+          "a name has at most "
+              + MAX_NAME
+              + " characters, "
+              + ErrorWords.shorten(name)
+              + " has "
+              + name.length());
+    }
+    return name;
+  }
+
+  static boolean isGlobal(ContentContext content) {
+    return has(content, KrlGrammarParser.GLOBAL);
+  }
+
+  private static boolean has(ContentContext content, int modifier) {
+    return content.modifier().stream().anyMatch(m -> m.getStart().getType() == modifier);
+  }
+
+  /**
+   * Gives where a line begins, and reports words before it that do not belong there.
+   *
+   * @param decl whether {@code DECL} may stand there
+   * @param constant whether {@code CONST} may stand there
+   */
+  Position begin(ContentContext content, boolean decl, boolean constant) {
+    List<Integer> seen = new ArrayList<>();
+    for (ModifierContext modifier : content.modifier()) {
+      Token token = modifier.getStart();
+      int type = token.getType();
+      if (seen.contains(type)
+          || (type == KrlGrammarParser.DECL && !decl)
+          || (type == KrlGrammarParser.CONST && !constant)) {
+        errors.add(token, token.getText() + " cannot stand here");
+      }
+      seen.add(type);
+    }
+    return expressions.at(content);
+  }
+}

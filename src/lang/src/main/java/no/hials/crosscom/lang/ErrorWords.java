@@ -1,0 +1,196 @@
+package no.hials.crosscom.lang;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
+import org.antlr.v4.runtime.RecognitionException;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.misc.IntervalSet;
+
+/** Says in the words of KRL what the parser expected and what it found. */
+final class ErrorWords {
+  /** The operators between two operands; {@code +} and {@code -} are signs as well. */
+  static final Set<Integer> OPERATORS =
+      Set.of(
+          KrlGrammarParser.COLON,
+          KrlGrammarParser.TIMES,
+          KrlGrammarParser.DIVIDED,
+          KrlGrammarParser.PLUS,
+          KrlGrammarParser.MINUS,
+          KrlGrammarParser.B_AND,
+          KrlGrammarParser.B_EXOR,
+          KrlGrammarParser.B_OR,
+          KrlGrammarParser.EQUAL,
+          KrlGrammarParser.UNEQUAL,
+          KrlGrammarParser.LESS,
+          KrlGrammarParser.AT_MOST,
+          KrlGrammarParser.GREATER,
+          KrlGrammarParser.AT_LEAST,
+          KrlGrammarParser.AND,
+          KrlGrammarParser.EXOR,
+          KrlGrammarParser.OR,
+          KrlGrammarParser.NOT,
+          KrlGrammarParser.B_NOT);
+
+  private static final Set<Integer> NAMES =
+      Set.of(
+          KrlGrammarParser.NAME,
+          KrlGrammarParser.CA,
+          KrlGrammarParser.DELAY,
+          KrlGrammarParser.DISABLE,
+          KrlGrammarParser.DISTANCE,
+          KrlGrammarParser.ENABLE,
+          KrlGrammarParser.F,
+          KrlGrammarParser.IN,
+          KrlGrammarParser.IS,
+          KrlGrammarParser.OFF,
+          KrlGrammarParser.ON,
+          KrlGrammarParser.OUT,
+          KrlGrammarParser.PATH,
+          KrlGrammarParser.PRIO,
+          KrlGrammarParser.PUBLIC,
+          KrlGrammarParser.SEC,
+          KrlGrammarParser.STEP);
+
+  private static final Set<Integer> LITERALS =
+      Set.of(
+          KrlGrammarParser.INT,
+          KrlGrammarParser.REAL,
+          KrlGrammarParser.BITS,
+          KrlGrammarParser.TEXT,
+          KrlGrammarParser.TRUE,
+          KrlGrammarParser.FALSE,
+          KrlGrammarParser.ENUM_VALUE,
+          KrlGrammarParser.LEFT_BRACE,
+          KrlGrammarParser.LEFT_PARENTHESIS);
+
+  /** What may stand behind a name wherever one stands. */
+  private static final Set<Integer> CONTINUATIONS =
+      Set.of(
+          KrlGrammarParser.DOT, KrlGrammarParser.LEFT_BRACKET, KrlGrammarParser.LEFT_PARENTHESIS);
+
+  private static final int MAX_LENGTH = 40;
+
+  private ErrorWords() {}
+
+  /** Reports what ended the parse of a line. */
+  static void report(RecognitionException e, Line line, Errors errors) {
+    Token found = e.getOffendingToken();
+    int type = found.getType();
+    if (type == KrlGrammarParser.OPEN_TEXT) {
+      errors.add(found, "expected \" at the end of the text, found the end of the line");
+    } else if (type == KrlGrammarParser.WRONG_BITS) {
+      errors.add(
+          found, "expected 'B' and binary or 'H' and hexadecimal digits, found " + found(found));
+    } else if (found == line.first()) {
+      errors.add(found, "expected a statement or a declaration, found " + found(found));
+    } else {
+      errors.add(
+          place(found, line, errors),
+          "expected " + expected(e.getExpectedTokens()) + ", found " + found(found));
+    }
+  }
+
+  /** Reports a line that is no statement at all. */
+  static void reportUnknown(Line line, Errors errors) {
+    String hint =
+        isName(line.second())
+            ? "; a type needs DECL before it"
+            : ": expected = or ( behind it, found " + found(line.second());
+    errors.add(line.first(), "unknown statement " + found(line.first()) + hint);
+  }
+
+  static boolean isName(Token token) {
+    return NAMES.contains(token.getType());
+  }
+
+  /** Gives where a token stands; of the end of a line, right behind its last token. */
+  private static Position place(Token token, Line line, Errors errors) {
+    int index = line.tokens().indexOf(token);
+    if (index != line.tokens().size() - 1) {
+      return errors.at(token);
+    }
+    Token last = line.tokens().get(index - 1);
+    Position position = errors.at(last);
+    return new Position(
+        position.file(), position.line(), position.column() + last.getText().length());
+  }
+
+  static String found(Token token) {
+    return switch (token.getType()) {
+      case Token.EOF -> "the end of the file";
+      case KrlGrammarParser.NEWLINE -> "the end of the line";
+      case KrlGrammarParser.UNKNOWN -> character(token.getText().codePointAt(0));
+      default -> shorten(token.getText());
+    };
+  }
+
+  /** Keeps a message readable, whatever stands in the file. */
+  static String shorten(String text) {
+    return text.length() > MAX_LENGTH ? text.substring(0, MAX_LENGTH) + "..." : text;
+  }
+
+  private static String character(int code) {
+    return Character.isISOControl(code)
+            || !Character.isDefined(code)
+            || Character.isWhitespace(code)
+        ? String.format(Locale.ROOT, "the character U+%04X", code)
+        : "the character " + Character.toString(code);
+  }
+
+  private static String expected(IntervalSet tokens) {
+    Set<Integer> left = new TreeSet<>(tokens.toSet());
+    List<String> words = new ArrayList<>();
+    left.remove(Token.EOF);
+    if (left.contains(KrlGrammarParser.STRUC)) {
+      return "a declaration";
+    }
+    if (left.contains(KrlGrammarParser.INT)) {
+      words.add("a value");
+      left.removeAll(LITERALS);
+      left.removeAll(OPERATORS);
+      left.removeAll(NAMES);
+    } else if (left.contains(KrlGrammarParser.TIMES)) {
+      left.removeAll(OPERATORS);
+    }
+    if (left.contains(KrlGrammarParser.NAME)) {
+      words.add("a name");
+      left.removeAll(NAMES);
+    }
+    if (!CONTINUATIONS.containsAll(left)) {
+      boolean orCall =
+          left.contains(KrlGrammarParser.ASSIGN)
+              && left.contains(KrlGrammarParser.LEFT_PARENTHESIS);
+      left.removeAll(CONTINUATIONS);
+      if (orCall) {
+        left.add(KrlGrammarParser.LEFT_PARENTHESIS);
+      }
+    }
+    left.forEach(type -> words.add(word(type)));
+    return join(words);
+  }
+
+  private static String word(int type) {
+    return switch (type) {
+      case KrlGrammarParser.NEWLINE -> "the end of the line";
+      case KrlGrammarParser.COMMA -> "a comma";
+      case KrlGrammarParser.ENUM_VALUE -> "#BASE, #TOOL";
+      default -> keyword(type);
+    };
+  }
+
+  static String keyword(int type) {
+    String literal = KrlGrammarParser.VOCABULARY.getLiteralName(type);
+    return literal.substring(1, literal.length() - 1);
+  }
+
+  private static String join(List<String> words) {
+    int last = words.size() - 1;
+    return last == 0
+        ? words.get(0)
+        : String.join(", ", words.subList(0, last)) + " or " + words.get(last);
+  }
+}

@@ -1,0 +1,38 @@
+package no.hials.crosscom.lang;
+
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.antlr.v4.runtime.Token;
+
+/** Collects what is wrong in a file, each thing once. */
+final class Errors {
+  private static final Comparator<KrlError> BY_PLACE =
+      Comparator.<KrlError>comparingInt(error -> error.position().line())
+          .thenComparingInt(error -> error.position().column());
+
+  private final String file;
+  private final Set<KrlError> found = new LinkedHashSet<>();
+
+  Errors(String file) {
+    this.file = file;
+  }
+
+  void add(Position position, String message) {
+    found.add(new KrlError(position, message));
+  }
+
+  void add(Token token, String message) {
+    add(at(token), message);
+  }
+
+  Position at(Token token) {
+    return new Position(file, token.getLine(), token.getCharPositionInLine() + 1);
+  }
+
+  List<KrlError> inOrder() {
+    // Unknown labels are known at the end of a routine only.
+    return found.stream().sorted(BY_PLACE).toList();
+  }
+}

@@ -1,0 +1,87 @@
+package no.hials.crosscom.lang;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
+import org.antlr.v4.runtime.CommonTokenStream;
+import org.antlr.v4.runtime.ListTokenSource;
+import org.antlr.v4.runtime.RecognitionException;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.misc.ParseCancellationException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A line with something on it.
+ *
+ * @param parser reads it
+ * @param tokens its tokens but for blanks and comments, the end of the line among them
+ * @param comment the comment behind it, without {@code ;}; empty if none
+ */
+record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
+  /** The types before which {@code DECL} may be left out (krl.md 4). */
+  private static final Set<String> BASE_TYPES =
+      Set.of("INT", "REAL", "BOOL", "CHAR", "FRAME", "POS", "E6POS", "AXIS", "E6AXIS");
+
+  /** What follows the name at the beginning of an assignment, a call or a label. */
+  static final Set<Integer> BEHIND_A_NAME =
+      Set.of(
+          KrlGrammarParser.ASSIGN,
+          KrlGrammarParser.COLON,
+          KrlGrammarParser.DOT,
+          KrlGrammarParser.LEFT_BRACKET,
+          KrlGrammarParser.LEFT_PARENTHESIS);
+
+  Token first() {
+    return tokens.get(0);
+  }
+
+  Token second() {
+    return tokens.get(1);
+  }
+
+  /** Gives the token that says what kind of line this is. */
+  Token keyword() {
+    for (Token token : tokens) {
+      int type = token.getType();
+      if (type != KrlGrammarParser.GLOBAL
+          && type != KrlGrammarParser.DECL
+          && type != KrlGrammarParser.CONST) {
+        return token;
+      }
+    }
+    throw new IllegalStateException("a line ends with its end");
+  }
+
+  /** Says whether it begins with a name and is neither a statement nor a declaration. */
+  boolean isUnknown() {
+    return ErrorWords.isName(first())
+        && !BEHIND_A_NAME.contains(second().getType())
+        && !BASE_TYPES.contains(first().getText().toUpperCase(Locale.ROOT));
+  }
+
+  /** Says whether it is one word, as a mistyped {@code ENDIF} is. */
+  boolean isOneWord() {
+    return tokens.size() == 2;
+  }
+
+  /**
+   * Parses it.
+   *
+   * @param errors gets what is wrong
+   * @return null if something is wrong
+   */
+  @Nullable ContentContext parse(Errors errors) {
+    if (!NestingLimit.holds(tokens, errors)) {
+      return null;
+    }
+    parser.setTokenStream(new CommonTokenStream(new ListTokenSource(tokens)));
+    try {
+      return parser.line().content();
+    } catch (ParseCancellationException e) {
+      ErrorWords.report((RecognitionException) e.getCause(), this, errors);
+      return null;
+    }
+  }
+}

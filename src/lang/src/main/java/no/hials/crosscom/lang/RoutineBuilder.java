@@ -1,0 +1,353 @@
+package no.hials.crosscom.lang;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockMiddleContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BracketsContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.FunctionBeginContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.RoutineBeginContext;
+import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
+
+/** Puts the lines between {@code DEF} and {@code END} together. */
+final class RoutineBuilder {
+  /** Deeper than any real program; whoever walks the tree is recursive. */
+  static final int MAX_BLOCKS = 100;
+
+  private final Errors errors;
+  private final ExpressionBuilder expressions;
+  private final DeclarationBuilder declarationBuilder;
+  private final StatementBuilder statements;
+  private final Jumps jumps;
+  private final Token keyword;
+  private final Position position;
+  private boolean global;
+  private @Nullable String name;
+  private @Nullable String returnType;
+  private List<Routine.Parameter> parameters = List.of();
+  private final List<Declaration> declarations = new ArrayList<>();
+  private final List<Statement> body = new ArrayList<>();
+  private final List<Block> open = new ArrayList<>();
+  private boolean hasStatements;
+  private boolean lateReported;
+  private boolean inSpline;
+  private boolean tooDeep;
+  private boolean suspect;
+  private int unknownLines;
+
+  RoutineBuilder(Line line, Errors errors) {
+    this.errors = errors;
+    expressions = new ExpressionBuilder(errors);
+    declarationBuilder = new DeclarationBuilder(errors, expressions, false);
+    statements = new StatementBuilder(errors, expressions, declarationBuilder);
+    jumps = new Jumps(errors);
+    keyword = line.keyword();
+    position = errors.at(line.first());
+    ContentContext content = line.parse(errors);
+    if (content != null) {
+      header(content);
+    }
+  }
+
+  private void header(ContentContext content) {
+    declarationBuilder.begin(content, false, false);
+    global = DeclarationBuilder.isGlobal(content);
+    RoutineBeginContext routine = content.definition().routineBegin();
+    if (routine != null) {
+      name = declarationBuilder.declared(routine.name());
+      parameters = declarationBuilder.parameters(routine.parameters());
+      return;
+    }
+    FunctionBeginContext function = content.definition().functionBegin();
+    BracketsContext brackets = function.brackets();
+    returnType = function.name(0).getText() + (brackets == null ? "" : brackets.getText());
+    name = declarationBuilder.declared(function.name(1));
+    parameters = declarationBuilder.parameters(function.parameters());
+  }
+
+  private boolean isFunction() {
+    return keyword.getType() == KrlGrammarParser.DEFFCT;
+  }
+
+  /** Takes a line. */
+  void add(Line line) {
+    if (tooDeep) {
+      return;
+    }
+    if (inSpline) {
+      inSpline = !UnsupportedStatements.endSpline(line);
+    } else if (UnsupportedStatements.contain(line)) {
+      UnsupportedStatements.report(line, errors);
+      inSpline = UnsupportedStatements.beginSpline(line);
+      hasStatements = true;
+    } else if (line.isUnknown()) {
+      ErrorWords.reportUnknown(line, errors);
+      suspect(line);
+    } else {
+      ContentContext content = line.parse(errors);
+      if (content == null) {
+        recover(line);
+      } else {
+        add(line, content);
+      }
+    }
+  }
+
+  private void add(Line line, ContentContext content) {
+    if (content.blockBegin() != null) {
+      begin(line, statements.begin(content.blockBegin()));
+    } else if (content.blockMiddle() != null) {
+      middle(line, content.blockMiddle());
+    } else if (content.blockEnd() != null) {
+      end(line.first(), expressions.buildOptional(content.blockEnd().expression()));
+    } else {
+      Statement statement = statements.build(content);
+      if (statement != null) {
+        execute(line, statement);
+      } else {
+        declare(line, content);
+      }
+    }
+  }
+
+  private void declare(Line line, ContentContext content) {
+    Declaration declaration = declarationBuilder.build(content, line.comment());
+    if (declaration != null) {
+      declarations.add(declaration);
+    }
+    if (hasStatements && !lateReported) {
+      errors.add(line.first(), "a declaration stands before the first statement");
+      lateReported = true;
+    }
+  }
+
+  private void execute(Line line, Statement statement) {
+    boolean declaresInterrupt = statement instanceof Statement.InterruptDeclaration;
+    hasStatements |= !declaresInterrupt;
+    lateReported &= declaresInterrupt;
+    awaitCase(line.first());
+    check(statement);
+    current().add(statement);
+  }
+
+  private void check(Statement statement) {
+    if (statement instanceof Statement.Exit
+        && unknownLines == 0
+        && open.stream().noneMatch(Block::isLoop)) {
+      errors.add(statement.position(), "EXIT outside a loop");
+    } else if (statement instanceof Statement.Return result) {
+      checkReturn(result);
+    } else if (statement instanceof Statement.Label label) {
+      jumps.label(label, around());
+    } else if (statement instanceof Statement.Goto jump) {
+      jumps.jump(jump, around());
+    }
+  }
+
+  private void checkReturn(Statement.Return result) {
+    if (isFunction() && result.value() == null) {
+      errors.add(result.position(), "RETURN without a value in a DEFFCT");
+    } else if (!isFunction() && result.value() != null) {
+      errors.add(result.position(), "RETURN with a value in a DEF");
+    }
+  }
+
+  private List<Statement> current() {
+    return open.isEmpty() ? body : innermost().current();
+  }
+
+  private List<List<Statement>> around() {
+    return open.stream().map(Block::current).toList();
+  }
+
+  private Block innermost() {
+    return open.get(open.size() - 1);
+  }
+
+  private void awaitCase(Token found) {
+    if (!open.isEmpty() && innermost().awaitsCase() && !innermost().isSuspect()) {
+      errors.add(found, "expected CASE, found " + found.getText());
+      innermost().suspect();
+    }
+  }
+
+  private void begin(Line line, Block.@Nullable Finish finish) {
+    hasStatements = true;
+    lateReported = false;
+    awaitCase(line.first());
+    open.add(new Block(line.first(), finish));
+    if (open.size() > MAX_BLOCKS) {
+      errors.add(line.first(), "blocks nested deeper than " + MAX_BLOCKS);
+      tooDeep = true;
+    }
+  }
+
+  private void middle(Line line, @Nullable BlockMiddleContext context) {
+    Token found = line.first();
+    boolean isElse = found.getType() == KrlGrammarParser.ELSE;
+    int opener = isElse ? KrlGrammarParser.IF : KrlGrammarParser.SWITCH;
+    if (!closeUpTo(found, opener)) {
+      return;
+    }
+    Block block = innermost();
+    if (block.otherwise() != null) {
+      if (unknownLines == 0) {
+        errors.add(
+            found, "expected " + ErrorWords.keyword(block.end()) + ", found " + found.getText());
+      }
+    } else if (found.getType() == KrlGrammarParser.CASE) {
+      List<Expression> values =
+          context == null ? null : context.expression().stream().map(expressions::build).toList();
+      block.beginBranch(errors.at(found), values);
+    } else {
+      awaitCase(found);
+      block.beginOtherwise();
+    }
+  }
+
+  private void end(Token found, @Nullable Expression until) {
+    if (!closeUpTo(found, opener(found.getType()))) {
+      return;
+    }
+    awaitCase(found);
+    Block block = open.remove(open.size() - 1);
+    boolean understood = block.end() != KrlGrammarParser.UNTIL || until != null;
+    Statement statement = understood ? block.finish(until) : null;
+    if (statement != null) {
+      current().add(statement);
+    }
+  }
+
+  /**
+   * Closes the blocks inside the innermost one that begins with a word.
+   *
+   * @return false if there is no such block, which is reported
+   */
+  private boolean closeUpTo(Token found, int opener) {
+    boolean isOpen = open.stream().anyMatch(block -> block.opener().getType() == opener);
+    if (isOpen) {
+      if (innermost().opener().getType() != opener) {
+        reportMissingEnd(found);
+      }
+      while (innermost().opener().getType() != opener) {
+        open.remove(open.size() - 1);
+      }
+    } else if (unknownLines > 0) {
+      // A mistyped beginning has one end, but maybe an ELSE or several CASEs before it.
+      unknownLines -= isEnd(found) ? 1 : 0;
+    } else if (open.isEmpty()) {
+      errors.add(found, found.getText() + " without " + ErrorWords.keyword(opener));
+    } else {
+      reportMissingEnd(found);
+      innermost().suspect();
+    }
+    return isOpen;
+  }
+
+  private static boolean isEnd(Token found) {
+    int type = found.getType();
+    return type != KrlGrammarParser.ELSE
+        && type != KrlGrammarParser.CASE
+        && type != KrlGrammarParser.DEFAULT;
+  }
+
+  private void reportMissingEnd(Token found) {
+    Block block = innermost();
+    if (!block.isSuspect()) {
+      errors.add(
+          found,
+          "expected "
+              + ErrorWords.keyword(block.end())
+              + " of the "
+              + ErrorWords.keyword(block.opener().getType())
+              + " in line "
+              + block.opener().getLine()
+              + ", found "
+              + ErrorWords.found(found));
+    }
+  }
+
+  private static int opener(int end) {
+    return switch (end) {
+      case KrlGrammarParser.ENDIF -> KrlGrammarParser.IF;
+      case KrlGrammarParser.ENDSWITCH -> KrlGrammarParser.SWITCH;
+      case KrlGrammarParser.ENDFOR -> KrlGrammarParser.FOR;
+      case KrlGrammarParser.ENDWHILE -> KrlGrammarParser.WHILE;
+      case KrlGrammarParser.UNTIL -> KrlGrammarParser.REPEAT;
+      default -> KrlGrammarParser.LOOP;
+    };
+  }
+
+  /** Takes from a line that was not understood what later lines refer to. */
+  private void recover(Line line) {
+    switch (line.first().getType()) {
+      case KrlGrammarParser.IF,
+          KrlGrammarParser.SWITCH,
+          KrlGrammarParser.FOR,
+          KrlGrammarParser.WHILE,
+          KrlGrammarParser.REPEAT,
+          KrlGrammarParser.LOOP ->
+          begin(line, null);
+      case KrlGrammarParser.ELSE, KrlGrammarParser.CASE, KrlGrammarParser.DEFAULT ->
+          middle(line, null);
+      case KrlGrammarParser.ENDIF,
+          KrlGrammarParser.ENDSWITCH,
+          KrlGrammarParser.ENDFOR,
+          KrlGrammarParser.ENDWHILE,
+          KrlGrammarParser.ENDLOOP,
+          KrlGrammarParser.UNTIL ->
+          end(line.first(), null);
+      default -> {
+        if (line.second().getType() == KrlGrammarParser.COLON) {
+          Position place = errors.at(line.first());
+          jumps.label(new Statement.Label(place, line.first().getText()), around());
+        }
+      }
+    }
+  }
+
+  /** Remembers that an unknown statement may be a mistyped beginning or end of a block. */
+  private void suspect(Line line) {
+    unknownLines++;
+    if (!line.isOneWord()) {
+      return;
+    }
+    if (open.isEmpty()) {
+      suspect = true;
+    } else {
+      innermost().suspect();
+    }
+  }
+
+  /**
+   * Ends the routine.
+   *
+   * @param found {@code END}, or what stands where it should stand
+   * @return null if its first line was not understood
+   */
+  @Nullable Routine finish(Token found) {
+    int end = isFunction() ? KrlGrammarParser.ENDFCT : KrlGrammarParser.END;
+    if (!open.isEmpty() && !tooDeep) {
+      reportMissingEnd(found);
+    } else if (found.getType() != end && !suspect) {
+      errors.add(
+          found, "expected " + ErrorWords.keyword(end) + ", found " + ErrorWords.found(found));
+    }
+    if (!tooDeep) {
+      jumps.check();
+    }
+    return name == null
+        ? null
+        : new Routine(
+            position,
+            global,
+            returnType,
+            name,
+            parameters,
+            List.copyOf(declarations),
+            List.copyOf(body),
+            errors.at(found));
+  }
+}

@@ -1,0 +1,237 @@
+package no.hials.crosscom.lang;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import no.hials.crosscom.lang.Statement.Approximation;
+import no.hials.crosscom.lang.Statement.InterruptCommand;
+import no.hials.crosscom.lang.Statement.MotionKind;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ActionContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockBeginContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ExpressionContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.InterruptContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.MotionContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.NamedContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.PulseContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.SimpleStatementContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.TriggerContext;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.tree.TerminalNode;
+import org.jspecify.annotations.Nullable;
+
+/** Makes the records of statements. */
+final class StatementBuilder {
+  private final Errors errors;
+  private final ExpressionBuilder expressions;
+  private final DeclarationBuilder declarations;
+
+  StatementBuilder(Errors errors, ExpressionBuilder expressions, DeclarationBuilder declarations) {
+    this.errors = errors;
+    this.expressions = expressions;
+    this.declarations = declarations;
+  }
+
+  /** Gives the statement on a line, or null if it is a declaration or part of a block. */
+  @Nullable Statement build(ContentContext content) {
+    if (content.simpleStatement() != null) {
+      return simple(content.simpleStatement());
+    }
+    if (content.motion() != null) {
+      return motion(content.motion());
+    }
+    if (content.pulse() != null) {
+      return pulse(content.pulse());
+    }
+    if (content.trigger() != null) {
+      return trigger(content.trigger());
+    }
+    if (content.named() != null) {
+      return named(content.named());
+    }
+    return content.definition() == null || content.definition().interrupt() == null
+        ? null
+        : interrupt(content, content.definition().interrupt());
+  }
+
+  private @Nullable Statement named(NamedContext context) {
+    Position position = expressions.at(context);
+    if (context.COLON() != null) {
+      return new Statement.Label(position, declarations.declared(context.name()));
+    }
+    if (context.arguments() != null) {
+      return new Statement.Call(
+          position, context.name().getText(), expressions.arguments(context.arguments()));
+    }
+    return context.steps() == null
+        ? null
+        : new Statement.Assignment(
+            position,
+            expressions.variable(context.name(), context.steps()),
+            expressions.build(context.expression()));
+  }
+
+  private Statement simple(SimpleStatementContext context) {
+    Position position = expressions.at(context);
+    return switch (context.getStart().getType()) {
+      case KrlGrammarParser.EXIT -> new Statement.Exit(position);
+      case KrlGrammarParser.GOTO -> new Statement.Goto(position, context.name().getText());
+      case KrlGrammarParser.RETURN ->
+          new Statement.Return(position, expressions.buildOptional(context.expression()));
+      case KrlGrammarParser.HALT -> new Statement.Halt(position);
+      case KrlGrammarParser.CONTINUE -> new Statement.Continue(position);
+      case KrlGrammarParser.RESUME -> new Statement.Resume(position);
+      case KrlGrammarParser.BRAKE -> new Statement.Brake(position, context.F() != null);
+      default -> {
+        Expression value = expressions.build(context.expression());
+        yield context.FOR() != null
+            ? new Statement.WaitFor(position, value)
+            : new Statement.WaitSec(position, value);
+      }
+    };
+  }
+
+  private Statement interrupt(ContentContext content, InterruptContext context) {
+    if (context.action() != null) {
+      return new Statement.InterruptDeclaration(
+          declarations.begin(content, false, false),
+          DeclarationBuilder.isGlobal(content),
+          expressions.build(context.expression(0)),
+          expressions.build(context.expression(1)),
+          action(context.action()));
+    }
+    if (!content.modifier().isEmpty()) {
+      errors.add(content.getStart(), content.getStart().getText() + " cannot stand here");
+    }
+    Token command = ((TerminalNode) context.getChild(1)).getSymbol();
+    return new Statement.Interrupt(
+        expressions.at(context),
+        InterruptCommand.valueOf(upper(command)),
+        expressions.buildOptional(context.expression(0)));
+  }
+
+  private Statement.Action action(ActionContext context) {
+    if (context.pulse() != null) {
+      return pulse(context.pulse());
+    }
+    Position position = expressions.at(context);
+    return context.arguments() != null
+        ? new Statement.Call(
+            position, context.name().getText(), expressions.arguments(context.arguments()))
+        : new Statement.Assignment(
+            position,
+            expressions.variable(context.name(), context.steps()),
+            expressions.build(context.expression()));
+  }
+
+  private Statement.Pulse pulse(PulseContext context) {
+    return new Statement.Pulse(
+        expressions.at(context),
+        expressions.variable(context.variable()),
+        expressions.build(context.expression(0)),
+        expressions.build(context.expression(1)));
+  }
+
+  private Statement trigger(TriggerContext context) {
+    return new Statement.Trigger(
+        expressions.at(context),
+        context.PATH() != null,
+        expressions.build(context.distance),
+        expressions.buildOptional(context.delay),
+        action(context.action()),
+        expressions.buildOptional(context.priority));
+  }
+
+  private Statement motion(MotionContext context) {
+    List<ExpressionContext> points = context.expression();
+    boolean circle = points.size() > 1;
+    return new Statement.Motion(
+        expressions.at(context),
+        MotionKind.valueOf(upper(context.getStart())),
+        circle ? expressions.build(points.get(0)) : null,
+        expressions.build(points.get(circle ? 1 : 0)),
+        expressions.buildOptional(points.size() > 2 ? points.get(2) : null),
+        approximations(context),
+        coordinates(context));
+  }
+
+  private Set<Approximation> approximations(MotionContext context) {
+    Set<Approximation> approximations = EnumSet.noneOf(Approximation.class);
+    List<ParserRuleContext> written = new ArrayList<>(context.anyApproximation());
+    written.addAll(context.pathApproximation());
+    for (ParserRuleContext approximation : written) {
+      if (!approximations.add(Approximation.valueOf(upper(approximation.getStart())))) {
+        errors.add(approximation.getStart(), approximation.getText() + " stands there already");
+      }
+    }
+    return Collections.unmodifiableSet(approximations);
+  }
+
+  private @Nullable String coordinates(MotionContext context) {
+    TerminalNode written = context.ENUM_VALUE();
+    if (written == null) {
+      return null;
+    }
+    String name = upper(written.getSymbol());
+    if (!name.equals("#BASE") && !name.equals("#TOOL")) {
+      errors.add(written.getSymbol(), "expected #BASE or #TOOL, found " + written.getText());
+    }
+    return written.getText();
+  }
+
+  /** Gives what makes the statement of several lines that a line begins. */
+  Block.Finish begin(BlockBeginContext context) {
+    Position position = expressions.at(context);
+    List<Expression> values = context.expression().stream().map(expressions::build).toList();
+    return switch (context.getStart().getType()) {
+      case KrlGrammarParser.IF ->
+          (block, until) ->
+              new Statement.If(
+                  position, values.get(0), List.copyOf(block.body()), otherwise(block));
+      case KrlGrammarParser.SWITCH ->
+          (block, until) ->
+              new Statement.Switch(
+                  position,
+                  values.get(0),
+                  cases(block),
+                  block.otherwise() == null ? null : otherwise(block));
+      case KrlGrammarParser.FOR -> {
+        Expression.Variable counter = expressions.variable(context.variable());
+        Expression step = values.size() > 2 ? values.get(2) : null;
+        yield (block, until) ->
+            new Statement.For(
+                position, counter, values.get(0), values.get(1), step, List.copyOf(block.body()));
+      }
+      case KrlGrammarParser.WHILE ->
+          (block, until) -> new Statement.While(position, values.get(0), List.copyOf(block.body()));
+      case KrlGrammarParser.REPEAT ->
+          (block, until) -> new Statement.Repeat(position, List.copyOf(block.body()), until);
+      default -> (block, until) -> new Statement.Loop(position, List.copyOf(block.body()));
+    };
+  }
+
+  private static List<Statement> otherwise(Block block) {
+    List<Statement> otherwise = block.otherwise();
+    return otherwise == null ? List.of() : List.copyOf(otherwise);
+  }
+
+  private static List<Statement.Case> cases(Block block) {
+    List<Statement.Case> cases = new ArrayList<>();
+    for (Block.Branch branch : block.branches()) {
+      if (branch.values() != null) {
+        cases.add(
+            new Statement.Case(branch.position(), branch.values(), List.copyOf(branch.body())));
+      }
+    }
+    return List.copyOf(cases);
+  }
+
+  private static String upper(Token token) {
+    return token.getText().toUpperCase(Locale.ROOT);
+  }
+}

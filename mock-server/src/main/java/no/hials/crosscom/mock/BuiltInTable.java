@@ -1,98 +1,42 @@
 package no.hials.crosscom.mock;
 
-import java.io.BufferedReader;
+import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.Locale;
+import java.util.List;
 
-/**
- * Reads the variables of the simulated controller from {@code types.tsv} and {@code variables.tsv},
- * whose first lines say what their columns are.
- */
+/** Reads the variables of the simulated controller from the data lists in the jar. */
 final class BuiltInTable {
-  /** Never changed, only copied. */
-  static final VariableTable KRC4 = load();
+  /** In the order in which they need each other: types, what signals are wired to, the rest. */
+  static final List<String> DATA_LISTS =
+      List.of("$TYPES.DAT", "$OPERATE.DAT", "$MACHINE.DAT", "$CONFIG.DAT");
 
-  private static final int TYPE_COLUMNS = 4;
-  private static final int VARIABLE_COLUMNS = 7;
+  /** Never changed, only copied. */
+  static final VariableTable KRC4 = load(DATA_LISTS);
 
   private BuiltInTable() {}
 
-  private static VariableTable load() {
+  /** Makes a table of some data lists in the jar. */
+  static VariableTable load(List<String> files) {
     VariableTable table = VariableTable.empty();
-    read("types.tsv", TYPE_COLUMNS, row -> declareType(table, row));
-    read("variables.tsv", VARIABLE_COLUMNS, row -> declareVariable(table, row));
+    for (String file : files) {
+      try {
+        table.load(file, text(file));
+      } catch (IOException | KrlFileException e) {
+        throw new IllegalStateException("a data list in the jar is wrong: " + e.getMessage(), e);
+      }
+    }
     return table;
   }
 
-  /** Takes one row. */
-  @FunctionalInterface
-  interface Row {
-    void take(String[] columns);
-  }
-
-  static void read(String file, int columnCount, Row row) {
+  /** Gives the text of a data list in the jar. */
+  static String text(String file) throws IOException {
     try (InputStream in = BuiltInTable.class.getResourceAsStream(file)) {
       if (in == null) {
-        throw new IllegalStateException("resource " + file + " is missing from the jar");
+        throw new FileNotFoundException("resource " + file + " is missing");
       }
-      BufferedReader lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
-      int number = 0;
-      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-        number++;
-        if (line.isBlank() || line.startsWith("#")) {
-          continue;
-        }
-        String[] columns = line.split("\t", -1);
-        if (columns.length != columnCount) {
-          throw new IllegalStateException(
-              file
-                  + ":"
-                  + number
-                  + " must have "
-                  + columnCount
-                  + " columns, has "
-                  + columns.length);
-        }
-        try {
-          row.take(columns);
-        } catch (IllegalArgumentException e) {
-          throw new IllegalStateException(file + ":" + number + ": " + e.getMessage(), e);
-        }
-      }
-    } catch (IOException e) {
-      throw new UncheckedIOException("resource " + file + " cannot be read", e);
+      return new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
     }
-  }
-
-  private static void declareType(VariableTable table, String[] columns) {
-    String name = columns[1];
-    String definition = columns[2];
-    switch (columns[0].toUpperCase(Locale.ROOT)) {
-      case "STRUC" -> table.declareStruc(name, definition);
-      case "ENUM" -> table.declareEnum(name, definition.split(",", -1));
-      default -> throw new IllegalArgumentException("kind is STRUC or ENUM, is " + columns[0]);
-    }
-  }
-
-  private static void declareVariable(VariableTable table, String[] columns) {
-    String name = columns[0];
-    String value = columns[4];
-    int bracket = name.indexOf('[');
-    if (bracket >= 0 && table.contains(name.substring(0, bracket))) {
-      // NAME[i] behind NAME[n] is the value of one element
-      table.set(name, value);
-      return;
-    }
-    Access access =
-        switch (columns[2]) {
-          case "RO" -> Access.READ_ONLY;
-          case "RW" -> Access.READ_WRITE;
-          default -> throw new IllegalArgumentException("access is RO or RW, is " + columns[2]);
-        };
-    table.declare(name, columns[1], access, value.equals("-") ? null : value);
   }
 }

@@ -1,37 +1,34 @@
 package no.hials.crosscom.mock;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.Arrays;
-import java.util.concurrent.TimeUnit;
-import no.hials.crosscom.protocol.FrameReader;
 import no.hials.crosscom.protocol.MalformedFrameException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Serves one client, on a thread of its own, until one of both closes the connection. */
-final class Connection implements Runnable {
+final class Connection {
   private static final Logger log = LoggerFactory.getLogger(Connection.class);
   private static final byte[] NOTHING = new byte[0];
 
-  private final MockServer server;
+  private final MockServerConfig config;
+  private final Service service;
   private final Socket socket;
   private final int number;
 
   /** What goes out in front of the next answer. */
   private byte[] heldBack = NOTHING;
 
-  Connection(MockServer server, Socket socket, int number) {
-    this.server = server;
+  Connection(MockServerConfig config, Service service, Socket socket, int number) {
+    this.config = config;
+    this.service = service;
     this.socket = socket;
     this.number = number;
-  }
-
-  int number() {
-    return number;
   }
 
   /** Ends the connection, from any thread. */
@@ -43,13 +40,12 @@ final class Connection implements Runnable {
     }
   }
 
-  @Override
-  public void run() {
+  void run() {
     log.debug("connection {} from {} opened", number, socket.getRemoteSocketAddress());
     String reason = "the client closed it";
     try {
       socket.setTcpNoDelay(true);
-      Duration idle = server.config().idleTimeout();
+      Duration idle = config.idleTimeout();
       // a positive time-out is never rounded down to 0, which would mean none
       socket.setSoTimeout((int) (idle.isZero() ? 0 : Math.max(1, idle.toMillis())));
       serve();
@@ -67,31 +63,51 @@ final class Connection implements Runnable {
       reason = "serving a request failed";
     } finally {
       abort();
-      server.forget(this);
       log.debug("connection {} closed: {}", number, reason);
     }
   }
 
   private void serve() throws IOException, InterruptedException {
-    FrameReader reader = new FrameReader(socket.getInputStream());
+    InputStream in = socket.getInputStream();
     OutputStream out = socket.getOutputStream();
-    int length = reader.next();
-    while (length >= 0) {
-      Delivery delivery = server.serve(number, Arrays.copyOf(reader.buffer(), length));
+    Frames frames =
+        config.joinSplitRequests()
+            ? Frames.joined(in)
+            : Frames.ofSingleReads(
+                in, bytes -> service.drop(number, bytes, "not a whole request in one read"));
+    byte[] frame = frames.next();
+    while (frame != null) {
+      Delivery delivery = service.serve(number, frame);
+      hold(delivery);
+      if (config.pendingRequests() != PendingRequests.WAIT && !frames.holdsBytes()) {
+        dropPending(in);
+      }
       send(delivery, out);
       if (delivery.ending() != Delivery.Ending.OPEN) {
         end(delivery.ending());
         return;
       }
-      length = reader.next();
+      frame = frames.next();
+    }
+  }
+
+  private static void hold(Delivery delivery) throws InterruptedException {
+    if (delivery.gate() != null) {
+      delivery.gate().await();
+    }
+    Pause.of(delivery.delay());
+  }
+
+  /** Drops what came before the answer is sent: a client that waited for it sent nothing. */
+  private void dropPending(InputStream in) throws IOException {
+    int bytes = in.available();
+    if (bytes > 0) {
+      in.skipNBytes(bytes);
+      service.drop(number, bytes, "the request before is not answered yet");
     }
   }
 
   private void send(Delivery delivery, OutputStream out) throws IOException, InterruptedException {
-    if (delivery.gate() != null) {
-      delivery.gate().await();
-    }
-    sleep(delivery.delay());
     boolean first = true;
     for (byte[] segment : delivery.segments()) {
       byte[] bytes = segment;
@@ -105,7 +121,7 @@ final class Connection implements Runnable {
         continue;
       }
       if (!first) {
-        sleep(delivery.pause());
+        Pause.of(delivery.pause());
       }
       first = false;
       if (log.isTraceEnabled()) {
@@ -113,12 +129,6 @@ final class Connection implements Runnable {
       }
       // one write call a segment: with TCP_NODELAY it is a segment of its own on the wire
       out.write(bytes);
-    }
-  }
-
-  private static void sleep(Duration time) throws InterruptedException {
-    if (!time.isZero()) {
-      TimeUnit.NANOSECONDS.sleep(time.toNanos());
     }
   }
 

@@ -12,7 +12,8 @@ import no.hials.crosscom.protocol.Tail;
  * Something that goes wrong with one request: how it is answered instead of properly.
  *
  * <p>A fault is set with {@link MockServer#enqueue}, {@link MockServer#fault} or {@link
- * MockServer#faults}. It says by {@link #executes} whether the controller still does what the
+ * MockServer#faults}; a {@link FaultRule} chooses the requests by number, name or chance, and can
+ * be read from text. It says by {@link #executes} whether the controller still does what the
  * request asks, which decides what a client finds when it looks again after a lost write. Delays
  * and pauses hold up the one connection, not the server; {@link MockServer#close} ends them.
  */

@@ -2,26 +2,13 @@ package no.hials.crosscom.mock;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
-import java.net.Socket;
 import java.time.Duration;
-import java.time.Instant;
-import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
-import no.hials.crosscom.mock.internal.data.RefusedException;
-import no.hials.crosscom.protocol.Codec;
-import no.hials.crosscom.protocol.EmptyResponse;
-import no.hials.crosscom.protocol.MalformedFrameException;
-import no.hials.crosscom.protocol.Request;
-import no.hials.crosscom.protocol.Response;
-import no.hials.crosscom.protocol.UnknownFunctionException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -30,57 +17,53 @@ import org.slf4j.LoggerFactory;
  * Stands in for a robot controller with KUKAVARPROXY, over real TCP.
  *
  * <p>It serves one request at a time, whoever sent it, and answers each by one write. A request
- * that arrives in pieces is put together again (KUKAVARPROXY does not do that). A malformed request
- * gets no answer, one of an unknown function the empty answer; the connection stays open.
+ * that arrives in pieces is put together again, which KUKAVARPROXY does not do, and a request is
+ * served at once, which a controller cannot; {@link MockServerConfig.Builder#asOnTheController}
+ * sets both and the other limits as they are there. A malformed request gets no answer, one of an
+ * unknown function the empty answer; the connection stays open.
  *
- * <p>Threads: one that accepts, called {@code mock-server-PORT-accept}, and one for each
- * connection, called {@code mock-server-PORT-client-N}; all are daemons. {@link #close} closes all
- * sockets and waits for the threads to end. Any number of servers can run at a time. All methods
- * are safe for use by several threads.
+ * <p>Threads: one that accepts, called {@code mock-server-PORT-accept}, one for each connection,
+ * called {@code mock-server-PORT-client-N}, {@code mock-server-PORT-discovery} if discovery is on,
+ * and {@code mock-server-PORT-clock} from the first {@link #controller} on; PORT is the TCP port,
+ * and all are daemons. {@link #close} closes all sockets and waits for the threads to end. Any
+ * number of servers can run at a time. All methods are safe for use by several threads.
  */
 public final class MockServer implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(MockServer.class);
 
-  /** Takes a thousand clients that all connect at once. */
-  private static final int BACKLOG = 1024;
-
-  /** Parsing takes little stack, since the depth of aggregates is limited. */
-  private static final long STACK_BYTES = 256 * 1024;
-
-  /** Keeps a lack of file descriptors from making the accepting thread spin. */
-  private static final Duration PAUSE_AFTER_FAILED_ACCEPT = Duration.ofMillis(50);
-
   private final MockServerConfig config;
   private final VariableTable variables = VariableTable.krc4();
-  private final RequestHandler handler;
   private final FaultScript faults = new FaultScript();
   private final RequestLog requests;
-  private final InetSocketAddress address;
+  private final Service service;
+  private final Clients clients;
+  private final @Nullable Discovery discovery;
 
-  /** Held while a request is served. */
-  private final ReentrantLock service = new ReentrantLock();
+  /** Made when it is asked for; guarded by {@link #variables}. */
+  private @Nullable Controller controller;
 
-  /** The number of the last request; guarded by {@link #service}. */
-  private long served;
-
-  /** Guards what follows. */
-  private final Object state = new Object();
-
-  private ServerSocket listener;
-  private boolean refusing;
+  /** Guarded by {@link #variables}. */
   private boolean closed;
-  private int accepted;
-  private final Set<Connection> connections = new HashSet<>();
-
-  /** All that may still run; dead ones are removed now and then. */
-  private final List<Thread> threads = new ArrayList<>();
 
   private MockServer(MockServerConfig config) throws IOException {
     this.config = config;
-    handler = new RequestHandler(variables, config);
     requests = new RequestLog(config.recordedRequests());
-    listener = listen(new InetSocketAddress(config.bindAddress(), config.port()));
-    address = new InetSocketAddress(config.bindAddress(), listener.getLocalPort());
+    service = new Service(config, variables, faults, requests);
+    clients = Clients.listen(config, service);
+    discovery = config.discoveryPort().isPresent() ? openDiscovery() : null;
+  }
+
+  private Discovery openDiscovery() throws IOException {
+    int port = config.discoveryPort().getAsInt();
+    try {
+      return Discovery.open(
+          new InetSocketAddress(config.bindAddress(), port),
+          config.discoveryReplyPort(),
+          variables);
+    } catch (IOException e) {
+      clients.close();
+      throw e;
+    }
   }
 
   /**
@@ -113,22 +96,12 @@ public final class MockServer implements AutoCloseable {
    */
   public static MockServer start(MockServerConfig config) throws IOException {
     MockServer server = new MockServer(config);
-    synchronized (server.state) {
-      server.startAccepting();
+    server.clients.start();
+    if (server.discovery != null) {
+      server.clients.threads().start("discovery", server.discovery);
     }
-    log.debug("listening on {}", server.address);
+    log.debug("listening on {}", server.address());
     return server;
-  }
-
-  private static ServerSocket listen(InetSocketAddress at) throws IOException {
-    ServerSocket socket = new ServerSocket();
-    try {
-      socket.bind(at, BACKLOG);
-      return socket;
-    } catch (IOException | RuntimeException e) {
-      socket.close();
-      throw new IOException("cannot listen on " + at + ": " + e.getMessage(), e);
-    }
   }
 
   // what it is
@@ -148,7 +121,7 @@ public final class MockServer implements AutoCloseable {
    * @return the address with the port that the server listens on
    */
   public InetSocketAddress address() {
-    return address;
+    return clients.address();
   }
 
   /**
@@ -157,7 +130,7 @@ public final class MockServer implements AutoCloseable {
    * @return the address the server is bound to as a number, such as {@code 127.0.0.1}
    */
   public String host() {
-    return address.getAddress().getHostAddress();
+    return address().getAddress().getHostAddress();
   }
 
   /**
@@ -166,7 +139,16 @@ public final class MockServer implements AutoCloseable {
    * @return the port that the server listens on
    */
   public int port() {
-    return address.getPort();
+    return address().getPort();
+  }
+
+  /**
+   * Gives the UDP port on which the server answers the question where controllers are.
+   *
+   * @return the port, or nothing if discovery is off
+   */
+  public OptionalInt discoveryPort() {
+    return discovery == null ? OptionalInt.empty() : OptionalInt.of(discovery.port());
   }
 
   /**
@@ -176,6 +158,26 @@ public final class MockServer implements AutoCloseable {
    */
   public VariableTable variables() {
     return variables;
+  }
+
+  /**
+   * Gives the controller behind the variables, which runs programs and moves a robot. Before it is
+   * asked for the first time the variables stand still, timers too; from then on its time passes.
+   *
+   * @return the controller, always the same
+   */
+  public Controller controller() {
+    synchronized (variables) {
+      if (closed) {
+        throw new IllegalStateException("the server is closed");
+      }
+      if (controller == null) {
+        controller =
+            new Controller(
+                variables, config.clock(), config.robot(), "mock-server-" + port() + "-clock");
+      }
+      return controller;
+    }
   }
 
   // what it was asked
@@ -209,6 +211,17 @@ public final class MockServer implements AutoCloseable {
     return requests.count();
   }
 
+  /**
+   * Counts what the server dropped without an answer, because it was not a whole request in one
+   * read ({@link MockServerConfig#joinSplitRequests}) or came while another was served ({@link
+   * MockServerConfig#pendingRequests}). {@link #requests} does not show it.
+   *
+   * @return how many times bytes were dropped since the start
+   */
+  public long dropCount() {
+    return service.dropCount();
+  }
+
   /** Forgets the requests so far. Their numbers are not used again. */
   public void clearRequests() {
     requests.clear();
@@ -240,7 +253,8 @@ public final class MockServer implements AutoCloseable {
 
   /**
    * Sets what goes wrong, decided for each request, until {@link #clearFaults}. The queue of {@link
-   * #enqueue} comes first, then what was set earlier.
+   * #enqueue} comes first, then what was set earlier. A {@link FaultRule} chooses by number, name
+   * and probability.
    *
    * @param choice gives a request's fault, or nothing. It is asked while the request is being
    *     served, before it is executed, so it must be quick, and must not wait for another request;
@@ -260,13 +274,7 @@ public final class MockServer implements AutoCloseable {
    * connections stay.
    */
   public void refuseConnections() {
-    List<Thread> ending;
-    synchronized (state) {
-      refusing = true;
-      closeListener();
-      ending = threads.stream().filter(thread -> thread.getName().endsWith("-accept")).toList();
-    }
-    join(ending);
+    clients.refuse();
   }
 
   /**
@@ -275,23 +283,12 @@ public final class MockServer implements AutoCloseable {
    * @throws IOException if the port has been taken by somebody else
    */
   public void acceptConnections() throws IOException {
-    synchronized (state) {
-      if (closed) {
-        throw new IllegalStateException("the server is closed");
-      }
-      if (refusing) {
-        listener = listen(address);
-        refusing = false;
-        startAccepting();
-      }
-    }
+    clients.acceptAgain();
   }
 
   /** Closes all connections, and goes on listening. */
   public void disconnectClients() {
-    synchronized (state) {
-      connections.forEach(Connection::abort);
-    }
+    clients.disconnect();
   }
 
   /**
@@ -300,123 +297,7 @@ public final class MockServer implements AutoCloseable {
    * @return how many connections are open
    */
   public int clientCount() {
-    synchronized (state) {
-      return connections.size();
-    }
-  }
-
-  // connections
-
-  private void startAccepting() {
-    ServerSocket socket = listener;
-    startThread("accept", () -> accept(socket));
-  }
-
-  private void startThread(String role, Runnable task) {
-    threads.removeIf(thread -> !thread.isAlive());
-    Thread thread = new Thread(null, task, "mock-server-" + port() + "-" + role, STACK_BYTES);
-    thread.setDaemon(true);
-    thread.start();
-    threads.add(thread);
-  }
-
-  private void accept(ServerSocket socket) {
-    while (true) {
-      try {
-        admit(socket.accept());
-      } catch (IOException e) {
-        if (socket.isClosed()) {
-          return;
-        }
-        log.warn("accepting a connection failed", e);
-        try {
-          Thread.sleep(PAUSE_AFTER_FAILED_ACCEPT.toMillis());
-        } catch (InterruptedException interrupted) {
-          Thread.currentThread().interrupt();
-          return;
-        }
-      }
-    }
-  }
-
-  private void admit(Socket client) throws IOException {
-    synchronized (state) {
-      boolean full = config.maxClients() > 0 && connections.size() >= config.maxClients();
-      if (closed || full) {
-        log.debug("connection from {} closed at once", client.getRemoteSocketAddress());
-        client.close();
-        return;
-      }
-      accepted++;
-      Connection connection = new Connection(this, client, accepted);
-      connections.add(connection);
-      startThread("client-" + accepted, connection);
-    }
-  }
-
-  void forget(Connection connection) {
-    synchronized (state) {
-      connections.remove(connection);
-    }
-  }
-
-  // requests
-
-  /**
-   * Serves one request: decodes it, executes it and records it, one at a time over all connections.
-   *
-   * @param connection the connection's number
-   * @param frame the bytes
-   * @return what goes out
-   */
-  Delivery serve(int connection, byte[] frame) {
-    if (log.isTraceEnabled()) {
-      log.trace("connection {} < {}", connection, MalformedFrameException.hex(frame, frame.length));
-    }
-    Request request = null;
-    Response response = null;
-    String hex = null;
-    try {
-      request = Codec.decodeRequest(frame);
-    } catch (UnknownFunctionException e) {
-      log.debug("connection {}: {}", connection, e.getMessage());
-      hex = MalformedFrameException.hex(frame, frame.length);
-      response = new EmptyResponse(e.id());
-    } catch (MalformedFrameException e) {
-      log.debug("connection {}: {}", connection, e.getMessage());
-      hex = MalformedFrameException.hex(frame, frame.length);
-    }
-    Fault fault;
-    service.lock();
-    try {
-      RecordedRequest recorded =
-          new RecordedRequest(served + 1, connection, Instant.now(), request, hex, null);
-      fault = faults.next(recorded);
-      if (fault.executes() && request != null) {
-        RequestHandler.Outcome outcome = handler.handle(request);
-        response = outcome.response();
-        RefusedException refused = outcome.refused();
-        if (refused != null) {
-          log.debug("connection {}: {} refused: {}", connection, request, refused.getMessage());
-          recorded = recorded.refusedFor(refused.reason());
-        }
-      }
-      served++;
-      requests.add(recorded);
-    } finally {
-      service.unlock();
-    }
-    return deliver(fault, request, response);
-  }
-
-  private static Delivery deliver(
-      Fault fault, @Nullable Request request, @Nullable Response response) {
-    byte[] answer = response == null ? null : Codec.encode(response);
-    if (fault instanceof Fault.None) {
-      return answer == null ? Delivery.NOTHING : Delivery.of(answer);
-    }
-    log.debug("fault: {}", fault);
-    return Delivery.of(fault, request, answer);
+    return clients.count();
   }
 
   // the end
@@ -427,44 +308,22 @@ public final class MockServer implements AutoCloseable {
    */
   @Override
   public void close() {
-    List<Thread> ending;
-    synchronized (state) {
-      if (!closed) {
-        closed = true;
-        closeListener();
-        connections.forEach(Connection::abort);
-        // ends delays
-        threads.forEach(Thread::interrupt);
-        log.debug("closed {}", address);
-      }
-      ending = List.copyOf(threads);
+    closeController();
+    clients.close();
+    if (discovery != null) {
+      discovery.close();
     }
-    join(ending);
+    clients.threads().join();
   }
 
-  private void closeListener() {
-    try {
-      listener.close();
-    } catch (IOException e) {
-      log.debug("closing the listening socket failed", e);
+  private void closeController() {
+    Controller closing;
+    synchronized (variables) {
+      closed = true;
+      closing = controller;
     }
-  }
-
-  /** Waits without giving up, since these threads end soon: their sockets are closed. */
-  private static void join(List<Thread> ending) {
-    boolean interrupted = false;
-    for (Thread thread : ending) {
-      // a thread of the server itself may close it, from a user's predicate
-      while (thread != Thread.currentThread() && thread.isAlive()) {
-        try {
-          thread.join();
-        } catch (InterruptedException e) {
-          interrupted = true;
-        }
-      }
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
+    if (closing != null) {
+      closing.close();
     }
   }
 }

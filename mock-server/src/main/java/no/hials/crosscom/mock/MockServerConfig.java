@@ -3,11 +3,17 @@ package no.hials.crosscom.mock;
 import java.net.InetAddress;
 import java.time.Duration;
 import java.util.Objects;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
+import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.Tail;
 
 /**
  * How a {@link MockServer} behaves. Immutable; made by {@link #create}.
+ *
+ * <p>By default it is as strict as KUKAVARPROXY about what a client may ask for, and kinder about
+ * when and how its requests arrive, so that a test is quick and does not depend on timing. {@link
+ * Builder#asOnTheController} ends the kindness.
  *
  * @param bindAddress the address to listen on; by default the loopback address, so that nobody
  *     takes the server for a robot's
@@ -24,6 +30,27 @@ import no.hials.crosscom.protocol.Tail;
  * @param maxAggregateLength how many bytes the text of a written aggregate may have; 255 by default
  *     (krl.md 1.7), 0 for no limit
  * @param recordedRequests how many of the last requests are kept, 10,000 by default
+ * @param joinSplitRequests whether a request that arrives in pieces is put together, the default.
+ *     KUKAVARPROXY does not: it reads at most 2048 bytes at a time, answers the whole requests in
+ *     them in turn, and drops the rest without an answer (krl.md 1.8). Assumed: what it reads next
+ *     is taken for the beginning of a request, whatever it is
+ * @param oneAtATime whether the {@link #latency} of a request holds up those of all clients, as on
+ *     the controller (the default), or of its own client only
+ * @param pendingRequests what becomes of a request that arrives while another is served; by default
+ *     it waits
+ * @param unknownFunction how a request of an unknown function number is answered; by default as
+ *     KUKAVARPROXY does
+ * @param ping whether reading {@code PING} answers {@code PONG} without asking the controller; true
+ *     by default, as in KUKAVARPROXY since 2019. Before, it was a variable like others
+ * @param latency how long the controller takes for a request; by default no time
+ * @param discoveryPort the UDP port on which the question {@code WHEREAREYOU?} is answered with
+ *     {@code KUKA|MODEL|SERIAL}, 0 for a free one; nothing (the default) for no discovery.
+ *     KUKAVARPROXY has port 6999. MODEL is the text of {@code $MODEL_NAME[]} without quotes, SERIAL
+ *     the number {@code $KR_SERIALNO}; a field is empty if the variable cannot be read
+ * @param discoveryReplyPort the port of the sender that is answered to; 7000 by default as in
+ *     KUKAVARPROXY, 0 for the port it sent from
+ * @param clock how the time of {@link MockServer#controller} passes; by default as real time
+ * @param robot the robot that the controller moves; by default a KR 6 R900 sixx
  */
 public record MockServerConfig(
     InetAddress bindAddress,
@@ -34,10 +61,25 @@ public record MockServerConfig(
     int maxClients,
     Duration idleTimeout,
     int maxAggregateLength,
-    int recordedRequests) {
+    int recordedRequests,
+    boolean joinSplitRequests,
+    boolean oneAtATime,
+    PendingRequests pendingRequests,
+    UnknownFunction unknownFunction,
+    boolean ping,
+    Latency latency,
+    OptionalInt discoveryPort,
+    int discoveryReplyPort,
+    Clock clock,
+    RobotModel robot) {
 
   private static final int MAX_PORT = 65_535;
   private static final int MAX_RECORDED = 10_000_000;
+
+  // of KUKAVARPROXY since 2019 (kukavarproxy.md, krl.md 1.7)
+  private static final int MAX_CLIENTS = 10;
+  private static final Duration IDLE_TIMEOUT = Duration.ofSeconds(30);
+  private static final int MAX_AGGREGATE = 255;
 
   /** Checks the ranges. */
   public MockServerConfig {
@@ -53,6 +95,17 @@ public record MockServerConfig(
     }
     range("maxAggregateLength", maxAggregateLength, Integer.MAX_VALUE);
     range("recordedRequests", recordedRequests, MAX_RECORDED);
+    Objects.requireNonNull(pendingRequests, "pendingRequests");
+    if (pendingRequests == PendingRequests.DROP && !oneAtATime) {
+      throw new IllegalArgumentException(
+          "pendingRequests DROP needs oneAtATime: what is served at a time is never pending");
+    }
+    Objects.requireNonNull(unknownFunction, "unknownFunction");
+    Objects.requireNonNull(latency, "latency");
+    Objects.requireNonNull(clock, "clock");
+    Objects.requireNonNull(robot, "robot");
+    discoveryPort.ifPresent(value -> range("discoveryPort", value, MAX_PORT));
+    range("discoveryReplyPort", discoveryReplyPort, MAX_PORT);
   }
 
   private static void range(String field, int value, int max) {
@@ -80,10 +133,20 @@ public record MockServerConfig(
     private FailedRead failedRead = FailedRead.EMPTY_SUCCESS;
     private Tail failedWriteTail = Tail.FAILURE;
     private boolean trimValues = true;
-    private int maxClients = 10;
-    private Duration idleTimeout = Duration.ofSeconds(30);
-    private int maxAggregateLength = 255;
+    private int maxClients = MAX_CLIENTS;
+    private Duration idleTimeout = IDLE_TIMEOUT;
+    private int maxAggregateLength = MAX_AGGREGATE;
     private int recordedRequests = 10_000;
+    private boolean joinSplitRequests = true;
+    private boolean oneAtATime = true;
+    private PendingRequests pendingRequests = PendingRequests.WAIT;
+    private UnknownFunction unknownFunction = UnknownFunction.EMPTY_ANSWER;
+    private boolean ping = true;
+    private Latency latency = Latency.none();
+    private OptionalInt discoveryPort = OptionalInt.empty();
+    private int discoveryReplyPort = 7000;
+    private Clock clock = Clock.real();
+    private RobotModel robot = RobotModel.kr6r900sixx();
 
     private Builder() {}
 
@@ -186,6 +249,141 @@ public record MockServerConfig(
       return this;
     }
 
+    /**
+     * Sets whether a request may arrive in pieces.
+     *
+     * @param value true to put it together
+     * @return this
+     */
+    public Builder joinSplitRequests(boolean value) {
+      joinSplitRequests = value;
+      return this;
+    }
+
+    /**
+     * Sets whether clients hold up each other.
+     *
+     * @param value true for one request at a time over all clients
+     * @return this
+     */
+    public Builder oneAtATime(boolean value) {
+      oneAtATime = value;
+      return this;
+    }
+
+    /**
+     * Sets what becomes of a request that comes too early.
+     *
+     * @param value the way
+     * @return this
+     */
+    public Builder pendingRequests(PendingRequests value) {
+      pendingRequests = value;
+      return this;
+    }
+
+    /**
+     * Sets how a request of an unknown function is answered.
+     *
+     * @param value the way
+     * @return this
+     */
+    public Builder unknownFunction(UnknownFunction value) {
+      unknownFunction = value;
+      return this;
+    }
+
+    /**
+     * Sets whether {@code PING} is answered.
+     *
+     * @param value true to answer it, false to take it for a variable
+     * @return this
+     */
+    public Builder ping(boolean value) {
+      ping = value;
+      return this;
+    }
+
+    /**
+     * Sets how long the controller takes for a request.
+     *
+     * @param value the latency
+     * @return this
+     */
+    public Builder latency(Latency value) {
+      latency = value;
+      return this;
+    }
+
+    /**
+     * Switches discovery on.
+     *
+     * @param value the UDP port, 0 to 65535
+     * @return this
+     */
+    public Builder discoveryPort(int value) {
+      discoveryPort = OptionalInt.of(value);
+      return this;
+    }
+
+    /**
+     * Sets the port to which the question where controllers are is answered.
+     *
+     * @param value 0 to 65535
+     * @return this
+     */
+    public Builder discoveryReplyPort(int value) {
+      discoveryReplyPort = value;
+      return this;
+    }
+
+    /**
+     * Sets all that a client can notice as it is on a KR C4 with KUKAVARPROXY since 2019: the
+     * limits and answers, which are the defaults, in place of what was set before; and also {@link
+     * #joinSplitRequests} false, {@link #pendingRequests} {@link
+     * PendingRequests#DROP_OF_SAME_CLIENT} and {@link Latency#krc4}. Address, ports and what is
+     * recorded stay. {@link MockServer#dropCount} shows whether a client kept to the rules.
+     *
+     * @param seed the seed of the latency
+     * @return this
+     */
+    public Builder asOnTheController(long seed) {
+      return failedRead(FailedRead.EMPTY_SUCCESS)
+          .failedWriteTail(Tail.FAILURE)
+          .trimValues(true)
+          .maxClients(MAX_CLIENTS)
+          .idleTimeout(IDLE_TIMEOUT)
+          .maxAggregateLength(MAX_AGGREGATE)
+          .unknownFunction(UnknownFunction.EMPTY_ANSWER)
+          .ping(true)
+          .oneAtATime(true)
+          .joinSplitRequests(false)
+          .pendingRequests(PendingRequests.DROP_OF_SAME_CLIENT)
+          .latency(Latency.krc4(seed));
+    }
+
+    /**
+     * Sets how the time of the controller passes.
+     *
+     * @param value the clock
+     * @return this
+     */
+    public Builder clock(Clock value) {
+      clock = value;
+      return this;
+    }
+
+    /**
+     * Sets the robot that the controller moves.
+     *
+     * @param value the robot
+     * @return this
+     */
+    public Builder robot(RobotModel value) {
+      robot = value;
+      return this;
+    }
+
     private MockServerConfig build() {
       return new MockServerConfig(
           bindAddress,
@@ -196,7 +394,17 @@ public record MockServerConfig(
           maxClients,
           idleTimeout,
           maxAggregateLength,
-          recordedRequests);
+          recordedRequests,
+          joinSplitRequests,
+          oneAtATime,
+          pendingRequests,
+          unknownFunction,
+          ping,
+          latency,
+          discoveryPort,
+          discoveryReplyPort,
+          clock,
+          robot);
     }
   }
 }

@@ -61,8 +61,7 @@ final class RequestHandler {
   }
 
   private Outcome read(ReadRequest request) {
-    // case-sensitive, and not a variable (kukavarproxy.md)
-    if (request.name().equals("PING")) {
+    if (isPing(request)) {
       return new Outcome(new ReadResponse(request.id(), "PONG", Tail.SUCCESS), null);
     }
     try {
@@ -75,6 +74,11 @@ final class RequestHandler {
     } catch (RefusedException e) {
       return new Outcome(new ReadResponse(request.id(), "", config.failedRead().tail()), e);
     }
+  }
+
+  /** Says whether a request is for the server itself: case-sensitive (krl.md 1.8). */
+  boolean isPing(Request request) {
+    return config.ping() && request instanceof ReadRequest read && read.name().equals("PING");
   }
 
   private static void checkLength(int bytes) throws RefusedException {

@@ -1,8 +1,24 @@
 package no.hials.crosscom.mock;
 
+import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.SortedSet;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.lang.ParseResult;
+import no.hials.crosscom.mock.internal.data.DataListLoader;
+import no.hials.crosscom.mock.internal.data.DataListWriter;
+import no.hials.crosscom.mock.internal.data.DataLists;
+import no.hials.crosscom.mock.internal.data.Declared;
+import no.hials.crosscom.mock.internal.data.Note;
 import no.hials.crosscom.mock.internal.data.Path;
 import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.mock.internal.data.Scope;
@@ -25,11 +41,16 @@ import org.jspecify.annotations.Nullable;
 public final class VariableTable {
   private final Scope scope = new Scope();
 
+  /** What is known of the variables, by their names in upper case; replaced, never changed. */
+  private volatile Map<String, Note> notes = Map.of();
+
   private VariableTable() {}
 
   /**
    * Makes a table of a KR 6 R900 sixx with a KR C4 (KSS 8.3), standing at its home position in mode
-   * T1, with some user variables such as {@code MYPOS}.
+   * T1, with some user variables such as {@code MYPOS}. What it holds can be read in the data lists
+   * {@code $TYPES.DAT}, {@code $OPERATE.DAT}, {@code $MACHINE.DAT} and {@code $CONFIG.DAT}, which
+   * lie beside this class in the jar.
    *
    * @return a new table
    */
@@ -54,7 +75,161 @@ public final class VariableTable {
   public VariableTable copy() {
     VariableTable copy = new VariableTable();
     copy.scope.copyFrom(scope);
+    copy.notes = notes;
     return copy;
+  }
+
+  // data lists
+
+  /**
+   * Loads a data list as KSS writes it, such as a robot's own {@code $CONFIG.DAT}. What it declares
+   * takes the place of what is there; the rights of clients to a variable whose name begins with
+   * {@code $} stay. Of a module's list, whose name does not begin with {@code $}, clients see what
+   * it declares GLOBAL, if it is PUBLIC; the rest is checked only.
+   *
+   * @param file the file, in ISO 8859-1, with the line ends of any system
+   * @throws IOException if it cannot be read
+   * @throws KrlFileException if something in it is wrong; it says all of it, and the table is as
+   *     before
+   */
+  public void load(java.nio.file.Path file) throws IOException, KrlFileException {
+    load(file.toString(), DataLists.parse(file));
+  }
+
+  /**
+   * Loads a data list from its text, as {@link #load(java.nio.file.Path)} does.
+   *
+   * @param name the name that stands in messages
+   * @param text the text
+   * @throws KrlFileException if something in it is wrong; it says all of it, and the table is as
+   *     before
+   */
+  public void load(String name, String text) throws KrlFileException {
+    load(name, KrlParser.parse(name, text));
+  }
+
+  /** Loads a data list from what came of parsing it. */
+  void load(String name, ParseResult result) throws KrlFileException {
+    List<KrlError> errors = new ArrayList<>();
+    Optional<DataList> parsed = DataLists.dataList(name, result, errors);
+    boolean loaded = parsed.isPresent() && scope.attempt(() -> take(parsed.get(), errors));
+    if (!loaded) {
+      throw new KrlFileException(DataLists.sorted(errors));
+    }
+  }
+
+  private boolean take(DataList list, List<KrlError> errors) {
+    DataListLoader.load(list, new Scope(scope), scope, errors::add);
+    if (!errors.isEmpty()) {
+      return false;
+    }
+    Map<String, Note> all = new HashMap<>(notes);
+    all.putAll(DataLists.notes(list));
+    notes = Map.copyOf(all);
+    return true;
+  }
+
+  /**
+   * Saves all types and variables as a data list. Loaded again, into this table or another, it
+   * gives every variable the value that it has now, also those that follow the simulated robot;
+   * what has no value gets none. A variable that only Java code could declare, with a name longer
+   * than the 24 characters of KRL, is saved, but not loaded again.
+   *
+   * @param file the file, which is overwritten; in ISO 8859-1, with CR and LF
+   * @throws IOException if it cannot be written
+   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   */
+  public void save(java.nio.file.Path file) throws IOException {
+    DataLists.write(file, toDataList(file.getFileName().toString()));
+  }
+
+  /**
+   * Saves some variables and the types that they use, as {@link #save(java.nio.file.Path)} does:
+   * {@code save(file, name -> !name.startsWith("$"))} leaves the system variables out.
+   *
+   * @param file the file, which is overwritten; in ISO 8859-1, with CR and LF
+   * @param variables says of a name as declared whether it is to be saved
+   * @throws IOException if it cannot be written
+   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   */
+  public void save(java.nio.file.Path file, Predicate<String> variables) throws IOException {
+    DataLists.write(file, toDataList(file.getFileName().toString(), variables));
+  }
+
+  /**
+   * Gives the text that {@link #save(java.nio.file.Path)} writes.
+   *
+   * @param name the name behind {@code DEFDAT}; with {@code $} in front if it has none, since only
+   *     such a data list may declare system variables
+   * @return the text of a data list
+   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   */
+  public String toDataList(String name) {
+    return DataListWriter.write(DataLists.systemName(name), scope, null, notes);
+  }
+
+  /**
+   * Gives the text that {@link #save(java.nio.file.Path, Predicate)} writes.
+   *
+   * @param name the name behind {@code DEFDAT}; with {@code $} in front if it has none
+   * @param variables says of a name as declared whether it is to be saved
+   * @return the text of a data list
+   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   */
+  public String toDataList(String name, Predicate<String> variables) {
+    Set<String> chosen =
+        names().stream().filter(variables).map(Scope::key).collect(Collectors.toSet());
+    return DataListWriter.write(DataLists.systemName(name), scope, chosen, notes);
+  }
+
+  // what is known of the variables
+
+  /**
+   * Describes a variable.
+   *
+   * @param name its name in any case, without index
+   * @return type, access, unit, meaning; nothing if there is no such variable
+   */
+  public Optional<VariableInfo> describe(String name) {
+    return Declared.find(scope, name).map(this::describe);
+  }
+
+  /**
+   * Describes all variables.
+   *
+   * @return what {@link #describe(String)} gives for each, sorted by name; a copy
+   */
+  public List<VariableInfo> describeAll() {
+    List<VariableInfo> all = new ArrayList<>();
+    for (String name : names()) {
+      describe(name).ifPresent(all::add);
+    }
+    return all;
+  }
+
+  private VariableInfo describe(Declared declared) {
+    Note note = notes.getOrDefault(Scope.key(declared.name()), Note.NONE);
+    return new VariableInfo(
+        declared.name(),
+        declared.type(),
+        declared.dimensions(),
+        declared.access(),
+        note.unit(),
+        note.meaning(),
+        note.source());
+  }
+
+  /** Forgets what is known of a variable that is no longer the same. */
+  private void forget(String declarator) {
+    int bracket = declarator.indexOf('[');
+    String key = Scope.key(bracket < 0 ? declarator : declarator.substring(0, bracket));
+    synchronized (scope) {
+      if (notes.containsKey(key)) {
+        Map<String, Note> rest = new HashMap<>(notes);
+        rest.remove(key);
+        notes = Map.copyOf(rest);
+      }
+    }
   }
 
   // declarations
@@ -124,10 +299,12 @@ public final class VariableTable {
         throw new IllegalArgumentException("SIGNAL " + name + " needs a wiring");
       }
       scope.declareSignal(name, value, access);
+      forget(name);
       return;
     }
     try {
       scope.declare(name, type, access, value == null ? null : parse(value));
+      forget(name);
     } catch (RefusedException e) {
       throw refusedToJava(name, e);
     }
@@ -140,6 +317,7 @@ public final class VariableTable {
    * @return whether there was one
    */
   public boolean remove(String name) {
+    forget(name);
     return scope.remove(name);
   }
 

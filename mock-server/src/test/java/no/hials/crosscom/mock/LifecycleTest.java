@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.net.ConnectException;
+import java.net.SocketException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -57,6 +58,40 @@ class LifecycleTest {
       client.read("PING");
       String prefix = "mock-server-" + server.port();
       assertThat(threadsOf(server)).containsExactly(prefix + "-accept", prefix + "-client-1");
+    }
+  }
+
+  @Test
+  void hasAThreadForDiscoveryIfThatIsOn() throws IOException {
+    MockServer server = MockServer.start(cfg -> cfg.discoveryPort(0));
+    String prefix = "mock-server-" + server.port();
+    assertThat(threadsOf(server)).containsExactly(prefix + "-accept", prefix + "-discovery");
+    server.close();
+    assertThat(threadsOf(server)).isEmpty();
+  }
+
+  @Test
+  void stopsWhileARequestTakesItsTimeAndAnotherWaitsForItsTurn() throws Exception {
+    MockServer server = MockServer.start(cfg -> cfg.latency(Latency.fixed(Duration.ofHours(1))));
+    try (RawClient served = new RawClient(server);
+        RawClient waiting = new RawClient(server)) {
+      for (RawClient client : List.of(served, waiting)) {
+        client.send("00 00 00 0A 00 00 07 24 4F 56 5F 50 52 4F");
+      }
+      assertThat(server.takeRequest(Duration.ofSeconds(20))).isPresent();
+      server.close();
+      assertThat(threadsOf(server)).isEmpty();
+      assertThat(served.receiveAll()).isEmpty();
+      assertEndsWithoutAnAnswer(waiting);
+    }
+  }
+
+  /** The end is a reset if the server has not read the request yet. */
+  private static void assertEndsWithoutAnAnswer(RawClient client) throws IOException {
+    try {
+      assertThat(client.receiveAll()).isEmpty();
+    } catch (SocketException e) {
+      assertThat(e).hasMessage("Connection reset");
     }
   }
 

@@ -5,7 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.InetAddress;
 import java.time.Duration;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.Tail;
 import org.junit.jupiter.api.Test;
 
@@ -30,12 +33,25 @@ class MockServerConfigTest {
                 10,
                 Duration.ofSeconds(30),
                 255,
-                10_000));
+                10_000,
+                true,
+                true,
+                PendingRequests.WAIT,
+                UnknownFunction.EMPTY_ANSWER,
+                true,
+                Latency.none(),
+                OptionalInt.empty(),
+                7000,
+                Clock.real(),
+                RobotModel.kr6r900sixx()));
   }
 
   @Test
   void takesWhatIsSet() throws Exception {
     InetAddress any = InetAddress.getByAddress(new byte[4]);
+    RobotModel otherLimits =
+        RobotModel.kr6r900sixx()
+            .withLimits(Axes.of(-9, -9, -9, -9, -9, -9), Axes.of(9, 9, 9, 9, 9, 9));
     assertThat(
             MockServerConfig.create(
                 cfg ->
@@ -47,10 +63,82 @@ class MockServerConfigTest {
                         .maxClients(0)
                         .idleTimeout(Duration.ZERO)
                         .maxAggregateLength(0)
-                        .recordedRequests(0)))
+                        .recordedRequests(0)
+                        .joinSplitRequests(false)
+                        .oneAtATime(false)
+                        .pendingRequests(PendingRequests.DROP_OF_SAME_CLIENT)
+                        .unknownFunction(UnknownFunction.CLOSE)
+                        .ping(false)
+                        .latency(Latency.krc4(1))
+                        .discoveryPort(65_535)
+                        .discoveryReplyPort(0)
+                        .clock(Clock.stepped())
+                        .robot(otherLimits)))
         .isEqualTo(
             new MockServerConfig(
-                any, 65_535, FailedRead.FAILURE, Tail.FAILURE_ZERO, false, 0, Duration.ZERO, 0, 0));
+                any,
+                65_535,
+                FailedRead.FAILURE,
+                Tail.FAILURE_ZERO,
+                false,
+                0,
+                Duration.ZERO,
+                0,
+                0,
+                false,
+                false,
+                PendingRequests.DROP_OF_SAME_CLIENT,
+                UnknownFunction.CLOSE,
+                false,
+                Latency.krc4(1),
+                OptionalInt.of(65_535),
+                0,
+                Clock.stepped(),
+                otherLimits));
+  }
+
+  @Test
+  void isAsOnTheControllerWhateverWasSetBeforeButListensWhereItWasTold() {
+    MockServerConfig config =
+        MockServerConfig.create(
+            cfg ->
+                cfg.port(5)
+                    .recordedRequests(6)
+                    .failedRead(FailedRead.FAILURE)
+                    .failedWriteTail(Tail.FAILURE_ZERO)
+                    .trimValues(false)
+                    .maxClients(0)
+                    .idleTimeout(Duration.ZERO)
+                    .maxAggregateLength(0)
+                    .oneAtATime(false)
+                    .unknownFunction(UnknownFunction.CLOSE)
+                    .ping(false)
+                    .discoveryPort(7)
+                    .discoveryReplyPort(8)
+                    .clock(Clock.stepped())
+                    .asOnTheController(9));
+    assertThat(config)
+        .isEqualTo(
+            new MockServerConfig(
+                InetAddress.getLoopbackAddress(),
+                5,
+                FailedRead.EMPTY_SUCCESS,
+                Tail.FAILURE,
+                true,
+                10,
+                Duration.ofSeconds(30),
+                255,
+                6,
+                false,
+                true,
+                PendingRequests.DROP_OF_SAME_CLIENT,
+                UnknownFunction.EMPTY_ANSWER,
+                true,
+                Latency.krc4(9),
+                OptionalInt.of(7),
+                8,
+                Clock.stepped(),
+                RobotModel.kr6r900sixx()));
   }
 
   @Test
@@ -63,5 +151,10 @@ class MockServerConfigTest {
     assertRefused(cfg -> cfg.idleTimeout(Duration.ofDays(25)), "idleTimeout");
     assertRefused(cfg -> cfg.maxAggregateLength(-1), "maxAggregateLength");
     assertRefused(cfg -> cfg.recordedRequests(-1), "recordedRequests");
+    assertRefused(cfg -> cfg.discoveryPort(-1), "discoveryPort must be 0 to 65535, is -1");
+    assertRefused(cfg -> cfg.discoveryPort(65_536), "discoveryPort");
+    assertRefused(cfg -> cfg.discoveryReplyPort(65_536), "discoveryReplyPort");
+    assertRefused(
+        cfg -> cfg.oneAtATime(false).pendingRequests(PendingRequests.DROP), "needs oneAtATime");
   }
 }

@@ -16,7 +16,7 @@ import no.hials.crosscom.protocol.WriteResponse;
 import org.jspecify.annotations.Nullable;
 
 /** A socket that sends and receives bytes as they are. */
-final class RawClient implements AutoCloseable {
+public final class RawClient implements AutoCloseable {
   /** Ends a test that would wait for ever; no test needs it to pass. */
   private static final int GIVE_UP_MILLIS = 20_000;
 
@@ -26,7 +26,7 @@ final class RawClient implements AutoCloseable {
   private final InputStream in;
   private @Nullable FrameReader frames;
 
-  RawClient(MockServer server) throws IOException {
+  public RawClient(MockServer server) throws IOException {
     socket = new Socket(server.host(), server.port());
     socket.setTcpNoDelay(true);
     socket.setSoTimeout(GIVE_UP_MILLIS);
@@ -74,7 +74,7 @@ final class RawClient implements AutoCloseable {
     return Codec.decodeResponse(frame);
   }
 
-  ReadResponse read(String name) throws IOException {
+  public ReadResponse read(String name) throws IOException {
     return (ReadResponse) exchange(new ReadRequest(7, name));
   }
 

@@ -76,7 +76,7 @@ final class ControllerOptions {
   }
 
   private Controller openMock() throws IOException {
-    MockServer server = MockCommand.listen(InetAddress.getLoopbackAddress(), 0);
+    MockServer server = MockCommand.listen(InetAddress.getLoopbackAddress(), 0, cfg -> {});
     try {
       return new Controller(connect(server.host(), server.port()), server);
     } catch (IOException | RuntimeException e) {

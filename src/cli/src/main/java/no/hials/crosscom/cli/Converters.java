@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import no.hials.crosscom.mock.OperatingMode;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -37,6 +38,18 @@ final class Converters {
     @Override
     public Integer convert(String text) {
       return number(text, 0, 65_535);
+    }
+  }
+
+  /** An operating mode. */
+  static final class Mode implements ITypeConverter<OperatingMode> {
+    @Override
+    public OperatingMode convert(String text) {
+      try {
+        return OperatingMode.valueOf(text.toUpperCase(Locale.ROOT));
+      } catch (IllegalArgumentException e) {
+        throw new TypeConversionException("must be T1, T2, AUT or EXT, is " + text);
+      }
     }
   }
 

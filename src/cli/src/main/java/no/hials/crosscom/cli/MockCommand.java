@@ -3,8 +3,22 @@ package no.hials.crosscom.cli;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
 import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.mock.Clock;
+import no.hials.crosscom.mock.Controller;
+import no.hials.crosscom.mock.FaultRule;
+import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.MockServerConfig;
+import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.mock.ProgramControl;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -13,18 +27,26 @@ import picocli.CommandLine.Option;
 @Command(
     name = "mock",
     description = {
-      "Simulates a controller with KUKAVARPROXY (KR 6 R900 sixx, KR C4), until Ctrl-C. Its first"
-          + " line is: listening on HOST:PORT"
+      "Simulates a controller with KUKAVARPROXY (KR 6 R900 sixx, KR C4), until Ctrl-C: its variables,"
+          + " its programs and its robot. Its first line is: listening on HOST:PORT"
     },
     footer = {
       "",
       "Ctrl-C (SIGINT) and SIGTERM close it; that is its regular end, with exit code 0.",
       "",
+      "A fault is FAULT[:ARGUMENT][@NUMBERS][@NAME][%%PROBABILITY], such as drop@3, closeAfter%%0.01,",
+      "delay:200ms@$POS_ACT, wrongId@5-10 or truncate:4.",
+      "",
       "Examples:",
       "  jopenshowvar mock",
-      "  jopenshowvar mock --port 0 --verbose"
+      "  jopenshowvar mock --port 0 --verbose",
+      "  jopenshowvar mock --config krl/config.dat --program krl/actuator.src --start --mode AUT",
+      "  jopenshowvar mock --latency krc4 --fault 'drop%%0.01' --seed 1"
     })
 final class MockCommand extends ConsoleCommand {
+  /** As KUKAVARPROXY has it. */
+  private static final int DISCOVERY_PORT = 6999;
+
   @Option(
       names = "--host",
       order = 1,
@@ -43,6 +65,86 @@ final class MockCommand extends ConsoleCommand {
       description = "TCP port to listen on, 0 for a free one; 7000 if not given.")
   private int port = ClientConfig.DEFAULT_PORT;
 
+  @Option(
+      names = "--discovery",
+      order = 2,
+      paramLabel = "PORT",
+      converter = Converters.ListeningPort.class,
+      description = {
+        "UDP port on which WHEREAREYOU? is answered, 0 for a free one. If not given, 6999, and none if"
+            + " that is in use."
+      })
+  private @Nullable Integer discovery;
+
+  @Option(names = "--no-discovery", order = 2, description = "Do not answer WHEREAREYOU?.")
+  private boolean noDiscovery;
+
+  @Option(
+      names = "--config",
+      order = 3,
+      paramLabel = "FILE.dat",
+      description = {
+        "Load a data list, such as your own $CONFIG.DAT or $MACHINE.DAT. It may stand there several"
+            + " times."
+      })
+  private List<Path> configs = new ArrayList<>();
+
+  @Option(
+      names = "--program",
+      order = 3,
+      paramLabel = "FILE.src",
+      description = {
+        "Load a program (.src, or .sub for the submit interpreter), with the data list of the same"
+            + " name beside it. It may stand there several times; the first .src and the first .sub are"
+            + " selected."
+      })
+  private List<Path> programs = new ArrayList<>();
+
+  @Option(names = "--start", order = 3, description = "Start the programs that are selected.")
+  private boolean start;
+
+  @Option(
+      names = "--mode",
+      order = 3,
+      paramLabel = "MODE",
+      converter = Converters.Mode.class,
+      description = "Operating mode: T1 (slow; if not given), T2, AUT or EXT.")
+  private OperatingMode mode = OperatingMode.T1;
+
+  @Option(
+      names = "--speed",
+      order = 3,
+      paramLabel = "SPEED",
+      description = {
+        "How fast the time of programs and robot passes: 10 for ten times as fast, max for as fast as"
+            + " this machine can; real if not given."
+      })
+  private String speed = "real";
+
+  @Option(
+      names = "--latency",
+      order = 4,
+      paramLabel = "LATENCY",
+      description = {
+        "How long a request takes: none (if not given), a time such as 5ms, krc4 as measured at a KR C4"
+            + " (median 2.2 ms), krc4-2014 as in the papers of 2014 (mean 5 ms)."
+      })
+  private String latency = "none";
+
+  @Option(
+      names = "--fault",
+      order = 4,
+      paramLabel = "FAULT",
+      description = "Let something go wrong; see below. It may stand there several times.")
+  private List<String> faults = new ArrayList<>();
+
+  @Option(
+      names = "--seed",
+      order = 4,
+      paramLabel = "NUMBER",
+      description = "Seed of the chance in latency and faults; 1 if not given.")
+  private long seed = 1;
+
   MockCommand(Console console) {
     super(console);
   }
@@ -52,19 +154,53 @@ final class MockCommand extends ConsoleCommand {
     if (host != null && host.isBlank()) {
       throw wrongUsage("--host must not be blank");
     }
+    if (noDiscovery && discovery != null) {
+      throw wrongUsage("--discovery and --no-discovery exclude each other");
+    }
+    InetAddress address = addressOf(host);
+    Clock clock = argument("--speed", () -> Clock.parse(speed));
+    if (clock instanceof Clock.Stepped) {
+      throw wrongUsage("--speed stepped is for tests in Java only");
+    }
+    Latency times = argument("--latency", () -> Latency.parse(latency, seed));
+    List<FaultRule> rules = new ArrayList<>();
+    for (String fault : faults) {
+      rules.add(argument("--fault " + fault, () -> FaultRule.parse(fault, seed)));
+    }
     // in this order: a signal behind the first line finds both there
     try (StopSignal stop = new StopSignal();
-        MockServer server = listen(addressOf(host), port)) {
-      String shown = server.host();
-      console()
-          .print(
-              "listening on "
-                  + (shown.indexOf(':') >= 0 ? "[" + shown + "]" : shown)
-                  + ":"
-                  + server.port());
-      stop.await();
+        MockServer server = open(address, cfg -> cfg.clock(clock).latency(times))) {
+      rules.forEach(server::faults);
+      Controller controller = server.controller();
+      List<String> lines = prepare(controller);
+      console().print("listening on " + shown(server.host()) + ":" + server.port());
+      server
+          .discoveryPort()
+          .ifPresent(udp -> console().print("discovery on " + shown(server.host()) + ":" + udp));
+      lines.forEach(console()::print);
+      try (StatusLine status = new StatusLine(console(), server)) {
+        status.start();
+        stop.await();
+      }
       return ExitCode.DONE;
     }
+  }
+
+  /** Something that a text is turned into. */
+  private interface Parsing<T> {
+    T get();
+  }
+
+  private <T> T argument(String option, Parsing<T> parsing) {
+    try {
+      return parsing.get();
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage(option + ": " + e.getMessage());
+    }
+  }
+
+  private static String shown(String host) {
+    return host.indexOf(':') >= 0 ? "[" + host + "]" : host;
   }
 
   private static InetAddress addressOf(@Nullable String host) throws CannotListenException {
@@ -75,10 +211,96 @@ final class MockCommand extends ConsoleCommand {
     }
   }
 
-  /** Starts a mock server that does not keep requests, since nobody asks it for them. */
-  static MockServer listen(InetAddress address, int port) throws CannotListenException {
+  // what runs
+
+  /** Loads, selects and starts what was asked for, and says so in lines. */
+  private List<String> prepare(Controller controller) throws IOException {
+    List<String> lines = new ArrayList<>();
+    for (Path file : configs) {
+      lines.add("loaded " + load(controller, file) + " from " + file);
+    }
+    controller.setMode(mode);
+    boolean robotChosen = false;
+    boolean submitChosen = false;
+    for (Path file : programs) {
+      String name = load(controller, file);
+      lines.add("loaded " + name + " from " + file);
+      boolean submit = file.toString().toLowerCase(Locale.ROOT).endsWith(".sub");
+      if (submit ? !submitChosen : !robotChosen) {
+        select(submit ? controller.submit() : controller.robot(), name, file);
+        submitChosen |= submit;
+        robotChosen |= !submit;
+      }
+    }
+    if (start && !robotChosen && !submitChosen) {
+      throw wrongUsage("--start needs a --program");
+    }
+    if (submitChosen && start) {
+      controller.submit().start();
+    }
+    if (robotChosen && start) {
+      startRobot(controller);
+    }
+    if (robotChosen || submitChosen) {
+      lines.add(controller.toString());
+    }
+    return lines;
+  }
+
+  private void startRobot(Controller controller) {
+    if (mode == OperatingMode.EXT) {
+      controller.externalStart();
+    } else {
+      controller.robot().start();
+    }
+  }
+
+  private String load(Controller controller, Path file) throws IOException {
+    if (!Files.isRegularFile(file)) {
+      throw wrongUsage(file + " is no file");
+    }
     try {
-      return MockServer.start(cfg -> cfg.bindAddress(address).port(port).recordedRequests(0));
+      return controller.load(file);
+    } catch (KrlFileException e) {
+      throw wrongUsage(file + " has errors, nothing of it was loaded:\n" + e.getMessage());
+    }
+  }
+
+  private void select(ProgramControl interpreter, String name, Path file) {
+    try {
+      interpreter.select(name);
+    } catch (KrlFileException e) {
+      throw wrongUsage(file + " cannot be selected:\n" + e.getMessage());
+    }
+  }
+
+  // the server
+
+  private MockServer open(InetAddress address, Consumer<MockServerConfig.Builder> more)
+      throws CannotListenException {
+    if (noDiscovery) {
+      return listen(address, port, more);
+    }
+    int udp = discovery == null ? DISCOVERY_PORT : discovery;
+    try {
+      return listen(address, port, more.andThen(cfg -> cfg.discoveryPort(udp)));
+    } catch (CannotListenException e) {
+      if (discovery != null) {
+        throw e;
+      }
+      // the TCP port may be the one that is in use: then this fails, too
+      MockServer server = listen(address, port, more);
+      console().error("no discovery: UDP port " + udp + " is in use");
+      return server;
+    }
+  }
+
+  /** Starts a mock server that does not keep requests, since nobody asks it for them. */
+  static MockServer listen(InetAddress address, int port, Consumer<MockServerConfig.Builder> more)
+      throws CannotListenException {
+    try {
+      return MockServer.start(
+          cfg -> more.accept(cfg.bindAddress(address).port(port).recordedRequests(0)));
     } catch (IOException e) {
       throw new CannotListenException(String.valueOf(e.getMessage()), e);
     }

@@ -86,7 +86,10 @@ class JarIT {
   @Test
   @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no SIGTERM")
   void servesUntilSigtermThenFreesThePortAndEndsWithCode0() throws Exception {
-    Process mock = jar("mock", "--port", "0").redirectError(dir.resolve("err").toFile()).start();
+    Process mock =
+        jar("mock", "--port", "0", "--no-discovery")
+            .redirectError(dir.resolve("err").toFile())
+            .start();
     try (BufferedReader out =
         new BufferedReader(new InputStreamReader(mock.getInputStream(), StandardCharsets.UTF_8))) {
       String first = out.readLine();

@@ -24,7 +24,7 @@ class MockCommandTest {
   void servesUntilItIsInterruptedAndThenFreesThePort() throws Exception {
     Lines lines = new Lines();
     CompletableFuture<Integer> code = new CompletableFuture<>();
-    String[] args = {"mock", "--port", "0"};
+    String[] args = {"mock", "--port", "0", "--no-discovery"};
     Thread mock = new Thread(() -> code.complete(Main.run(args, lines, new StringWriter())));
     mock.start();
 

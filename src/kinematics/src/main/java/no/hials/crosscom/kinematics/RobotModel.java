@@ -86,12 +86,21 @@ public final class RobotModel {
    * @return the model
    */
   public static RobotModel kr6r900sixx() {
-    InputStream file =
-        Objects.requireNonNull(RobotModel.class.getResourceAsStream(KR6R900SIXX), KR6R900SIXX);
-    try (Reader reader = new InputStreamReader(file, StandardCharsets.UTF_8)) {
-      return load(reader, KR6R900SIXX);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
+    return Kr6R900Sixx.MODEL;
+  }
+
+  /** Reads the file when it is asked for the first time. */
+  private static final class Kr6R900Sixx {
+    static final RobotModel MODEL = read();
+
+    private static RobotModel read() {
+      InputStream file =
+          Objects.requireNonNull(RobotModel.class.getResourceAsStream(KR6R900SIXX), KR6R900SIXX);
+      try (Reader reader = new InputStreamReader(file, StandardCharsets.UTF_8)) {
+        return load(reader, KR6R900SIXX);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
     }
   }
 

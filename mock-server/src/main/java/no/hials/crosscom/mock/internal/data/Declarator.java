@@ -3,6 +3,7 @@ package no.hials.crosscom.mock.internal.data;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -29,18 +30,31 @@ record Declarator(Type type, String name, List<Integer> dimensions) {
           "a declaration is a name with or without [dimensions], is '" + text + "'");
     }
     List<Integer> dimensions = new ArrayList<>();
-    long elements = 1;
     if (matcher.group(2) != null) {
       for (String number : matcher.group(2).split(",", -1)) {
         dimensions.add(Integer.valueOf(number));
-        elements *= dimensions.get(dimensions.size() - 1);
       }
+    }
+    return of(type, matcher.group(1), dimensions);
+  }
+
+  /** Checks the number of elements. */
+  static Declarator of(Type type, String name, List<Integer> dimensions) {
+    // three dimensions of an INT each would not fit a long
+    double elements = 1;
+    for (int dimension : dimensions) {
+      elements *= dimension;
     }
     if (elements < 1 || elements > MAX_ELEMENTS) {
       throw new IllegalArgumentException(
-          text + " must have 1 to " + MAX_ELEMENTS + " elements, has " + elements);
+          String.format(
+              Locale.ROOT,
+              "%s must have 1 to %d elements, has %.0f",
+              name,
+              MAX_ELEMENTS,
+              elements));
     }
-    return new Declarator(type, matcher.group(1), List.copyOf(dimensions));
+    return new Declarator(type, name, List.copyOf(dimensions));
   }
 
   Node uninitialised() {

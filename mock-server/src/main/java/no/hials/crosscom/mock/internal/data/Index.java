@@ -64,6 +64,31 @@ public final class Index {
     return numbers.length == 0 && open;
   }
 
+  /**
+   * Says whether the last dimension is left open.
+   *
+   * @return whether it is {@code []} or {@code [1,]}
+   */
+  public boolean isOpen() {
+    return open;
+  }
+
+  /**
+   * Gives the index that stands for a part of what this one stands for: {@code [1,]} and then
+   * {@code [2]} is {@code [1,2]}.
+   *
+   * @param inner the index within that part
+   * @return both together
+   */
+  public Index then(Index inner) {
+    if (inner.isNone()) {
+      return this;
+    }
+    int[] all = Arrays.copyOf(numbers, numbers.length + inner.numbers.length);
+    System.arraycopy(inner.numbers, 0, all, numbers.length, inner.numbers.length);
+    return new Index(all, inner.open);
+  }
+
   /** Gives what is left of the index when the first dimensions are dealt with. */
   Index after(int dimensions) {
     return new Index(Arrays.copyOfRange(numbers, dimensions, numbers.length), open);

@@ -2,8 +2,11 @@ package no.hials.crosscom.mock.internal.data;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import no.hials.crosscom.mock.Refusal;
 import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -78,8 +81,14 @@ public abstract sealed class Node {
     return known;
   }
 
-  /** Gives the part that a path stands for; this is what its first name stands for. */
-  final Node read(Path path) throws RefusedException {
+  /**
+   * Gives the part that a path stands for; this is what its first name stands for.
+   *
+   * @param path the path
+   * @return the contents of the part
+   * @throws RefusedException if there is no such part
+   */
+  public final Node read(Path path) throws RefusedException {
     Node node = select(path.first().index());
     for (int i = 1; i < path.steps().size(); i++) {
       Path.Step step = path.steps().get(i);
@@ -90,18 +99,59 @@ public abstract sealed class Node {
 
   /** Gives these contents after a value has been assigned to the part a path stands for. */
   final Node write(Path path, KrlValue value) throws RefusedException {
-    return write(path, 0, value);
+    return change(path, part -> part.assign(value));
   }
 
-  private Node write(Path path, int step, KrlValue value) throws RefusedException {
+  /**
+   * Gives these contents after a program has assigned a value to the part that a path stands for. A
+   * REAL is rounded where an INT is needed.
+   *
+   * @param path the path; this is what its first name stands for
+   * @param value the value
+   * @return the contents after that
+   * @throws RefusedException if there is no such part, or the value is not of its type
+   */
+  public final Node store(Path path, KrlValue value) throws RefusedException {
+    return change(path, part -> part.assign(part.rounded(value)));
+  }
+
+  /** Gives what a program's value becomes when it is assigned to the whole. */
+  KrlValue rounded(KrlValue value) throws RefusedException {
+    return value;
+  }
+
+  /**
+   * Gives the characters of a CHAR array. Unlike its value they can be none at all.
+   *
+   * @return the characters; nothing if this is no CHAR array or it has no value
+   */
+  public Optional<String> characters() {
+    return Optional.empty();
+  }
+
+  /**
+   * Gives the declared length of a CHAR array.
+   *
+   * @return how many characters it can hold; 0 if this is no CHAR array
+   */
+  public int capacity() {
+    return 0;
+  }
+
+  /** Gives these contents after a change of the part a path stands for. */
+  final Node change(Path path, Change change) throws RefusedException {
+    return change(path, 0, change);
+  }
+
+  private Node change(Path path, int step, Change change) throws RefusedException {
     return change(
         path.steps().get(step).index(),
         part ->
             path.isLast(step)
-                ? part.assign(value)
+                ? change.apply(part)
                 : part.changeComponent(
                     path.steps().get(step + 1).name(),
-                    component -> component.write(path, step + 1, value)));
+                    component -> component.change(path, step + 1, change)));
   }
 
   static RefusedException badIndex(String what) {
@@ -129,6 +179,10 @@ public abstract sealed class Node {
       this.value = value;
     }
 
+    Type type() {
+      return type;
+    }
+
     @Override
     public boolean initialised() {
       return value != null;
@@ -146,6 +200,19 @@ public abstract sealed class Node {
     Node assign(KrlValue newValue) throws RefusedException {
       return new ScalarNode(type, type.convert(newValue));
     }
+
+    @Override
+    KrlValue rounded(KrlValue newValue) throws RefusedException {
+      if (type != Type.Base.INT || !(newValue instanceof KrlReal number)) {
+        return newValue;
+      }
+      // assumed: to the nearest, halves upwards (krl.md 4 does not say)
+      double nearest = Math.floor(number.value() + 0.5);
+      if (nearest != (int) nearest) {
+        throw new RefusedException(Refusal.OUT_OF_RANGE, "an INT has 32 bits, was given " + number);
+      }
+      return new KrlInt((int) nearest);
+    }
   }
 
   /** A CHAR array, or one row of a CHAR array with two dimensions. */
@@ -156,6 +223,16 @@ public abstract sealed class Node {
     TextNode(int capacity, @Nullable String characters) {
       this.capacity = capacity;
       this.characters = characters;
+    }
+
+    @Override
+    public int capacity() {
+      return capacity;
+    }
+
+    @Override
+    public Optional<String> characters() {
+      return Optional.ofNullable(characters);
     }
 
     @Override
@@ -237,6 +314,15 @@ public abstract sealed class Node {
       this.parts = parts;
     }
 
+    Type.Struc type() {
+      return type;
+    }
+
+    /** Gives the parts in the order of the type's components. */
+    List<Node> parts() {
+      return List.of(parts);
+    }
+
     @Override
     public boolean initialised() {
       for (Node part : parts) {
@@ -277,6 +363,20 @@ public abstract sealed class Node {
       return result;
     }
 
+    @Override
+    KrlValue rounded(KrlValue value) throws RefusedException {
+      if (!(value instanceof KrlStruct struct)) {
+        return value;
+      }
+      List<KrlStruct.Field> fields = new ArrayList<>(struct.fields().size());
+      for (KrlStruct.Field field : struct.fields()) {
+        Path path = Path.parse(field.name());
+        Node part = component(path.first().name()).read(path);
+        fields.add(new KrlStruct.Field(field.name(), part.rounded(field.value())));
+      }
+      return new KrlStruct(struct.typeName(), fields);
+    }
+
     private int position(String name) throws RefusedException {
       Integer position = type.positions().get(name);
       if (position == null) {
@@ -311,6 +411,16 @@ public abstract sealed class Node {
     ArrayNode(int[] lengths, Node[] elements) {
       this.lengths = lengths;
       this.elements = elements;
+    }
+
+    /** Gives the length of each dimension, without that of the texts in it. */
+    int[] lengths() {
+      return lengths.clone();
+    }
+
+    /** Gives all elements, the last index counting fastest. */
+    List<Node> elements() {
+      return List.of(elements);
     }
 
     private boolean hasScalars() {
@@ -369,7 +479,8 @@ public abstract sealed class Node {
       }
     }
 
-    private int[] indicesOf(int offset) {
+    /** Gives the indices of an element by its position among all. */
+    int[] indicesOf(int offset) {
       int[] numbers = new int[lengths.length];
       int rest = offset;
       for (int i = lengths.length - 1; i >= 0; i--) {
@@ -400,6 +511,18 @@ public abstract sealed class Node {
         }
       }
       return new ArrayNode(lengths, changed);
+    }
+
+    @Override
+    KrlValue rounded(KrlValue value) throws RefusedException {
+      if (!(value instanceof KrlArray array)) {
+        return elements[0].rounded(value);
+      }
+      List<KrlValue> values = new ArrayList<>(array.elements().size());
+      for (KrlValue element : array.elements()) {
+        values.add(elements[0].rounded(element));
+      }
+      return new KrlArray(values);
     }
 
     @Override

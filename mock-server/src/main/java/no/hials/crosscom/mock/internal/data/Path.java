@@ -57,6 +57,23 @@ public record Path(List<Step> steps) {
   }
 
   /**
+   * Gives the path of a part of what this one stands for.
+   *
+   * @param inner the path within that part, whose first step has another name for it
+   * @return both together
+   */
+  public Path then(Path inner) {
+    if (inner.steps.size() == 1 && inner.first().index().isNone()) {
+      return this;
+    }
+    int last = steps.size() - 1;
+    List<Step> all = new ArrayList<>(steps.subList(0, last));
+    all.add(new Step(steps.get(last).name(), steps.get(last).index().then(inner.first().index())));
+    all.addAll(inner.steps.subList(1, inner.steps.size()));
+    return new Path(all);
+  }
+
+  /**
    * Parses a name as clients send it.
    *
    * @param text such as {@code LOAD_DATA[1].CM.X}
@@ -65,6 +82,15 @@ public record Path(List<Step> steps) {
    */
   public static Path parse(String text) throws RefusedException {
     return new Parser(text.strip()).path();
+  }
+
+  @Override
+  public String toString() {
+    StringBuilder out = new StringBuilder();
+    for (Step step : steps) {
+      out.append(out.length() > 0 ? "." : "").append(step.name()).append(step.index());
+    }
+    return out.toString();
   }
 
   /**

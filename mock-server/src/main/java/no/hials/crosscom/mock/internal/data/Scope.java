@@ -6,8 +6,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import no.hials.crosscom.mock.Access;
 import no.hials.crosscom.mock.Refusal;
@@ -161,7 +164,8 @@ public final class Scope {
     return types.containsKey(key(name)) || (parent != null && parent.knowsType(name));
   }
 
-  private synchronized Type type(String name) {
+  /** Gives a type of this scope or of one around it; IllegalArgumentException if none has it. */
+  synchronized Type type(String name) {
     Type type = types.get(key(name));
     if (type != null) {
       return type;
@@ -208,7 +212,8 @@ public final class Scope {
     put(new Variable(parsed.name(), access, null, Signal.parse(wiring), null));
   }
 
-  private void put(Variable variable) {
+  /** Takes a variable in place of one of the same name in this scope. */
+  synchronized void put(Variable variable) {
     variables.put(key(variable.name()), variable);
     systemOutputs = null;
   }
@@ -242,6 +247,22 @@ public final class Scope {
    */
   public synchronized boolean knows(String name) {
     return contains(name) || (parent != null && parent.knows(name));
+  }
+
+  /** Gives the variables of this scope itself, in any order; a copy. */
+  synchronized List<Variable> variables() {
+    return List.copyOf(variables.values());
+  }
+
+  /** Gives the types of this scope itself, in any order; a copy. */
+  synchronized List<Type> types() {
+    return List.copyOf(types.values());
+  }
+
+  /** Gives a variable of this scope or of one around it by its key; null if none has it. */
+  synchronized @Nullable Variable lookup(String key) {
+    Variable variable = variables.get(key);
+    return variable != null || parent == null ? variable : parent.lookup(key);
   }
 
   /**
@@ -280,6 +301,30 @@ public final class Scope {
    */
   public synchronized void guard(String name, Guard guard) {
     guards.put(key(name), guard);
+  }
+
+  /**
+   * Makes several changes, or none. Other threads see the scope before or after all of them.
+   *
+   * @param change makes the changes; says whether they are to stay. It must be quick
+   * @return whether they stay; if not, types and variables of this scope are as before
+   */
+  public synchronized boolean attempt(BooleanSupplier change) {
+    Map<String, Type> oldTypes = Map.copyOf(types);
+    Map<String, Variable> oldVariables = Map.copyOf(variables);
+    boolean done = false;
+    try {
+      done = change.getAsBoolean();
+    } finally {
+      if (!done) {
+        types.clear();
+        types.putAll(oldTypes);
+        variables.clear();
+        variables.putAll(oldVariables);
+        systemOutputs = null;
+      }
+    }
+    return done;
   }
 
   // access
@@ -335,7 +380,23 @@ public final class Scope {
     return contents.read(path);
   }
 
-  private static @Nullable Node current(Variable variable) throws RefusedException {
+  /**
+   * Gives the contents of a whole variable, also of an array, with or without a value.
+   *
+   * @param name a variable of this scope that is no SIGNAL, without index
+   * @return the contents
+   * @throws RefusedException if there is no such variable
+   */
+  public synchronized Node contents(String name) throws RefusedException {
+    Node contents = current(find(key(name)));
+    if (contents == null) {
+      throw new RefusedException(Refusal.UNKNOWN_VARIABLE, name + " is a SIGNAL");
+    }
+    return contents;
+  }
+
+  /** Gives what a variable holds now; null for a SIGNAL. */
+  static @Nullable Node current(Variable variable) throws RefusedException {
     Node contents = variable.contents();
     Supplier<KrlValue> source = variable.source();
     return contents == null || source == null ? contents : contents.assign(source.get());
@@ -404,10 +465,57 @@ public final class Scope {
         throw new RefusedException(Refusal.READ_ONLY, "is used by a system signal");
       }
     }
-    variables.put(key, variable.with(contents.write(path, value)));
+    variables.put(
+        key,
+        variable.with(
+            writer == Writer.PROGRAM ? contents.store(path, value) : contents.write(path, value)));
   }
 
   // signals
+
+  /**
+   * Says whether a variable is a SIGNAL.
+   *
+   * @param name a variable of this scope, without index
+   * @return whether it is one
+   */
+  public synchronized boolean isSignal(String name) {
+    Variable variable = variables.get(key(name));
+    return variable != null && variable.signal() != null;
+  }
+
+  /**
+   * Says what a SIGNAL is wired to.
+   *
+   * @param name a variable's name, without index, here or around
+   * @return {@code $IN}, {@code $OUT} or another array in upper case; nothing if the variable is no
+   *     SIGNAL or not wired
+   */
+  public synchronized Optional<String> wiredArray(String name) {
+    Variable variable = variables.get(key(name));
+    if (variable == null) {
+      return parent == null ? Optional.empty() : parent.wiredArray(name);
+    }
+    Signal signal = variable.signal();
+    return signal == null ? Optional.empty() : Optional.ofNullable(signal.array());
+  }
+
+  /**
+   * Says which input or output a SIGNAL is.
+   *
+   * @param name a variable's name, without index, here or around
+   * @return its number; nothing if the variable is no SIGNAL, is not wired or stands for several
+   */
+  public synchronized OptionalInt wiredElement(String name) {
+    Variable variable = variables.get(key(name));
+    if (variable == null) {
+      return parent == null ? OptionalInt.empty() : parent.wiredElement(name);
+    }
+    Signal signal = variable.signal();
+    return signal == null || signal.array() == null || !signal.isSingle()
+        ? OptionalInt.empty()
+        : OptionalInt.of(signal.first());
+  }
 
   private static Signal checkedSignal(Path path, Variable variable) throws RefusedException {
     Signal signal = variable.signal();
@@ -453,16 +561,16 @@ public final class Scope {
     if (array == null) {
       throw new RefusedException(Refusal.READ_ONLY, "is not wired");
     }
-    if (parent != null && !variables.containsKey(array)) {
-      parent.assignWired(signal, value, writer);
-    } else {
-      assignWired(signal, value, writer);
-    }
+    assignWired(signal, value, writer);
   }
 
   private synchronized void assignWired(Signal signal, KrlValue value, Writer writer)
       throws RefusedException {
     String array = String.valueOf(signal.array());
+    if (parent != null && !variables.containsKey(array)) {
+      parent.assignWired(signal, value, writer);
+      return;
+    }
     Variable target = find(array);
     if (writer != Writer.SYSTEM && target.access() == Access.READ_ONLY) {
       throw new RefusedException(Refusal.READ_ONLY, array + " may only be read");

@@ -43,4 +43,14 @@ record Signal(@Nullable String array, int first, int last) {
   boolean isSingle() {
     return first == last;
   }
+
+  /** Prints it as in a declaration. */
+  @Override
+  public String toString() {
+    if (array == null) {
+      return "FALSE";
+    }
+    String text = array + "[" + first + "]";
+    return isSingle() ? text : text + " TO " + array + "[" + last + "]";
+  }
 }

@@ -1,0 +1,181 @@
+package no.hials.crosscom.mock;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.time.Duration;
+import java.util.HashSet;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Listens for clients and keeps their connections. Safe for use by several threads. */
+final class Clients {
+  private static final Logger log = LoggerFactory.getLogger(Clients.class);
+
+  /** Takes a thousand clients that all connect at once. */
+  private static final int BACKLOG = 1024;
+
+  /** Keeps a lack of file descriptors from making the accepting thread spin. */
+  private static final Duration PAUSE_AFTER_FAILED_ACCEPT = Duration.ofMillis(50);
+
+  private final MockServerConfig config;
+  private final Service service;
+  private final InetSocketAddress address;
+  private final ServerThreads threads;
+
+  /** Guards what follows. */
+  private final Object state = new Object();
+
+  private ServerSocket listener;
+  private @Nullable Thread accepting;
+  private boolean refusing;
+  private boolean closed;
+  private int accepted;
+  private final Set<Connection> connections = new HashSet<>();
+
+  private Clients(MockServerConfig config, Service service, ServerSocket listener) {
+    this.config = config;
+    this.service = service;
+    this.listener = listener;
+    address = new InetSocketAddress(config.bindAddress(), listener.getLocalPort());
+    threads = new ServerThreads("mock-server-" + address.getPort() + "-");
+  }
+
+  /** Listens; {@link #start} accepts. */
+  static Clients listen(MockServerConfig config, Service service) throws IOException {
+    ServerSocket listener = listen(new InetSocketAddress(config.bindAddress(), config.port()));
+    return new Clients(config, service, listener);
+  }
+
+  private static ServerSocket listen(InetSocketAddress at) throws IOException {
+    ServerSocket socket = new ServerSocket();
+    try {
+      socket.bind(at, BACKLOG);
+      return socket;
+    } catch (IOException | RuntimeException e) {
+      socket.close();
+      throw new IOException("cannot listen on " + at + ": " + e.getMessage(), e);
+    }
+  }
+
+  InetSocketAddress address() {
+    return address;
+  }
+
+  /** Gives the server's threads, which {@link #close} interrupts. */
+  ServerThreads threads() {
+    return threads;
+  }
+
+  void start() {
+    synchronized (state) {
+      ServerSocket socket = listener;
+      accepting = threads.start("accept", () -> accept(socket));
+    }
+  }
+
+  void refuse() {
+    Thread ending;
+    synchronized (state) {
+      refusing = true;
+      closeListener();
+      ending = accepting;
+    }
+    if (ending != null) {
+      ServerThreads.join(ending);
+    }
+  }
+
+  void acceptAgain() throws IOException {
+    synchronized (state) {
+      if (closed) {
+        throw new IllegalStateException("the server is closed");
+      }
+      if (refusing) {
+        listener = listen(address);
+        refusing = false;
+        start();
+      }
+    }
+  }
+
+  void disconnect() {
+    synchronized (state) {
+      connections.forEach(Connection::abort);
+    }
+  }
+
+  int count() {
+    synchronized (state) {
+      return connections.size();
+    }
+  }
+
+  private void accept(ServerSocket socket) {
+    while (true) {
+      try {
+        admit(socket.accept());
+      } catch (IOException e) {
+        if (socket.isClosed()) {
+          return;
+        }
+        log.warn("accepting a connection failed", e);
+        try {
+          Pause.of(PAUSE_AFTER_FAILED_ACCEPT);
+        } catch (InterruptedException interrupted) {
+          Thread.currentThread().interrupt();
+          return;
+        }
+      }
+    }
+  }
+
+  private void admit(Socket client) throws IOException {
+    synchronized (state) {
+      boolean full = config.maxClients() > 0 && connections.size() >= config.maxClients();
+      if (closed || full) {
+        log.debug("connection from {} closed at once", client.getRemoteSocketAddress());
+        client.close();
+        return;
+      }
+      accepted++;
+      Connection connection = new Connection(config, service, client, accepted);
+      connections.add(connection);
+      threads.start("client-" + accepted, () -> serve(connection));
+    }
+  }
+
+  private void serve(Connection connection) {
+    try {
+      connection.run();
+    } finally {
+      synchronized (state) {
+        connections.remove(connection);
+      }
+    }
+  }
+
+  /** Closes all sockets and ends all pauses; the threads end on their own then. */
+  void close() {
+    synchronized (state) {
+      if (!closed) {
+        closed = true;
+        closeListener();
+        connections.forEach(Connection::abort);
+        threads.interrupt();
+        log.debug("closed {}", address);
+      }
+    }
+  }
+
+  private void closeListener() {
+    try {
+      listener.close();
+    } catch (IOException e) {
+      log.debug("closing the listening socket failed", e);
+    }
+  }
+}

@@ -1,0 +1,341 @@
+package no.hials.crosscom.mock;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.SortedSet;
+import java.util.function.BooleanSupplier;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.lang.ParseResult;
+import no.hials.crosscom.lang.SourceFile;
+import no.hials.crosscom.mock.internal.kernel.Kernel;
+import no.hials.crosscom.mock.internal.kernel.Pacemaker;
+import no.hials.crosscom.mock.internal.program.Interpreter;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The simulated controller behind a {@link MockServer}: what a person could do with a KR C4 at its
+ * pendant. It loads data lists and programs, runs them with a robot interpreter and a submit
+ * interpreter, moves a simulated robot, and shows all that in its system variables.
+ *
+ * <p>Its time passes in cycles of 12 ms as its {@link Clock} says. With {@link Clock#stepped} the
+ * same calls give the same trajectory, bit by bit.
+ *
+ * <p>Operating modes: in T1 the robot is slow ({@code $RED_T1}, {@code $VEL_CP_T1}); in T1 and T2
+ * {@link ProgramControl#start} stands for holding the enabling switch and the start key, in AUT for
+ * pressing the start key; in EXT only {@link #externalStart} starts. A change of the mode stops the
+ * robot's program. There is no BCO run: the first motion of a program is like any other (a real
+ * controller goes to the first point slowly, and waits).
+ *
+ * <p>What stops a program in error is a {@link Message} that has to be confirmed before the next
+ * start; {@code $STOPMESS} is TRUE until then. The reference has no numbers of KSS's messages;
+ * those from 9001 on are this simulation's own.
+ *
+ * <p>Threads: one, {@code mock-server-PORT-clock}, unless the clock is stepped; a daemon that ends
+ * with the server. All methods are safe for use by several threads.
+ */
+public final class Controller {
+  private final Kernel kernel;
+  private final VariableTable variables;
+  private final Clock clock;
+  private final ProgramControl robot;
+  private final ProgramControl submit;
+  private final @Nullable Pacemaker pacemaker;
+
+  /** Data lists of modules whose source has not come yet, by name in upper case. */
+  private final Map<String, DataList> dataLists = new HashMap<>();
+
+  Controller(VariableTable variables, Clock clock, RobotModel model, String threadName) {
+    this.variables = variables;
+    this.clock = clock;
+    kernel = new Kernel(variables.scope(), model);
+    robot = new ProgramControl(kernel, Interpreter.Kind.ROBOT);
+    submit = new ProgramControl(kernel, Interpreter.Kind.SUBMIT);
+    pacemaker = clock instanceof Clock.Stepped ? null : new Pacemaker(kernel, clock, threadName);
+  }
+
+  void close() {
+    if (pacemaker != null) {
+      pacemaker.close();
+    }
+  }
+
+  // files
+
+  /**
+   * Loads a data list or a program. For a {@code .src} or {@code .sub} file the {@code .dat} file
+   * of the same name beside it is loaded, too, if there is one.
+   *
+   * @param file a {@code .dat}, {@code .src} or {@code .sub} file
+   * @return the name of the module
+   * @throws IOException if the file cannot be read
+   * @throws KrlFileException if something is wrong in it; then nothing has changed
+   */
+  public String load(Path file) throws IOException, KrlFileException {
+    String name = String.valueOf(file.getFileName());
+    Path beside = dataListOf(file);
+    if (beside != null) {
+      load(String.valueOf(beside.getFileName()), text(beside));
+    }
+    return load(name, text(file));
+  }
+
+  private static String text(Path file) throws IOException {
+    return Files.readString(file, StandardCharsets.ISO_8859_1);
+  }
+
+  /** Finds the data list of a source file, whatever the case of its name. */
+  private static @Nullable Path dataListOf(Path file) throws IOException {
+    String name = String.valueOf(file.getFileName());
+    int dot = name.lastIndexOf('.');
+    Path folder = file.toAbsolutePath().getParent();
+    if (dot < 0 || folder == null || name.substring(dot).equalsIgnoreCase(".dat")) {
+      return null;
+    }
+    String wanted = name.substring(0, dot) + ".dat";
+    try (var files = Files.list(folder)) {
+      return files
+          .filter(other -> String.valueOf(other.getFileName()).equalsIgnoreCase(wanted))
+          .findFirst()
+          .orElse(null);
+    }
+  }
+
+  /**
+   * Loads a data list or a program. A list whose name begins with {@code $} is one of the
+   * controller: what it declares is global. Another belongs to the module of its name, whichever of
+   * both is loaded first. A module takes the place of an older one; a program that is selected
+   * keeps the old one until it is selected again.
+   *
+   * @param fileName the file's name, for messages
+   * @param text its contents
+   * @return the name of the module
+   * @throws KrlFileException if something is wrong in it; then nothing has changed
+   */
+  public String load(String fileName, String text) throws KrlFileException {
+    ParseResult parsed = KrlParser.parse(fileName, text);
+    if (!parsed.errors().isEmpty() || parsed.file().isEmpty()) {
+      throw new KrlFileException(parsed.errors());
+    }
+    if (parsed.file().get() instanceof DataList list) {
+      if (list.name().startsWith("$")) {
+        variables.load(fileName, parsed);
+      } else {
+        loadData(list);
+      }
+      return list.name();
+    }
+    SourceFile source = (SourceFile) parsed.file().get();
+    List<KrlError> errors =
+        kernel.withLibrary(library -> library.put(source, dataLists.get(key(source.name()))));
+    if (!errors.isEmpty()) {
+      throw new KrlFileException(errors);
+    }
+    return source.name();
+  }
+
+  private static String key(String name) {
+    return name.toUpperCase(Locale.ROOT);
+  }
+
+  private void loadData(DataList list) throws KrlFileException {
+    kernel.withLibrary(library -> dataLists.put(key(list.name()), list));
+    if (programs().stream().anyMatch(name -> name.equalsIgnoreCase(list.name()))) {
+      throw new KrlFileException(
+          List.of(
+              new KrlError(
+                  list.position(),
+                  "the data list of a module is loaded before its source, load "
+                      + list.name()
+                      + " again")));
+    }
+  }
+
+  /**
+   * Lists the modules.
+   *
+   * @return their names, sorted
+   */
+  public SortedSet<String> programs() {
+    return kernel.withLibrary(library -> library.names());
+  }
+
+  /**
+   * Checks a module as selecting it does: that everything it names is known.
+   *
+   * @param name the module's name
+   * @return what is wrong; empty if nothing is
+   */
+  public List<KrlError> check(String name) {
+    return kernel.withLibrary(library -> library.check(name));
+  }
+
+  // programs
+
+  /**
+   * Gives the robot interpreter.
+   *
+   * @return what selects, starts and stops its program
+   */
+  public ProgramControl robot() {
+    return robot;
+  }
+
+  /**
+   * Gives the submit interpreter, which runs beside the other one and moves nothing.
+   *
+   * @return what selects, starts and stops its program
+   */
+  public ProgramControl submit() {
+    return submit;
+  }
+
+  /** Starts the robot's program as a higher-level controller does; in mode EXT only. */
+  public void externalStart() {
+    kernel.start(Interpreter.Kind.ROBOT, true);
+  }
+
+  /**
+   * Gives the operating mode.
+   *
+   * @return the mode; T1 at first
+   */
+  public OperatingMode mode() {
+    return kernel.mode();
+  }
+
+  /**
+   * Turns the key switch.
+   *
+   * @param mode the mode
+   */
+  public void setMode(OperatingMode mode) {
+    kernel.setMode(mode);
+  }
+
+  /**
+   * Presses or releases the emergency stop.
+   *
+   * @param pressed whether it is pressed
+   */
+  public void emergencyStop(boolean pressed) {
+    kernel.emergencyStop(pressed);
+  }
+
+  /**
+   * Gives the messages.
+   *
+   * @return the last 1000, the oldest first
+   */
+  public List<Message> messages() {
+    return kernel.messages();
+  }
+
+  /**
+   * Confirms all messages that wait for it.
+   *
+   * @return how many did
+   */
+  public int confirmAll() {
+    return kernel.confirmAll();
+  }
+
+  // the robot
+
+  /**
+   * Gives the robot.
+   *
+   * @return its geometry, limits and speeds
+   */
+  public RobotModel model() {
+    return kernel.model();
+  }
+
+  /**
+   * Gives where the robot is.
+   *
+   * @return the commanded axis angles, in degrees, as {@code $AXIS_ACT} has them
+   */
+  public Axes axes() {
+    return kernel.axes();
+  }
+
+  /**
+   * Says whether the robot stands.
+   *
+   * @return whether no axis moves
+   */
+  public boolean standing() {
+    return kernel.standing();
+  }
+
+  /**
+   * Puts the robot somewhere, at once; no program may be active.
+   *
+   * @param axes where, in degrees
+   */
+  public void place(Axes axes) {
+    kernel.place(axes);
+  }
+
+  // time
+
+  /**
+   * Gives the simulated time.
+   *
+   * @return the time since the controller was made; whole cycles of 12 ms
+   */
+  public Duration time() {
+    return Duration.ofMillis(kernel.time());
+  }
+
+  /**
+   * Lets time pass. Only with {@link Clock#stepped}.
+   *
+   * @param time how much; rounded up to whole cycles of 12 ms
+   */
+  public void step(Duration time) {
+    stepUntil(() -> false, time);
+  }
+
+  /**
+   * Lets time pass until something is true. Only with {@link Clock#stepped}.
+   *
+   * @param condition asked before each cycle of 12 ms; it may read variables over the network
+   * @param limit how much simulated time at most
+   * @return whether it became true; false if the time is over
+   */
+  public boolean stepUntil(BooleanSupplier condition, Duration limit) {
+    if (!(clock instanceof Clock.Stepped)) {
+      throw new IllegalStateException("stepping needs Clock.stepped(), the clock is " + clock);
+    }
+    return kernel.run(limit, condition);
+  }
+
+  /**
+   * Gives all that was selected and where it stands, for a person to read.
+   *
+   * @return such as {@code AUT, ACTUATOR #P_ACTIVE line 26}
+   */
+  @Override
+  public String toString() {
+    List<String> parts = new ArrayList<>();
+    parts.add(mode().toString());
+    parts.add(robot.toString());
+    if (submit.state() != ProgramState.FREE) {
+      parts.add("submit " + submit);
+    }
+    return String.join(", ", parts);
+  }
+}

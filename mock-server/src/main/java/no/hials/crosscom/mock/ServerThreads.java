@@ -1,0 +1,58 @@
+package no.hials.crosscom.mock;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The threads of a server: all daemons. Safe for use by several threads. */
+final class ServerThreads {
+  /** Parsing takes little stack, since the depth of aggregates is limited. */
+  private static final long STACK_BYTES = 256 * 1024;
+
+  private final String prefix;
+
+  /** All that may still run; dead ones are removed now and then. */
+  private final List<Thread> threads = new ArrayList<>();
+
+  ServerThreads(String prefix) {
+    this.prefix = prefix;
+  }
+
+  synchronized Thread start(String role, Runnable task) {
+    threads.removeIf(thread -> !thread.isAlive());
+    Thread thread = new Thread(null, task, prefix + role, STACK_BYTES);
+    thread.setDaemon(true);
+    thread.start();
+    threads.add(thread);
+    return thread;
+  }
+
+  /** Ends what waits for a time. */
+  synchronized void interrupt() {
+    threads.forEach(Thread::interrupt);
+  }
+
+  /** Waits until all have ended. */
+  void join() {
+    List<Thread> ending;
+    synchronized (this) {
+      ending = List.copyOf(threads);
+    }
+    ending.forEach(ServerThreads::join);
+  }
+
+  /** Waits without giving up, since these threads end soon: their sockets are closed. */
+  static void join(Thread thread) {
+    boolean interrupted = false;
+    // a thread of the server itself may close it, from a user's predicate
+    while (thread != Thread.currentThread() && thread.isAlive()) {
+      try {
+        thread.join();
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,168 @@
+package no.hials.crosscom.mock;
+
+import java.time.Instant;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.LongSupplier;
+import no.hials.crosscom.mock.internal.data.RefusedException;
+import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.EmptyResponse;
+import no.hials.crosscom.protocol.MalformedFrameException;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.protocol.UnknownFunctionException;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Serves the requests of all connections, one at a time. Safe for use by several threads. */
+final class Service {
+  private static final Logger log = LoggerFactory.getLogger(Service.class);
+
+  private final MockServerConfig config;
+  private final RequestHandler handler;
+  private final FaultScript faults;
+  private final RequestLog requests;
+  private final LongSupplier times;
+  private final AtomicLong dropped = new AtomicLong();
+
+  /** Held while a request is served. */
+  private final ReentrantLock turn;
+
+  /** The number of the last request; guarded by {@link #turn}. */
+  private long served;
+
+  Service(
+      MockServerConfig config, VariableTable variables, FaultScript faults, RequestLog requests) {
+    this.config = config;
+    this.faults = faults;
+    this.requests = requests;
+    handler = new RequestHandler(variables, config);
+    times = ServiceTimes.of(config.latency());
+    // who waits for long must not be passed over; without latency that would only cost time
+    turn = new ReentrantLock(!(config.latency() instanceof Latency.None));
+  }
+
+  /**
+   * What the bytes of a request are.
+   *
+   * @param request the message, null if they are none
+   * @param hex the bytes in hex if there is no message
+   * @param response the answer if that is all the request needs
+   * @param fault what the server does on its own if nothing else goes wrong
+   */
+  private record Decoded(
+      @Nullable Request request, @Nullable String hex, @Nullable Response response, Fault fault) {}
+
+  /**
+   * What came of a request.
+   *
+   * @param fault what goes wrong with its answer
+   * @param response the answer, if there is one
+   * @param nanos how long the controller took
+   */
+  private record Served(Fault fault, @Nullable Response response, long nanos) {}
+
+  /**
+   * Serves one request: decodes it, executes it and records it.
+   *
+   * @param connection the connection's number
+   * @param frame the bytes
+   * @return what goes out
+   */
+  Delivery serve(int connection, byte[] frame) throws InterruptedException {
+    if (log.isTraceEnabled()) {
+      log.trace("connection {} < {}", connection, MalformedFrameException.hex(frame, frame.length));
+    }
+    Decoded decoded = decode(connection, frame);
+    if (config.pendingRequests() != PendingRequests.DROP) {
+      turn.lock();
+    } else if (!turn.tryLock()) {
+      drop(connection, frame.length, "another request is served");
+      return Delivery.NOTHING;
+    }
+    Served result;
+    try {
+      result = execute(connection, decoded);
+      if (config.oneAtATime()) {
+        Pause.ofNanos(result.nanos());
+      }
+    } finally {
+      turn.unlock();
+    }
+    if (!config.oneAtATime()) {
+      Pause.ofNanos(result.nanos());
+    }
+    return deliver(result.fault(), decoded.request(), result.response());
+  }
+
+  /** Executes and records a request, in its turn. */
+  private Served execute(int connection, Decoded decoded) {
+    Request request = decoded.request();
+    RecordedRequest recorded =
+        new RecordedRequest(served + 1, connection, Instant.now(), request, decoded.hex(), null);
+    Fault fault = faults.next(recorded);
+    Response response = decoded.response();
+    long nanos = 0;
+    if (fault.executes() && request != null) {
+      RequestHandler.Outcome outcome = handler.handle(request);
+      response = outcome.response();
+      recorded = afterwards(recorded, outcome.refused());
+      nanos = handler.isPing(request) ? 0 : times.getAsLong();
+    }
+    served++;
+    requests.add(recorded);
+    return new Served(fault instanceof Fault.None ? decoded.fault() : fault, response, nanos);
+  }
+
+  private Decoded decode(int connection, byte[] frame) {
+    try {
+      return new Decoded(Codec.decodeRequest(frame), null, null, Fault.none());
+    } catch (UnknownFunctionException e) {
+      log.debug("connection {}: {}", connection, e.getMessage());
+      boolean closes = config.unknownFunction() == UnknownFunction.CLOSE;
+      return new Decoded(
+          null,
+          MalformedFrameException.hex(frame, frame.length),
+          new EmptyResponse(e.id()),
+          closes ? Fault.closeBefore() : Fault.none());
+    } catch (MalformedFrameException e) {
+      log.debug("connection {}: {}", connection, e.getMessage());
+      String hex = MalformedFrameException.hex(frame, frame.length);
+      return new Decoded(null, hex, null, Fault.none());
+    }
+  }
+
+  private static RecordedRequest afterwards(
+      RecordedRequest recorded, @Nullable RefusedException refused) {
+    if (refused == null) {
+      return recorded;
+    }
+    log.debug(
+        "connection {}: {} refused: {}",
+        recorded.connection(),
+        recorded.request(),
+        refused.getMessage());
+    return recorded.refusedFor(refused.reason());
+  }
+
+  private static Delivery deliver(
+      Fault fault, @Nullable Request request, @Nullable Response response) {
+    byte[] answer = response == null ? null : Codec.encode(response);
+    if (fault instanceof Fault.None) {
+      return answer == null ? Delivery.NOTHING : Delivery.of(answer);
+    }
+    log.debug("fault: {}", fault);
+    return Delivery.of(fault, request, answer);
+  }
+
+  /** Notes that bytes were dropped without an answer. */
+  void drop(int connection, int bytes, String reason) {
+    dropped.incrementAndGet();
+    log.debug("connection {}: {} bytes dropped: {}", connection, bytes, reason);
+  }
+
+  long dropCount() {
+    return dropped.get();
+  }
+}

@@ -1,0 +1,41 @@
+package no.hials.crosscom.mock;
+
+import java.time.Duration;
+import java.util.Random;
+import java.util.function.LongSupplier;
+
+/** Draws the times of a {@link Latency}, in nanoseconds. For one thread at a time. */
+final class ServiceTimes {
+  private ServiceTimes() {}
+
+  static LongSupplier of(Latency latency) {
+    if (latency instanceof Latency.Fixed fixed) {
+      long nanos = fixed.time().toNanos();
+      return () -> nanos;
+    }
+    if (latency instanceof Latency.LogNormal spread) {
+      return of(spread);
+    }
+    return () -> 0;
+  }
+
+  /**
+   * Solves for the two parameters: a log-normal distribution has the median exp(mu) and the mean
+   * exp(mu + sigma^2 / 2).
+   */
+  private static LongSupplier of(Latency.LogNormal spread) {
+    double floor = spread.floor().toNanos();
+    double median = above(spread.floor(), spread.median());
+    double mean = above(spread.floor(), spread.mean());
+    double max = spread.max().toNanos();
+    double sigma = StrictMath.sqrt(2 * StrictMath.log(mean / median));
+    // Random's algorithm is part of its specification: the same times on every JDK
+    Random random = new Random(spread.seed());
+    return () ->
+        (long) Math.min(max, floor + median * StrictMath.exp(sigma * random.nextGaussian()));
+  }
+
+  private static double above(Duration floor, Duration time) {
+    return time.minus(floor).toNanos();
+  }
+}

@@ -1,0 +1,27 @@
+package no.hials.crosscom.mock;
+
+import java.math.BigDecimal;
+import java.time.Duration;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Reads times such as {@code 5ms}. */
+final class TimeText {
+  private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)(us|ms|s)");
+  private static final Map<String, Integer> NANOS_EXPONENT = Map.of("us", 3, "ms", 6, "s", 9);
+
+  private TimeText() {}
+
+  /** Gives nothing if the text is no time; what is below a nanosecond is cut off. */
+  static Optional<Duration> parse(String text) {
+    Matcher matcher = FORM.matcher(text);
+    if (!matcher.matches()) {
+      return Optional.empty();
+    }
+    int exponent = NANOS_EXPONENT.getOrDefault(matcher.group(2), 0);
+    BigDecimal nanos = new BigDecimal(matcher.group(1)).scaleByPowerOfTen(exponent);
+    return Optional.of(Duration.ofNanos(nanos.longValue()));
+  }
+}

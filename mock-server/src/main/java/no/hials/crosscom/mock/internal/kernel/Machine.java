@@ -1,0 +1,89 @@
+package no.hials.crosscom.mock.internal.kernel;
+
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.mock.internal.data.Path;
+import no.hials.crosscom.mock.internal.data.RefusedException;
+import no.hials.crosscom.mock.internal.data.Scope;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Reads and writes those variables of the controller that the simulation itself works with. A user
+ * may have removed or redeclared any of them; then a default takes their place.
+ */
+final class Machine {
+  private static final Logger log = LoggerFactory.getLogger(Machine.class);
+
+  private final Scope globals;
+
+  Machine(Scope globals) {
+    this.globals = globals;
+  }
+
+  static Path path(String name) {
+    try {
+      return Path.parse(name);
+    } catch (RefusedException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+  }
+
+  private @Nullable KrlValue read(Path path) {
+    try {
+      return globals.read(path);
+    } catch (RefusedException e) {
+      return null;
+    }
+  }
+
+  double number(Path path, double otherwise) {
+    KrlValue value = read(path);
+    try {
+      return value == null ? otherwise : Values.number(value);
+    } catch (IllegalArgumentException e) {
+      return otherwise;
+    }
+  }
+
+  boolean bool(Path path, boolean otherwise) {
+    return read(path) instanceof KrlBool value ? value.value() : otherwise;
+  }
+
+  String constant(Path path, String otherwise) {
+    return read(path) instanceof KrlEnum value ? value.name() : otherwise;
+  }
+
+  Frame frame(Path path) {
+    return read(path) instanceof KrlStruct struct
+        ? Values.toFrame(struct, Frame.IDENTITY)
+        : Frame.IDENTITY;
+  }
+
+  /** Reads the first six elements of an array. */
+  Axes axes(String array, double otherwise) {
+    double[] numbers = new double[Values.ROBOT_AXES];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = number(Path.element(array, i + 1), otherwise);
+    }
+    return Axes.of(numbers);
+  }
+
+  /** Reads the aggregate of an axis position. */
+  Axes position(Path path, Axes otherwise) {
+    return read(path) instanceof KrlStruct struct ? Values.toAxes(struct, otherwise) : otherwise;
+  }
+
+  void write(Path path, KrlValue value) {
+    try {
+      globals.write(path, value, Scope.Writer.SYSTEM);
+    } catch (RefusedException e) {
+      log.debug("{} cannot be set: {}", path.first().name(), e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,340 @@
+package no.hials.crosscom.mock.internal.kernel;
+
+import java.time.Duration;
+import java.time.LocalDateTime;
+import java.time.ZoneId;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.mock.internal.data.Path;
+import no.hials.crosscom.mock.internal.data.Scope;
+import no.hials.crosscom.mock.internal.program.Interpreter;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+
+/**
+ * Shows the state of the simulation in the system variables of krl.md 2. What is a number or a text
+ * is computed when somebody reads it; what is wired to an output is written when it changes.
+ */
+final class SystemVariables {
+  /** Access to these waits until the robot has come to the end of its motions (krl.md 4). */
+  private static final Set<String> STOP_ADVANCE =
+      Set.of(
+          "$IN",
+          "$OUT",
+          "$ANIN",
+          "$ANOUT",
+          "$TIMER",
+          "$TIMER_STOP",
+          "$TIMER_FLAG",
+          "$POS_ACT",
+          "$POS_ACT_MES",
+          "$AXIS_ACT",
+          "$AXIS_ACT_MEAS",
+          "$VEL_ACT",
+          "$VEL_AXIS_ACT",
+          "$DIST_NEXT",
+          "$POS_INT",
+          "$AXIS_INT",
+          "$POS_RET",
+          "$AXIS_RET",
+          "$POS_BACK",
+          "$AXIS_BACK",
+          "$POS_FOR",
+          "$AXIS_FOR",
+          "$BRAKE_SIG");
+
+  /** The brakes of A1 to A6, open (krl.md 2.1). */
+  private static final int BRAKES_OPEN = 63;
+
+  private static final double PERCENT = 100;
+  private static final int SHOWN_LEVELS = 10;
+  private static final int CENTISECOND_NANOS = 10_000_000;
+
+  /**
+   * What is shown, as it is after a cycle.
+   *
+   * @param axes degrees
+   * @param axisVelocity degrees/s
+   * @param pathVelocity m/s
+   * @param standing whether no axis moves
+   * @param planned motions that have not begun
+   * @param distanceToEnd mm to the end of the motion
+   * @param mode the operating mode
+   * @param emergency whether the emergency stop is pressed
+   * @param stopMessage whether a message has to be confirmed
+   * @param idle whether all motions have ended
+   */
+  record State(
+      Axes axes,
+      Axes axisVelocity,
+      double pathVelocity,
+      boolean standing,
+      int planned,
+      double distanceToEnd,
+      OperatingMode mode,
+      boolean emergency,
+      boolean stopMessage,
+      boolean idle) {}
+
+  /** What an interpreter shows. */
+  private record Pointer(Interpreter.State state, String program, List<Interpreter.Level> levels) {}
+
+  private static final Pointer NO_POINTER = new Pointer(Interpreter.State.FREE, " ", List.of());
+
+  private final Scope globals;
+  private final Machine machine;
+  private final RobotModel robot;
+  private final Interpreter robotInterpreter;
+  private final Interpreter submitInterpreter;
+  private final Map<String, Boolean> shownSignals = new HashMap<>();
+  private final Path base = Machine.path("$BASE");
+  private final Path tool = Machine.path("$TOOL");
+  private final Path robroot = Machine.path("$ROBROOT");
+  private final LocalDateTime begin = LocalDateTime.now(ZoneId.systemDefault());
+
+  private volatile State state;
+  private volatile Pointer robotPointer = NO_POINTER;
+  private volatile Pointer submitPointer = NO_POINTER;
+
+  /** Where the motion under way ends, where it began, and where an interrupt came. */
+  private volatile Axes target;
+
+  private volatile Axes origin;
+  private volatile Axes interrupted;
+  private boolean inInterrupt;
+
+  SystemVariables(
+      Scope globals,
+      Machine machine,
+      RobotModel robot,
+      Interpreter robotInterpreter,
+      Interpreter submitInterpreter,
+      State state) {
+    this.globals = globals;
+    this.machine = machine;
+    this.robot = robot;
+    this.robotInterpreter = robotInterpreter;
+    this.submitInterpreter = submitInterpreter;
+    this.state = state;
+    target = state.axes();
+    origin = state.axes();
+    interrupted = state.axes();
+  }
+
+  static boolean stopsAdvanceRun(String name) {
+    return STOP_ADVANCE.contains(name.toUpperCase(Locale.ROOT));
+  }
+
+  // computed when they are read
+
+  void bind(LongSupplier time) {
+    bindPositions();
+    bind("$VEL_ACT", () -> KrlReal.of(state.pathVelocity()));
+    bind("$VEL_AXIS_ACT", this::axisVelocity);
+    bind("$DIST_NEXT", () -> KrlReal.of(-state.distanceToEnd()));
+    bind("$ACT_ADVANCE", () -> new KrlInt(state.planned()));
+    // the brakes of a robot that waits for a program stay open (assumed)
+    bind("$BRAKE_SIG", () -> new KrlInt(drivesOn() ? BRAKES_OPEN : 0));
+    bind("$MODE_OP", () -> new KrlEnum(state.mode().constant()));
+    bind("$ROB_TIMER", () -> new KrlInt((int) time.getAsLong()));
+    bind("$DATE", () -> date(begin.plus(Duration.ofMillis(time.getAsLong()))));
+    // the robot interpreter is the one that the pendant shows ($INTERPRETER 1)
+    bindPointer("", () -> robotPointer);
+    bindPointer("0", () -> submitPointer);
+    bindPointer("1", () -> robotPointer);
+  }
+
+  private void bindPositions() {
+    bind("$AXIS_ACT", () -> Values.e6Axis(state.axes()));
+    bind("$AXIS_ACT_MEAS", () -> Values.e6Axis(state.axes()));
+    bind("$AXIS_FOR", () -> Values.e6Axis(target));
+    bind("$AXIS_BACK", () -> Values.e6Axis(origin));
+    bind("$AXIS_INT", () -> Values.e6Axis(interrupted));
+    bind("$AXIS_RET", () -> Values.e6Axis(interrupted));
+    bind("$POS_ACT", () -> position(state.axes()));
+    bind("$POS_ACT_MES", () -> position(state.axes()));
+    bind("$POS_FOR", () -> position(target));
+    bind("$POS_BACK", () -> position(origin));
+    bind("$POS_INT", () -> position(interrupted));
+    bind("$POS_RET", () -> position(interrupted));
+  }
+
+  private void bindPointer(String suffix, Supplier<Pointer> pointer) {
+    bind("$PRO_STATE" + suffix, () -> new KrlEnum("P_" + pointer.get().state().name()));
+    bind("$PRO_NAME" + suffix, () -> new KrlString(pointer.get().program()));
+    bind("$PRO_IP" + suffix, () -> programPointer(pointer.get()));
+  }
+
+  /** Leaves out what the user has removed or declared as a SIGNAL. */
+  private void bind(String name, Supplier<KrlValue> value) {
+    if (globals.contains(name)) {
+      globals.bind(name, value);
+    }
+  }
+
+  /** The base and the tool of the advance run stand for those of the main run (assumed). */
+  private KrlStruct position(Axes axes) {
+    Frame world = machine.frame(robroot).times(robot.forward(axes)).times(machine.frame(tool));
+    Frame tcp = machine.frame(base).inverse().times(world);
+    return Values.e6Pos(tcp, robot.status(axes), robot.turn(axes));
+  }
+
+  /** krl.md 2.1: in % of the highest speed. */
+  private KrlValue axisVelocity() {
+    double[] percent = new double[Values.ROBOT_AXES];
+    for (int i = 0; i < percent.length; i++) {
+      percent[i] = PERCENT * state.axisVelocity().get(i) / robot.maxSpeed(i);
+    }
+    return Values.axisArray(percent);
+  }
+
+  private boolean drivesOn() {
+    return !state.emergency()
+        && (!state.mode().manual() || robotPointer.state() == Interpreter.State.ACTIVE);
+  }
+
+  private static KrlStruct date(LocalDateTime date) {
+    return struct(
+        "DATE",
+        integer("CSEC", date.getNano() / CENTISECOND_NANOS),
+        integer("SEC", date.getSecond()),
+        integer("MIN", date.getMinute()),
+        integer("HOUR", date.getHour()),
+        integer("DAY", date.getDayOfMonth()),
+        integer("MONTH", date.getMonthValue()),
+        integer("YEAR", date.getYear()));
+  }
+
+  private static KrlStruct struct(String type, KrlStruct.Field... fields) {
+    return new KrlStruct(type, List.of(fields));
+  }
+
+  private static KrlStruct.Field integer(String name, int value) {
+    return new KrlStruct.Field(name, new KrlInt(value));
+  }
+
+  private static KrlStruct.Field text(String name, String value) {
+    return new KrlStruct.Field(name + "[]", new KrlString(value));
+  }
+
+  private static String moduleName(Interpreter.Level level) {
+    return "/R1/" + level.module().toUpperCase(Locale.ROOT);
+  }
+
+  /** The main run's pointer is the advance run's: assumed, the reference has no rule. */
+  private static KrlStruct programPointer(Pointer pointer) {
+    List<Interpreter.Level> levels = pointer.levels();
+    String name = levels.isEmpty() ? " " : moduleName(levels.get(0));
+    int line = levels.isEmpty() ? 0 : levels.get(0).position().line();
+    List<KrlStruct.Field> fields = new ArrayList<>();
+    fields.add(text("NAME", name));
+    fields.add(integer("SNR", line));
+    fields.add(text("NAME_C", name));
+    fields.add(integer("SNR_C", line));
+    fields.add(new KrlStruct.Field("I_EXECUTED", new KrlBool(false)));
+    fields.add(integer("P_ARRIVED", 0));
+    for (int i = 0; i < Math.min(SHOWN_LEVELS, levels.size()); i++) {
+      Interpreter.Level level = levels.get(i);
+      fields.add(
+          new KrlStruct.Field(
+              String.format(Locale.ROOT, "SI%02d", i + 1),
+              struct(
+                  "CALL_STACK",
+                  text("NAME", moduleName(level)),
+                  integer("SNR", level.position().line()),
+                  new KrlStruct.Field("INT_FLAG", new KrlBool(level.interrupt())))));
+    }
+    return new KrlStruct("PRO_IP", fields);
+  }
+
+  // told by the kernel
+
+  void started(Axes from, Axes to) {
+    origin = from;
+    target = to;
+  }
+
+  /** Puts the number of an error into $ERR. */
+  void error(int number) {
+    List<Interpreter.Level> levels = robotInterpreter.levels();
+    int line = levels.isEmpty() ? 0 : levels.get(0).position().line();
+    String module = levels.isEmpty() ? " " : moduleName(levels.get(0));
+    String routine = levels.isEmpty() ? " " : levels.get(0).routine();
+    machine.write(
+        Machine.path("$ERR"),
+        new KrlStruct(
+            null,
+            List.of(
+                integer("NUMBER", number),
+                integer("LINE_NR", line),
+                text("MODULE", module),
+                text("UP_NAME", routine))));
+  }
+
+  void publish(State newState) {
+    state = newState;
+    robotPointer = pointer(robotInterpreter, robotPointer);
+    submitPointer = pointer(submitInterpreter, submitPointer);
+    boolean interrupt =
+        !robotPointer.levels().isEmpty() && robotPointer.levels().get(0).interrupt();
+    if (interrupt && !inInterrupt) {
+      interrupted = newState.axes();
+    }
+    inInterrupt = interrupt;
+    boolean active = robotPointer.state() == Interpreter.State.ACTIVE;
+    signal("$ROB_STOPPED", newState.standing());
+    signal("$PRO_ACT", active);
+    signal("$PRO_MOVE", !newState.idle() && active);
+    signal("$STOPMESS", newState.stopMessage());
+    signal("$ALARM_STOP", !newState.emergency());
+    signal("$PERI_RDY", drivesOn());
+    signal("$IN_HOME", near("$H_POS", newState.axes()));
+    signal("$T1", newState.mode() == OperatingMode.T1);
+    signal("$T2", newState.mode() == OperatingMode.T2);
+    signal("$AUT", newState.mode() == OperatingMode.AUT);
+    signal("$EXT", newState.mode() == OperatingMode.EXT);
+  }
+
+  private static Pointer pointer(Interpreter interpreter, Pointer old) {
+    List<Interpreter.Level> levels = interpreter.levels();
+    if (old.state() == interpreter.state() && old.levels().equals(levels)) {
+      return old;
+    }
+    String program = interpreter.program().map(p -> p.name().toUpperCase(Locale.ROOT)).orElse(" ");
+    return new Pointer(interpreter.state(), program, levels);
+  }
+
+  private void signal(String name, boolean value) {
+    Boolean shown = shownSignals.put(name, value);
+    if (shown == null || shown != value) {
+      machine.write(Machine.path(name), new KrlBool(value));
+    }
+  }
+
+  /** Within $H_POS_TOL of every axis of the home position (krl.md 2.1). */
+  private boolean near(String home, Axes axes) {
+    Axes tolerance = machine.position(Machine.path("$H_POS_TOL"), Axes.ZERO);
+    Axes away = machine.position(Machine.path(home), robot.home()).minus(axes);
+    for (int i = 0; i < Values.ROBOT_AXES; i++) {
+      if (Math.abs(away.get(i)) > tolerance.get(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,68 @@
+package no.hials.crosscom.mock.internal.kernel;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import no.hials.crosscom.mock.internal.data.Path;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlInt;
+
+/** Counts the timers up and ends the pulses of outputs, in simulated time. */
+final class Timers {
+  /** How many timers a KR C4 has (krl.md 2.6). */
+  private static final int COUNT = 64;
+
+  private record Pulse(Path output, boolean level, long end) {}
+
+  private final Machine machine;
+  private final List<Path> timers = new ArrayList<>();
+  private final List<Path> stops = new ArrayList<>();
+  private final List<Path> flags = new ArrayList<>();
+  private final List<Pulse> pulses = new ArrayList<>();
+
+  Timers(Machine machine) {
+    this.machine = machine;
+    for (int i = 1; i <= COUNT; i++) {
+      timers.add(Path.element("$TIMER", i));
+      stops.add(Path.element("$TIMER_STOP", i));
+      flags.add(Path.element("$TIMER_FLAG", i));
+    }
+  }
+
+  void advance(long now, int millis) {
+    for (int i = 0; i < COUNT; i++) {
+      int value = (int) machine.number(timers.get(i), 0);
+      // what is not known is taken for stopped, as a KR C4 has them when it starts
+      if (machine.bool(stops.get(i), true)) {
+        show(i, value);
+        continue;
+      }
+      // a timer that has come to the end of its range stays there (assumed)
+      int next = (int) Math.min(Integer.MAX_VALUE, (long) value + millis);
+      machine.write(timers.get(i), new KrlInt(next));
+      show(i, next);
+    }
+    for (Iterator<Pulse> it = pulses.iterator(); it.hasNext(); ) {
+      Pulse pulse = it.next();
+      if (pulse.end() <= now) {
+        it.remove();
+        machine.write(pulse.output(), new KrlBool(!pulse.level()));
+      }
+    }
+  }
+
+  private void show(int index, int value) {
+    boolean over = value > 0;
+    if (machine.bool(flags.get(index), over) != over) {
+      machine.write(flags.get(index), new KrlBool(over));
+    }
+  }
+
+  void pulse(int output, boolean level, long end) {
+    Path path = Path.element("$OUT", output);
+    // a new pulse takes the place of an old one at the same output (assumed)
+    pulses.removeIf(pulse -> pulse.output().equals(path));
+    machine.write(path, new KrlBool(level));
+    pulses.add(new Pulse(path, level, end));
+  }
+}

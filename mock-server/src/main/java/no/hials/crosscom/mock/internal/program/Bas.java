@@ -1,0 +1,131 @@
+package no.hials.crosscom.mock.internal.program;
+
+import java.util.Locale;
+import no.hials.crosscom.mock.internal.data.Path;
+import no.hials.crosscom.mock.internal.data.RefusedException;
+import no.hials.crosscom.mock.internal.data.Scope;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The subprogram BAS of the base technology (krl.md 4), which sets speeds and coordinate systems.
+ * What {@code #INITMOV} leaves is in krl.md 2.7; what the others do is assumed from the names of
+ * their commands and of the variables of an inline form.
+ */
+final class Bas {
+  private static final int AXES = 6;
+
+  private final Scope scope;
+
+  private Bas(Scope scope) {
+    this.scope = scope;
+  }
+
+  static @Nullable KrlValue call(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    KrlValue command = Builtins.value(arguments, 0);
+    if (!(command instanceof KrlEnum constant)) {
+      throw Machine.wrongType("a command of BAS", command);
+    }
+    KrlValue argument = arguments[1] instanceof KrlValue given ? given : new KrlInt(0);
+    new Bas(names.scope()).execute(constant.name().toUpperCase(Locale.ROOT), argument);
+    return null;
+  }
+
+  private void execute(String command, KrlValue argument) throws ProgramFault {
+    switch (command) {
+      case "INITMOV" -> initialise();
+      case "ACC_CP" -> set("$ACC.CP", argument);
+      case "VEL_CP" -> set("$VEL.CP", argument);
+      case "ACC_PTP" -> setAxes("$ACC_AXIS", argument);
+      case "VEL_PTP" -> setAxes("$VEL_AXIS", argument);
+      case "TOOL" -> tool(number(argument));
+      case "BASE" -> base(number(argument));
+      case "FRAMES" -> frames();
+      case "PTP_DAT" -> ptpData();
+      case "PTP_PARAMS" -> {
+        ptpData();
+        frames();
+        setAxes("$VEL_AXIS", argument);
+      }
+      case "CP_PARAMS" -> {
+        frames();
+        set("$VEL.CP", argument);
+      }
+      default ->
+          throw new ProgramFault(
+              ProgramFault.NOT_ALLOWED, "BAS(#" + command + ") is not supported");
+    }
+  }
+
+  private void initialise() throws ProgramFault {
+    setAxes("$VEL_AXIS", new KrlInt(100));
+    setAxes("$ACC_AXIS", new KrlInt(100));
+    setAxes("$GEAR_JERK", new KrlInt(100));
+    set("$ACC", KrlValue.parse("{CP 2.3,ORI1 100.0,ORI2 100.0}"));
+    set("$VEL", KrlValue.parse("{CP 2.0,ORI1 200.0,ORI2 200.0}"));
+    set("$APO", KrlValue.parse("{CVEL 100,CPTP 50,CDIS 3.0,CORI 5.0}"));
+    set("$ADVANCE", new KrlInt(3));
+    set("$ORI_TYPE", new KrlEnum("VAR"));
+    set("$CIRC_TYPE", new KrlEnum("BASE"));
+    set("$IPO_MODE", new KrlEnum("BASE"));
+    set("$ACT_EX_AX", new KrlInt(-1));
+    base(0);
+    tool(1);
+  }
+
+  private void tool(int number) throws ProgramFault {
+    set("$TOOL", get(number == 0 ? "$NULLFRAME" : "TOOL_DATA[" + number + "]"));
+    if (number > 0) {
+      set("$LOAD", get("LOAD_DATA[" + number + "]"));
+    }
+    set("$ACT_TOOL", new KrlInt(number));
+  }
+
+  private void base(int number) throws ProgramFault {
+    set("$BASE", get(number == 0 ? "$WORLD" : "BASE_DATA[" + number + "]"));
+    set("$ACT_BASE", new KrlInt(number));
+  }
+
+  private void frames() throws ProgramFault {
+    tool(number(get("FDAT_ACT.TOOL_NO")));
+    base(number(get("FDAT_ACT.BASE_NO")));
+    set("$IPO_MODE", get("FDAT_ACT.IPO_FRAME"));
+  }
+
+  private void ptpData() throws ProgramFault {
+    setAxes("$VEL_AXIS", get("PDAT_ACT.VEL"));
+    setAxes("$ACC_AXIS", get("PDAT_ACT.ACC"));
+    KrlValue mode = get("PDAT_ACT.APO_MODE");
+    boolean percent = mode instanceof KrlEnum constant && constant.name().equals("CPTP");
+    set(percent ? "$APO.CPTP" : "$APO.CDIS", get("PDAT_ACT.APO_DIST"));
+  }
+
+  private static int number(KrlValue value) throws ProgramFault {
+    return (int) Math.rint(Machine.number(value));
+  }
+
+  private void setAxes(String array, KrlValue percent) throws ProgramFault {
+    for (int axis = 1; axis <= AXES; axis++) {
+      set(array + "[" + axis + "]", percent);
+    }
+  }
+
+  private KrlValue get(String name) throws ProgramFault {
+    try {
+      return scope.read(Path.parse(name));
+    } catch (RefusedException e) {
+      throw ProgramFault.of("BAS: " + name, e);
+    }
+  }
+
+  private void set(String name, KrlValue value) throws ProgramFault {
+    try {
+      scope.write(Path.parse(name), value, Scope.Writer.PROGRAM);
+    } catch (RefusedException e) {
+      throw ProgramFault.of("BAS: " + name, e);
+    }
+  }
+}

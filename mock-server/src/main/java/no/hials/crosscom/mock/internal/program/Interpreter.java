@@ -1,0 +1,215 @@
+package no.hials.crosscom.mock.internal.program;
+
+import java.util.List;
+import java.util.Optional;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Executes a program in steps: {@link #run} is called in each cycle of the controller and goes on
+ * until the program has to wait.
+ *
+ * <p>Starts no thread and is not safe for use by several. The motions that it has handed over are
+ * the controller's: who stops, resets or cancels the interpreter stops or forgets them.
+ */
+public final class Interpreter {
+
+  /** The interpreters of a controller. */
+  public enum Kind {
+    /** Moves the robot. */
+    ROBOT,
+    /** Runs beside it and cannot move anything. */
+    SUBMIT
+  }
+
+  /** What {@code $PRO_STATE} tells (krl.md 2.4). */
+  public enum State {
+    /** No program is selected: {@code #P_FREE}. */
+    FREE,
+    /** The program stands at its first line: {@code #P_RESET}. */
+    RESET,
+    /** It runs: {@code #P_ACTIVE}. */
+    ACTIVE,
+    /** It was stopped and can go on: {@code #P_STOP}. */
+    STOP,
+    /** It has come to its end: {@code #P_END}. */
+    END
+  }
+
+  /**
+   * A routine that is being executed.
+   *
+   * @param module the name of its module
+   * @param routine its name
+   * @param position the statement that is executed; in a calling routine the call
+   * @param interrupt whether an interrupt or a trigger has called it
+   */
+  public record Level(String module, String routine, Position position, boolean interrupt) {}
+
+  private final Environment environment;
+  private final Machine machine;
+  private State state = State.FREE;
+  private @Nullable Program program;
+  private List<KrlValue> arguments = List.of();
+
+  /**
+   * Makes an interpreter without a program.
+   *
+   * @param kind what it may do
+   * @param environment the controller
+   */
+  public Interpreter(Kind kind, Environment environment) {
+    this.environment = environment;
+    this.machine = new Machine(kind, environment);
+  }
+
+  /**
+   * Selects a program, in place of one that is not active.
+   *
+   * @param newProgram the program
+   * @param newArguments the values of the main routine's first parameters; those behind them stay
+   *     without a value
+   * @return false if the one selected is active; then nothing has changed
+   * @throws ProgramFault if the arguments are too many or not of the types of the parameters; then
+   *     nothing has changed
+   */
+  public boolean select(Program newProgram, List<KrlValue> newArguments) throws ProgramFault {
+    if (state == State.ACTIVE) {
+      return false;
+    }
+    machine.begin(newProgram.main(), newArguments);
+    program = newProgram;
+    arguments = List.copyOf(newArguments);
+    state = State.RESET;
+    return true;
+  }
+
+  /**
+   * Starts the program or lets it go on; from its end it starts again (assumed).
+   *
+   * @return false if none is selected or it is active
+   */
+  public boolean start() {
+    if (state == State.END) {
+      reset();
+    }
+    if (state != State.RESET && state != State.STOP) {
+      return false;
+    }
+    state = State.ACTIVE;
+    return true;
+  }
+
+  /**
+   * Stops the program.
+   *
+   * @return false if it is not active
+   */
+  public boolean stop() {
+    if (state != State.ACTIVE) {
+      return false;
+    }
+    state = State.STOP;
+    return true;
+  }
+
+  /**
+   * Sets the program back to its first line.
+   *
+   * @return false if none is selected or it is active
+   */
+  public boolean reset() {
+    Program selected = program;
+    if (state == State.ACTIVE || selected == null) {
+      return false;
+    }
+    try {
+      machine.begin(selected.main(), arguments);
+    } catch (ProgramFault e) {
+      throw new IllegalStateException("the arguments fitted when the program was selected", e);
+    }
+    state = State.RESET;
+    return true;
+  }
+
+  /**
+   * Takes the program away.
+   *
+   * @return false if none is selected or it is active
+   */
+  public boolean cancel() {
+    if (state == State.ACTIVE || program == null) {
+      return false;
+    }
+    machine.clear();
+    program = null;
+    state = State.FREE;
+    return true;
+  }
+
+  /**
+   * Executes the program until it waits, ends or stops, or the instructions are used up.
+   *
+   * @param maxInstructions how many instructions may be executed
+   * @return how many were
+   */
+  public int run(int maxInstructions) {
+    if (state != State.ACTIVE) {
+      return 0;
+    }
+    try {
+      machine.run(maxInstructions);
+      if (machine.ended()) {
+        state = State.END;
+      } else if (machine.halted()) {
+        state = State.STOP;
+      }
+    } catch (ProgramFault fault) {
+      state = State.STOP;
+      environment.message(
+          new Message(
+              Message.Kind.ACKNOWLEDGEMENT,
+              fault.number(),
+              String.valueOf(fault.getMessage()),
+              machine.faultPosition()));
+    }
+    return machine.executed();
+  }
+
+  /**
+   * Executes the action of a trigger, at the next {@link #run}.
+   *
+   * @param trigger one that came with a motion of this interpreter
+   */
+  public void fire(TriggerOrder trigger) {
+    machine.fire(trigger.interruption());
+  }
+
+  /**
+   * Gives the state.
+   *
+   * @return what {@code $PRO_STATE} tells
+   */
+  public State state() {
+    return state;
+  }
+
+  /**
+   * Gives the selected program.
+   *
+   * @return the program; nothing in state FREE
+   */
+  public Optional<Program> program() {
+    return Optional.ofNullable(program);
+  }
+
+  /**
+   * Gives the calls.
+   *
+   * @return the innermost first; none if no program is selected
+   */
+  public List<Level> levels() {
+    return machine.levels();
+  }
+}

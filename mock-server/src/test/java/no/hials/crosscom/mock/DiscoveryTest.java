@@ -1,0 +1,124 @@
+package no.hials.crosscom.mock;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Where controllers are, asked by UDP. */
+class DiscoveryTest {
+  private static final String QUESTION = "WHEREAREYOU?";
+  private static final String ANSWER = "KUKA|#KR6R900 C4SR FLR 230|736512";
+
+  /** Ends a test that would wait for ever; no test needs it to pass. */
+  private static final int GIVE_UP_MILLIS = 20_000;
+
+  private DatagramSocket asking;
+
+  @BeforeEach
+  void open() throws IOException {
+    asking = socket();
+  }
+
+  @AfterEach
+  void close() {
+    asking.close();
+  }
+
+  private static DatagramSocket socket() throws IOException {
+    DatagramSocket socket =
+        new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
+    socket.setSoTimeout(GIVE_UP_MILLIS);
+    return socket;
+  }
+
+  private void ask(MockServer server, String question) throws IOException {
+    byte[] bytes = question.getBytes(StandardCharsets.ISO_8859_1);
+    int port = server.discoveryPort().orElseThrow();
+    asking.send(new DatagramPacket(bytes, bytes.length, InetAddress.getLoopbackAddress(), port));
+  }
+
+  private static String receive(DatagramSocket socket) throws IOException {
+    DatagramPacket packet = new DatagramPacket(new byte[1000], 1000);
+    socket.receive(packet);
+    return new String(packet.getData(), 0, packet.getLength(), StandardCharsets.ISO_8859_1);
+  }
+
+  private static MockServer answeringTo(int port) throws IOException {
+    return MockServer.start(cfg -> cfg.discoveryPort(0).discoveryReplyPort(port));
+  }
+
+  @Test
+  void isOffUnlessToldOtherwise() throws IOException {
+    try (MockServer server = MockServer.start()) {
+      assertThat(server.discoveryPort()).isEmpty();
+    }
+  }
+
+  /** The form of kukavarproxy.md. */
+  @Test
+  void answersModelAndSerialNumberToTheGivenPortOfTheSender() throws IOException {
+    try (DatagramSocket answered = socket();
+        MockServer server = answeringTo(answered.getLocalPort())) {
+      ask(server, QUESTION);
+      assertThat(receive(answered)).isEqualTo(ANSWER);
+    }
+  }
+
+  @Test
+  void canAnswerToThePortThatTheQuestionCameFrom() throws IOException {
+    try (MockServer server = answeringTo(0)) {
+      ask(server, QUESTION);
+      assertThat(receive(asking)).isEqualTo(ANSWER);
+    }
+  }
+
+  @Test
+  void answersWithTheVariablesAsTheyAreNow() throws IOException {
+    try (MockServer server = answeringTo(0)) {
+      server.variables().set("$MODEL_NAME[]", "\"#KR16\"");
+      server.variables().remove("$KR_SERIALNO");
+      ask(server, QUESTION);
+      assertThat(receive(asking)).isEqualTo("KUKA|#KR16|");
+    }
+  }
+
+  @Test
+  void doesNotAnswerToAnythingElse() throws IOException {
+    try (MockServer server = answeringTo(0)) {
+      for (String garbage :
+          List.of("", "whereareyou?", "WHEREAREYOU", QUESTION + "\0", QUESTION.repeat(100))) {
+        ask(server, garbage);
+      }
+      server.variables().set("$MODEL_NAME[]", "\"ASKED\"");
+      ask(server, QUESTION);
+      // the first answer is that to the last datagram
+      assertThat(receive(asking)).startsWith("KUKA|ASKED|");
+    }
+  }
+
+  @Test
+  void saysWhichPortItCannotListenOnAndClosesTheOtherAgain() throws IOException {
+    int taken = asking.getLocalPort();
+    int free;
+    try (MockServer server = MockServer.start()) {
+      free = server.port();
+    }
+    assertThatThrownBy(() -> MockServer.start(cfg -> cfg.port(free).discoveryPort(taken)))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("cannot listen on UDP")
+        .hasMessageContaining(String.valueOf(taken));
+    try (MockServer server = MockServer.start(cfg -> cfg.port(free))) {
+      assertThat(server.port()).isEqualTo(free);
+    }
+  }
+}

@@ -160,6 +160,7 @@ final class RequestHandler {
       case WRITE -> new WriteResponse(request.id(), value, tail);
       case READ_ARRAY -> new ReadArrayResponse(request.id(), wordsOrNone(value), tail);
       case WRITE_ARRAY -> new WriteArrayResponse(request.id(), value, tail);
+      default -> throw new IllegalArgumentException("no such request: " + request);
     };
   }
 

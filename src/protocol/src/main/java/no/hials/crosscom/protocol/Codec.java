@@ -6,8 +6,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Turns messages into frames and frames into messages. The only code that knows how a frame looks
- * (kukavarproxy.md, "Frames"): {@code id u16, length u16, function u8, fields}, and at the end of
- * an answer the three bytes of the tail; all numbers big-endian.
+ * (kukavarproxy.md, "Frames"; c3-bridge.md, "Common to all messages"): {@code id u16, length u16,
+ * function u8, fields}, and at the end of an answer the three bytes of the tail; all numbers
+ * big-endian.
  *
  * <p>Decoding takes any bytes: it gives a message or throws {@link MalformedFrameException}.
  */
@@ -95,48 +96,88 @@ public final class Codec {
   }
 
   /**
-   * Decodes a request.
+   * Decodes a request to a KUKAVARPROXY.
    *
    * @param frame the bytes of one frame
    * @return the message
+   * @throws MalformedRequestException if only the fields are none
    * @throws MalformedFrameException if they are none
-   * @throws UnknownFunctionException if they are a frame of a function that this codec has not
+   * @throws UnknownFunctionException if they are a frame of a function that the server has not
    */
   public static Request decodeRequest(byte[] frame) throws MalformedFrameException {
+    return decodeRequest(frame, ServerType.KUKAVARPROXY, Strictness.STRICT);
+  }
+
+  /**
+   * Decodes a request.
+   *
+   * @param frame the bytes of one frame
+   * @param server whom it is for
+   * @param strictness what to make of bytes that no client sends
+   * @return the message
+   * @throws MalformedRequestException if only the fields are none
+   * @throws MalformedFrameException if they are none
+   * @throws UnknownFunctionException if they are a frame of a function that the server has not
+   */
+  public static Request decodeRequest(byte[] frame, ServerType server, Strictness strictness)
+      throws MalformedFrameException {
     checkLength(frame, frame.length);
     if (frame.length == HEADER_LENGTH) {
       throw new MalformedFrameException("a request has a function, has none", frame, frame.length);
     }
     int id = u16(frame, 0);
+    MessageType type = type(frame, server, id);
+    WireBuffer fields =
+        new WireBuffer(frame, frame.length, HEADER_LENGTH + 1, frame.length, strictness);
+    try {
+      Request request = type.request().reader().read(id, fields, Tail.SUCCESS);
+      fields.expectEnd();
+      return request;
+    } catch (MalformedFrameException e) {
+      throw new MalformedRequestException(id, type, frame, e);
+    }
+  }
+
+  private static MessageType type(byte[] frame, ServerType server, int id)
+      throws UnknownFunctionException {
     int function = frame[HEADER_LENGTH] & 0xFF;
-    MessageType type =
-        MessageType.from(function)
-            .orElseThrow(() -> new UnknownFunctionException(id, function, frame, frame.length));
-    WireBuffer fields = new WireBuffer(frame, frame.length, HEADER_LENGTH + 1, frame.length);
-    Request request = type.request().reader().read(id, fields, Tail.SUCCESS);
-    fields.expectEnd();
-    return request;
+    MessageType type = MessageType.find(function);
+    if (type == null || !type.isKnownTo(server)) {
+      throw new UnknownFunctionException(id, function, server, frame, frame.length);
+    }
+    return type;
   }
 
   /**
-   * Decodes an answer.
+   * Decodes an answer of a KUKAVARPROXY.
    *
    * @param frame the bytes of one frame
    * @return the message
    * @throws MalformedFrameException if they are none
-   * @throws UnknownFunctionException if they are a frame of a function that this codec has not
+   * @throws UnknownFunctionException if they are a frame of a function that the server has not
    */
   public static Response decodeResponse(byte[] frame) throws MalformedFrameException {
+    return decodeResponse(frame, ServerType.KUKAVARPROXY);
+  }
+
+  /**
+   * Decodes an answer. It is read strictly, whichever server sent it.
+   *
+   * @param frame the bytes of one frame
+   * @param server whose it is
+   * @return the message
+   * @throws MalformedFrameException if they are none
+   * @throws UnknownFunctionException if they are a frame of a function that the server has not
+   */
+  public static Response decodeResponse(byte[] frame, ServerType server)
+      throws MalformedFrameException {
     AnswerFrame answer = new AnswerFrame();
     answer.wrap(frame, frame.length);
     int id = answer.id();
     if (answer.functionUnknown()) {
       return new EmptyResponse(id);
     }
-    int function = answer.function();
-    MessageType type =
-        MessageType.from(function)
-            .orElseThrow(() -> new UnknownFunctionException(id, function, frame, frame.length));
+    MessageType type = type(frame, server, id);
     WireBuffer fields = answer.fields();
     Tail tail = new Tail(answer.code(), frame[frame.length - 1] & 0xFF);
     Response response = type.response().reader().read(id, fields, tail);

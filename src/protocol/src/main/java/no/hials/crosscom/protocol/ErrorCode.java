@@ -1,13 +1,14 @@
 package no.hials.crosscom.protocol;
 
 import java.util.Optional;
+import no.hials.crosscom.protocol.code.WireCode;
 
 /**
  * The error codes of C3 Bridge Interface, in the tail of an answer that says failure
  * (c3-bridge.md). KUKAVARPROXY knows none: there the same two bytes are a length, which is always
  * 1.
  */
-public enum ErrorCode {
+public enum ErrorCode implements WireCode {
   /** Unspecified, such as an unknown variable or a refused write. */
   GENERAL(0),
   /** None; together with failure, the mark of a KUKAVARPROXY, which gives no reason. */
@@ -42,6 +43,7 @@ public enum ErrorCode {
    *
    * @return 0 to 10
    */
+  @Override
   public int code() {
     return code;
   }
@@ -53,11 +55,6 @@ public enum ErrorCode {
    * @return the code, or nothing if it is unknown
    */
   public static Optional<ErrorCode> from(int code) {
-    for (ErrorCode known : values()) {
-      if (known.code == code) {
-        return Optional.of(known);
-      }
-    }
-    return Optional.empty();
+    return WireCode.find(ErrorCode.class, code);
   }
 }

@@ -21,6 +21,11 @@ public class MalformedFrameException extends IOException {
     super(what + ", frame: " + hex(frame, length));
   }
 
+  /** Says more about a frame of which the rule that it breaks is known. */
+  MalformedFrameException(MalformedFrameException cause) {
+    super(cause.getMessage(), cause);
+  }
+
   /**
    * Prints bytes as pairs of hexadecimal digits with blanks between.
    *

@@ -2,7 +2,34 @@ package no.hials.crosscom.protocol;
 
 /** A message from the client to the server. */
 public sealed interface Request
-    permits ReadRequest, WriteRequest, ReadArrayRequest, WriteArrayRequest {
+    permits ReadRequest,
+        WriteRequest,
+        ReadArrayRequest,
+        WriteArrayRequest,
+        ReadUtf16Request,
+        WriteUtf16Request,
+        ReadMultipleRequest,
+        WriteMultipleRequest,
+        ProgramControlRequest,
+        ProgramSelectRequest,
+        MotionRequest,
+        PendantKeyRequest,
+        PlainRequest,
+        BenchmarkReadRequest,
+        BenchmarkWriteRequest,
+        SetAttributesRequest,
+        ListDirectoryRequest,
+        CreateFileRequest,
+        DeleteFileRequest,
+        CopyFileRequest,
+        FileNameRequest,
+        FilePropertiesRequest,
+        BeginWriteRequest,
+        WriteDataRequest,
+        EndWriteRequest,
+        BeginReadRequest,
+        ReadDataRequest,
+        ContentRequest {
 
   /**
    * Gives the number by which the answer is known.

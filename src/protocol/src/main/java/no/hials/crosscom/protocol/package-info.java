@@ -1,5 +1,6 @@
 /**
- * The messages of KUKAVARPROXY and the one codec for them, used by the client and the mock server.
+ * The messages of KUKAVARPROXY and C3 Bridge and the one codec for them, used by the client and the
+ * mock server.
  *
  * <p>A message is a record under {@link no.hials.crosscom.protocol.Request} or {@link
  * no.hials.crosscom.protocol.Response}; {@link no.hials.crosscom.protocol.Codec} turns it into

@@ -14,17 +14,25 @@ final class CodecFuzzTest {
 
   @FuzzTest(maxDuration = "0s")
   void anyBytesAreAMessageOfExactlyTheseBytesOrMalformed(byte[] bytes) {
-    try {
-      assertThat(Codec.encode(Codec.decodeRequest(bytes))).isEqualTo(bytes);
-    } catch (MalformedFrameException e) {
-      assertThat(e).hasMessageContaining(", frame: ");
-    }
-    try {
-      Response response = Codec.decodeResponse(bytes);
-      assertThat(Codec.encode(response)).isEqualTo(bytes);
-      expectTheSameInPlace(bytes, response);
-    } catch (MalformedFrameException e) {
-      assertThat(e).hasMessageContaining(", frame: ");
+    for (ServerType server : ServerType.values()) {
+      try {
+        assertThat(Codec.encode(Codec.decodeRequest(bytes, server, Strictness.STRICT)))
+            .isEqualTo(bytes);
+      } catch (MalformedFrameException e) {
+        assertThat(e).hasMessageContaining(", frame: ");
+      }
+      try {
+        assertThat(Codec.decodeRequest(bytes, server, Strictness.LENIENT)).isNotNull();
+      } catch (MalformedFrameException e) {
+        assertThat(e).hasMessageContaining(", frame: ");
+      }
+      try {
+        Response response = Codec.decodeResponse(bytes, server);
+        assertThat(Codec.encode(response)).isEqualTo(bytes);
+        expectTheSameInPlace(bytes, response);
+      } catch (MalformedFrameException e) {
+        assertThat(e).hasMessageContaining(", frame: ");
+      }
     }
   }
 

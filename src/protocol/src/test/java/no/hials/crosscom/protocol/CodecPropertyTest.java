@@ -60,6 +60,77 @@ final class CodecPropertyTest {
     assertThat(encoded).isEqualTo(bytes);
   }
 
+  @Property
+  void aDecodedRequestToC3BridgeIsTheOneThatWasEncoded(@ForAll("c3Requests") Request request)
+      throws Exception {
+    byte[] frame = Codec.encode(request);
+
+    assertThat(Codec.frameLength(frame, 0)).isEqualTo(frame.length);
+    assertThat(Codec.decodeRequest(frame, ServerType.C3_BRIDGE, Strictness.STRICT))
+        .isEqualTo(request);
+    byte[] longer = count(Arrays.copyOf(frame, frame.length + 1));
+    assertThat(Codec.decodeRequest(longer, ServerType.C3_BRIDGE, Strictness.LENIENT))
+        .isEqualTo(request);
+  }
+
+  @Property
+  void aDecodedAnswerOfC3BridgeIsTheOneThatWasEncoded(@ForAll("c3Responses") Response response)
+      throws Exception {
+    byte[] frame = Codec.encode(response);
+
+    assertThat(Codec.frameLength(frame, 0)).isEqualTo(frame.length);
+    assertThat(Codec.decodeResponse(frame, ServerType.C3_BRIDGE)).isEqualTo(response);
+  }
+
+  @Property
+  @StatisticsReport(StatisticsReportMode.OFF)
+  void anyBytesAreARequestToC3BridgeOfExactlyTheseBytesOrMalformed(
+      @ForAll("c3Bytes") byte[] bytes) {
+    byte[] encoded;
+    try {
+      encoded = Codec.encode(Codec.decodeRequest(bytes, ServerType.C3_BRIDGE, Strictness.STRICT));
+    } catch (MalformedFrameException e) {
+      expectBothOutcomes(false);
+      return;
+    }
+    expectBothOutcomes(true);
+    assertThat(encoded).isEqualTo(bytes);
+  }
+
+  @Property
+  @StatisticsReport(StatisticsReportMode.OFF)
+  void anyBytesAreAnAnswerOfC3BridgeOfExactlyTheseBytesOrMalformed(
+      @ForAll("c3Bytes") byte[] bytes) {
+    byte[] encoded;
+    try {
+      encoded = Codec.encode(Codec.decodeResponse(bytes, ServerType.C3_BRIDGE));
+    } catch (MalformedFrameException e) {
+      expectBothOutcomes(false);
+      return;
+    }
+    expectBothOutcomes(true);
+    assertThat(encoded).isEqualTo(bytes);
+  }
+
+  @Property
+  @StatisticsReport(StatisticsReportMode.OFF)
+  void anyBytesAreMalformedToALenientServerOrARequestThatAStrictOneTakes(
+      @ForAll("c3Bytes") byte[] bytes) throws Exception {
+    Request request;
+    try {
+      request = Codec.decodeRequest(bytes, ServerType.C3_BRIDGE, Strictness.LENIENT);
+    } catch (MalformedFrameException e) {
+      expectBothOutcomes(false);
+      return;
+    }
+    expectBothOutcomes(true);
+    if (request instanceof WriteMultipleRequest batch) {
+      request = new WriteMultipleRequest(batch.id(), batch.assignments());
+    }
+    assertThat(Codec.decodeRequest(Codec.encode(request), ServerType.C3_BRIDGE, Strictness.STRICT))
+        .isEqualTo(request);
+  }
+
   /** Fails a run that tried nearly nothing but messages, or nearly nothing but noise. */
   private static void expectBothOutcomes(boolean decoded) {
     Statistics.collect(decoded);
@@ -80,22 +151,42 @@ final class CodecPropertyTest {
     return Messages.responses().withoutEdgeCases();
   }
 
+  @Provide
+  Arbitrary<Request> c3Requests() {
+    return Messages.c3Requests().withoutEdgeCases();
+  }
+
+  @Provide
+  Arbitrary<Response> c3Responses() {
+    return Messages.c3Responses().withoutEdgeCases();
+  }
+
   /**
    * Noise alone hardly ever has the right length field, so most of these are frames: of noise that
    * is counted right, or messages with a few bytes changed, cut, or added.
    */
   @Provide
   Arbitrary<byte[]> bytes() {
+    return bytes(Arbitraries.integers().between(0, 5), Messages.requests(), Messages.responses());
+  }
+
+  @Provide
+  Arbitrary<byte[]> c3Bytes() {
+    return bytes(
+        Arbitraries.integers().between(0, 64), Messages.c3Requests(), Messages.c3Responses());
+  }
+
+  private static Arbitrary<byte[]> bytes(
+      Arbitrary<Integer> functions, Arbitrary<Request> requests, Arbitrary<Response> responses) {
     Arbitrary<byte[]> noise = Arbitraries.bytes().array(byte[].class).ofMaxSize(40);
     Arbitrary<byte[]> counted =
         Combinators.combine(
-                Arbitraries.integers().between(0, 5),
+                functions,
                 // small bytes, which are likely lengths
                 Arbitraries.bytes().between((byte) 0, (byte) 6).array(byte[].class).ofMaxSize(16))
             .as(CodecPropertyTest::frame);
     Arbitrary<byte[]> messages =
-        Arbitraries.oneOf(
-            Messages.requests().map(Codec::encode), Messages.responses().map(Codec::encode));
+        Arbitraries.oneOf(requests.map(Codec::encode), responses.map(Codec::encode));
     Arbitrary<byte[]> changed =
         Combinators.combine(
                 messages,

@@ -1,0 +1,25 @@
+package no.hials.crosscom.protocol;
+
+import java.util.List;
+
+/**
+ * A variable and the text that it is to have.
+ *
+ * @param name WSTRING: u16 count of characters and UTF-16, little-endian
+ * @param value WSTRING
+ */
+public record Assignment(String name, String value) {
+
+  void write(WireBuffer out) {
+    out.putWide(name);
+    out.putWide(value);
+  }
+
+  static Assignment read(WireBuffer in) throws MalformedFrameException {
+    return new Assignment(in.wide("name"), in.wide("value"));
+  }
+
+  static long length(List<Assignment> assignments) {
+    return assignments.stream().mapToLong(a -> Ranges.wide(a.name) + Ranges.wide(a.value)).sum();
+  }
+}

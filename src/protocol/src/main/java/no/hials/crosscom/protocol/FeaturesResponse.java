@@ -1,0 +1,26 @@
+package no.hials.crosscom.protocol;
+
+/**
+ * Answers a {@link PlainRequest} of type {@link MessageType#FEATURES} (c3-bridge.md, type 14): 32
+ * bytes.
+ *
+ * @param id u16, of the request
+ * @param features 32 bytes, a bit for each type
+ * @param tail how the access ended
+ */
+public record FeaturesResponse(int id, Features features, Tail tail) implements TypedResponse {
+  static final Layout<FeaturesResponse> LAYOUT =
+      new Layout<>(
+          (m, out) -> m.features.write(out),
+          (id, in, tail) -> new FeaturesResponse(id, Features.read(in), tail));
+
+  /** Checks the ranges. */
+  public FeaturesResponse {
+    Ranges.u16("id", id);
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.FEATURES;
+  }
+}

@@ -1,0 +1,45 @@
+package no.hials.crosscom.protocol;
+
+import java.util.List;
+
+/**
+ * Answers {@link ListDirectoryRequest} (c3-bridge.md, type 21): {@code count u16, items, count u16,
+ * infos}.
+ *
+ * @param id u16, of the request
+ * @param items WSTRING each; the names
+ * @param infos WSTRING each, such as {@code 32,32,21} (c3-vectors.tsv); one an item, or none if
+ *     {@link no.hials.crosscom.protocol.code.ListFlag#LONG} was not set
+ * @param tail how the access ended
+ */
+public record ListDirectoryResponse(int id, List<String> items, List<String> infos, Tail tail)
+    implements TypedResponse {
+  static final Layout<ListDirectoryResponse> LAYOUT =
+      new Layout<>(
+          (m, out) -> {
+            out.u16(m.items.size());
+            m.items.forEach(out::putWide);
+            out.u16(m.infos.size());
+            m.infos.forEach(out::putWide);
+          },
+          (id, in, tail) ->
+              new ListDirectoryResponse(
+                  id,
+                  in.wides(in.u16("item count"), "item"),
+                  in.wides(in.u16("info count"), "info"),
+                  tail));
+
+  /** Checks the ranges. */
+  public ListDirectoryResponse {
+    items = List.copyOf(items);
+    infos = List.copyOf(infos);
+    Ranges.u16("id", id);
+    Ranges.frame(
+        "items and infos", 1 + 2 + Ranges.wide(items) + 2 + Ranges.wide(infos) + Tail.LENGTH);
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.LIST_DIRECTORY;
+  }
+}

@@ -1,0 +1,30 @@
+package no.hials.crosscom.protocol;
+
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.MotionType;
+
+/**
+ * Answers {@link MotionRequest} (c3-bridge.md, type 11): {@code motion}.
+ *
+ * @param id u16, of the request
+ * @param motion u8, of the request, known or not
+ * @param tail how the access ended
+ */
+public record MotionResponse(int id, Code<MotionType> motion, Tail tail) implements TypedResponse {
+  static final Layout<MotionResponse> LAYOUT =
+      new Layout<>(
+          (m, out) -> out.u8(m.motion.number()),
+          (id, in, tail) ->
+              new MotionResponse(id, new Code<>(MotionType.class, in.u8("motion")), tail));
+
+  /** Checks the ranges. */
+  public MotionResponse {
+    Ranges.u16("id", id);
+    Ranges.u8("motion", motion.number());
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.MOTION;
+  }
+}

@@ -1,0 +1,30 @@
+package no.hials.crosscom.protocol;
+
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.PendantKey;
+
+/**
+ * Answers {@link PendantKeyRequest} (c3-bridge.md, type 12): {@code key}.
+ *
+ * @param id u16, of the request
+ * @param key u8, of the request, known or not
+ * @param tail how the access ended
+ */
+public record PendantKeyResponse(int id, Code<PendantKey> key, Tail tail) implements TypedResponse {
+  static final Layout<PendantKeyResponse> LAYOUT =
+      new Layout<>(
+          (m, out) -> out.u8(m.key.number()),
+          (id, in, tail) ->
+              new PendantKeyResponse(id, new Code<>(PendantKey.class, in.u8("key")), tail));
+
+  /** Checks the ranges. */
+  public PendantKeyResponse {
+    Ranges.u16("id", id);
+    Ranges.u8("key", key.number());
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.PENDANT_KEY;
+  }
+}

@@ -1,0 +1,22 @@
+package no.hials.crosscom.protocol;
+
+/**
+ * Asks what needs no fields: for information, for features, or to confirm all messages
+ * (c3-bridge.md, types 13, 14 and 63).
+ *
+ * @param id u16, echoed in the answer
+ * @param type u8; {@link MessageType#INFORMATION}, {@link MessageType#FEATURES} or {@link
+ *     MessageType#CONFIRM_ALL}
+ */
+public record PlainRequest(int id, MessageType type) implements Request {
+
+  /** Checks the ranges. */
+  public PlainRequest {
+    Ranges.u16("id", id);
+    Ranges.type(type, MessageType.INFORMATION, MessageType.FEATURES, MessageType.CONFIRM_ALL);
+  }
+
+  static Layout<PlainRequest> layout(MessageType type) {
+    return new Layout<>((m, out) -> {}, (id, in, tail) -> new PlainRequest(id, type));
+  }
+}

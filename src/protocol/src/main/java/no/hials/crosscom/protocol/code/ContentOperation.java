@@ -1,0 +1,36 @@
+package no.hials.crosscom.protocol.code;
+
+import java.util.Optional;
+
+/** The steps of writing or reading a file's content (c3-bridge.md, types 29 and 30). */
+public enum ContentOperation implements WireCode {
+  /** Prepares the server's buffer. */
+  BEGIN(1),
+  /** Moves a chunk. */
+  DATA(2),
+  /** Asks for the size of the buffer. */
+  SIZE(3),
+  /** Ends it; when writing, stores the buffer as a file. */
+  END(4);
+
+  private final int code;
+
+  ContentOperation(int code) {
+    this.code = code;
+  }
+
+  @Override
+  public int code() {
+    return code;
+  }
+
+  /**
+   * Finds a constant by its number.
+   *
+   * @param code any number
+   * @return the constant, or nothing if the number is unknown
+   */
+  public static Optional<ContentOperation> from(int code) {
+    return WireCode.find(ContentOperation.class, code);
+  }
+}

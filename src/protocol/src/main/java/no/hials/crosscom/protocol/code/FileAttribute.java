@@ -1,0 +1,42 @@
+package no.hials.crosscom.protocol.code;
+
+import java.util.Optional;
+
+/** What a file or directory is marked with (c3-bridge.md, "item attributes"). Flags. */
+public enum FileAttribute implements WireCode {
+  /** Read only. */
+  READ_ONLY(1),
+  /** Hidden. */
+  HIDDEN(2),
+  /** System. */
+  SYSTEM(4),
+  /** Directory. */
+  DIRECTORY(16),
+  /** Archive. */
+  ARCHIVE(32),
+  /** Encrypted. */
+  ENCRYPTED(16384),
+  /** Signed. */
+  SIGNED(268435456);
+
+  private final int code;
+
+  FileAttribute(int code) {
+    this.code = code;
+  }
+
+  @Override
+  public int code() {
+    return code;
+  }
+
+  /**
+   * Finds a constant by its number.
+   *
+   * @param code any number
+   * @return the constant, or nothing if the number is unknown
+   */
+  public static Optional<FileAttribute> from(int code) {
+    return WireCode.find(FileAttribute.class, code);
+  }
+}

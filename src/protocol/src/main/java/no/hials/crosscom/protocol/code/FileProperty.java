@@ -1,0 +1,44 @@
+package no.hials.crosscom.protocol.code;
+
+import java.util.Optional;
+
+/** The properties of a file that can be asked for (c3-bridge.md, "property flags"). Flags. */
+public enum FileProperty implements WireCode {
+  /** The type. */
+  TYPE(1),
+  /** The name. */
+  NAME(2),
+  /** The size. */
+  SIZE(4),
+  /** The attributes. */
+  ATTRIBUTES(8),
+  /** The time of creation. */
+  CREATION(16),
+  /** The time of the last access. */
+  ACCESS(32),
+  /** The time of the last change. */
+  MODIFICATION(64),
+  /** The edit mode. */
+  EDIT_MODE(128);
+
+  private final int code;
+
+  FileProperty(int code) {
+    this.code = code;
+  }
+
+  @Override
+  public int code() {
+    return code;
+  }
+
+  /**
+   * Finds a constant by its number.
+   *
+   * @param code any number
+   * @return the constant, or nothing if the number is unknown
+   */
+  public static Optional<FileProperty> from(int code) {
+    return WireCode.find(FileProperty.class, code);
+  }
+}

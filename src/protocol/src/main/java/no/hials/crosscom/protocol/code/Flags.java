@@ -1,0 +1,131 @@
+package no.hials.crosscom.protocol.code;
+
+import java.util.Collection;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Set;
+import java.util.StringJoiner;
+
+/**
+ * Flags on the wire, known or not.
+ *
+ * @param type the enum of the known ones; not on the wire
+ * @param bits all of them; how many bytes they have and so their range are the message's
+ * @param <E> the enum
+ */
+public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
+
+  /**
+   * Makes flags of which none is set.
+   *
+   * @param type the enum
+   * @param <E> the enum
+   * @return the flags
+   */
+  public static <E extends Enum<E> & WireCode> Flags<E> none(Class<E> type) {
+    return new Flags<>(type, 0);
+  }
+
+  /**
+   * Makes flags of which all known ones are set.
+   *
+   * @param type the enum
+   * @param <E> the enum
+   * @return the flags
+   */
+  public static <E extends Enum<E> & WireCode> Flags<E> all(Class<E> type) {
+    return of(type, EnumSet.allOf(type));
+  }
+
+  /**
+   * Makes flags of which some are set.
+   *
+   * @param type the enum
+   * @param constants those that are set
+   * @param <E> the enum
+   * @return the flags
+   */
+  public static <E extends Enum<E> & WireCode> Flags<E> of(Class<E> type, Collection<E> constants) {
+    int bits = 0;
+    for (E constant : constants) {
+      bits |= constant.code();
+    }
+    return new Flags<>(type, bits);
+  }
+
+  /**
+   * Makes flags of which some are set.
+   *
+   * @param first one that is set
+   * @param others more that are set
+   * @param <E> the enum
+   * @return the flags
+   */
+  @SafeVarargs
+  public static <E extends Enum<E> & WireCode> Flags<E> of(E first, E... others) {
+    int bits = first.code();
+    for (E other : others) {
+      bits |= other.code();
+    }
+    return new Flags<>(first.getDeclaringClass(), bits);
+  }
+
+  /**
+   * Says whether all bits of a flag are set.
+   *
+   * @param flag any; a constant without bits is never set
+   * @return true if so
+   */
+  public boolean has(E flag) {
+    return flag.code() != 0 && (bits & flag.code()) == flag.code();
+  }
+
+  /**
+   * Gives the known flags that are set. Of two whose bits overlap, such as 16 and 48, the one with
+   * more bits stands for both.
+   *
+   * @return the constants, unmodifiable
+   */
+  public Set<E> known() {
+    EnumSet<E> known = EnumSet.noneOf(type);
+    for (E flag : type.getEnumConstants()) {
+      if (has(flag)) {
+        known.add(flag);
+      }
+    }
+    EnumSet<E> parts = EnumSet.noneOf(type);
+    for (E flag : known) {
+      for (E other : known) {
+        if (flag != other && (flag.code() & other.code()) == flag.code()) {
+          parts.add(flag);
+        }
+      }
+    }
+    known.removeAll(parts);
+    return Collections.unmodifiableSet(known);
+  }
+
+  /**
+   * Gives the bits that are part of no known flag that is set.
+   *
+   * @return the bits, 0 if there are none
+   */
+  public int unknown() {
+    int rest = bits;
+    for (E flag : known()) {
+      rest &= ~flag.code();
+    }
+    return rest;
+  }
+
+  /** Names the known flags, and gives the unknown bits in hex. */
+  @Override
+  public String toString() {
+    StringJoiner text = new StringJoiner(", ", "[", "]");
+    known().forEach(flag -> text.add(flag.name()));
+    if (unknown() != 0) {
+      text.add("0x" + Integer.toHexString(unknown()));
+    }
+    return text.toString();
+  }
+}

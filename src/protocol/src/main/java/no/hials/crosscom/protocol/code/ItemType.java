@@ -1,0 +1,51 @@
+package no.hials.crosscom.protocol.code;
+
+import java.util.Optional;
+
+/**
+ * The kinds of items in the file tree (c3-bridge.md, "item types"). A code for one item, flags
+ * where several kinds are asked for.
+ */
+public enum ItemType implements WireCode {
+  /** Unknown, or not asked for. */
+  UNKNOWN(0),
+  /** A directory. */
+  DIRECTORY(1),
+  /** A virtual directory. */
+  VIRTUAL_DIRECTORY(2),
+  /** An archive. */
+  ARCHIVE(4),
+  /** A binary file. */
+  BINARY(8),
+  /** A text file. */
+  TEXT(16),
+  /** A module. */
+  MODULE(32),
+  /** A raw file. */
+  RAW(64),
+  /** A motion file. */
+  MOTION_FILE(128),
+  /** A protected container. */
+  PROTECTED_CONTAINER(256);
+
+  private final int code;
+
+  ItemType(int code) {
+    this.code = code;
+  }
+
+  @Override
+  public int code() {
+    return code;
+  }
+
+  /**
+   * Finds a constant by its number.
+   *
+   * @param code any number
+   * @return the constant, or nothing if the number is unknown
+   */
+  public static Optional<ItemType> from(int code) {
+    return WireCode.find(ItemType.class, code);
+  }
+}

@@ -1,0 +1,36 @@
+package no.hials.crosscom.protocol.code;
+
+import java.util.Optional;
+
+/** The keys of the teach pendant that can be pressed from outside (c3-bridge.md, type 12). */
+public enum PendantKey implements WireCode {
+  /** Starts the program, forward or backward. */
+  START(1),
+  /** Stops the program. */
+  STOP(2),
+  /** Moves one axis. */
+  JOG(3),
+  /** The 6D mouse. */
+  MOUSE(4);
+
+  private final int code;
+
+  PendantKey(int code) {
+    this.code = code;
+  }
+
+  @Override
+  public int code() {
+    return code;
+  }
+
+  /**
+   * Finds a constant by its number.
+   *
+   * @param code any number
+   * @return the constant, or nothing if the number is unknown
+   */
+  public static Optional<PendantKey> from(int code) {
+    return WireCode.find(PendantKey.class, code);
+  }
+}

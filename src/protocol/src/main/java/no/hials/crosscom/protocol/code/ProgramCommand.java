@@ -1,0 +1,40 @@
+package no.hials.crosscom.protocol.code;
+
+import java.util.Optional;
+
+/** What to do with a program (c3-bridge.md, type 10). */
+public enum ProgramCommand implements WireCode {
+  /** Resets the selected program. */
+  RESET(1),
+  /** Runs the selected program. */
+  START(2),
+  /** Stops the running program. */
+  STOP(3),
+  /** Cancels the selection of the program. */
+  CANCEL(4),
+  /** Selects a program. */
+  SELECT(5),
+  /** Selects a program and runs it. */
+  RUN(6);
+
+  private final int code;
+
+  ProgramCommand(int code) {
+    this.code = code;
+  }
+
+  @Override
+  public int code() {
+    return code;
+  }
+
+  /**
+   * Finds a constant by its number.
+   *
+   * @param code any number
+   * @return the constant, or nothing if the number is unknown
+   */
+  public static Optional<ProgramCommand> from(int code) {
+    return WireCode.find(ProgramCommand.class, code);
+  }
+}

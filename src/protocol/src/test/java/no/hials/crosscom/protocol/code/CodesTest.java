@@ -1,0 +1,162 @@
+package no.hials.crosscom.protocol.code;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.IntFunction;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Checks names and numbers against c3-bridge.md, and what becomes of numbers that it has not. */
+class CodesTest {
+
+  static Stream<Arguments> numbers() {
+    return Stream.of(
+        arguments(
+            ProgramCommand.values(),
+            "1 RESET, 2 START, 3 STOP, 4 CANCEL, 5 SELECT, 6 RUN",
+            (IntFunction<Optional<?>>) ProgramCommand::from),
+        arguments(
+            Interpreter.values(),
+            "0 SUBMIT, 1 ROBOT",
+            (IntFunction<Optional<?>>) Interpreter::from),
+        arguments(
+            MotionType.values(),
+            "1 PTP, 2 LIN, 3 PTP_REL, 4 LIN_REL",
+            (IntFunction<Optional<?>>) MotionType::from),
+        arguments(
+            PendantKey.values(),
+            "1 START, 2 STOP, 3 JOG, 4 MOUSE",
+            (IntFunction<Optional<?>>) PendantKey::from),
+        arguments(
+            FileAttribute.values(),
+            "1 READ_ONLY, 2 HIDDEN, 4 SYSTEM, 16 DIRECTORY, 32 ARCHIVE, 16384 ENCRYPTED,"
+                + " 268435456 SIGNED",
+            (IntFunction<Optional<?>>) FileAttribute::from),
+        arguments(
+            ItemType.values(),
+            "0 UNKNOWN, 1 DIRECTORY, 2 VIRTUAL_DIRECTORY, 4 ARCHIVE, 8 BINARY, 16 TEXT, 32 MODULE,"
+                + " 64 RAW, 128 MOTION_FILE, 256 PROTECTED_CONTAINER",
+            (IntFunction<Optional<?>>) ItemType::from),
+        arguments(
+            ListFlag.values(),
+            "1 RECURSIVE, 2 EXPAND, 4 LONG, 8 OLD_LONG, 16 NO_PFC, 32 PFC_AS_FILE, 64 ZIP_AS_FILE",
+            (IntFunction<Optional<?>>) ListFlag::from),
+        arguments(
+            ModulePart.values(),
+            "1 SUB, 2 SRC, 4 DAT, 8 TEMPLATE, 16 MOTION",
+            (IntFunction<Optional<?>>) ModulePart::from),
+        arguments(
+            CopyFlag.values(),
+            "1 ARCHIVE, 3 MODIFY, 4 CONTINUE, 8 RECURSIVE, 16 REFRESH, 48 UPDATE, 64 OVERWRITE,"
+                + " 128 NO_DIRECTORY_ENTRIES, 256 JUNK_DIRECTORY, 512 FORCE_BINARY,"
+                + " 1024 FORCE_TEXT, 2048 NO_VERSION_CHECK, 4096 OVERWRITE_READ_ONLY,"
+                + " 8192 NO_KRL_ANALYSIS",
+            (IntFunction<Optional<?>>) CopyFlag::from),
+        arguments(
+            FileProperty.values(),
+            "1 TYPE, 2 NAME, 4 SIZE, 8 ATTRIBUTES, 16 CREATION, 32 ACCESS, 64 MODIFICATION,"
+                + " 128 EDIT_MODE",
+            (IntFunction<Optional<?>>) FileProperty::from),
+        arguments(
+            EditMode.values(),
+            "-1 UNKNOWN, 0 FULL, 1 DAT_KOR, 2 PRO_KOR, 3 READ_ONLY",
+            (IntFunction<Optional<?>>) EditMode::from),
+        arguments(
+            BuildType.values(),
+            "0 OPEN_SOURCE, 1 PROPRIETARY, 2 FREEWARE, 3 INTERNAL",
+            (IntFunction<Optional<?>>) BuildType::from),
+        arguments(
+            ContentOperation.values(),
+            "1 BEGIN, 2 DATA, 3 SIZE, 4 END",
+            (IntFunction<Optional<?>>) ContentOperation::from));
+  }
+
+  @ParameterizedTest(name = "{1}")
+  @MethodSource("numbers")
+  void codesHaveTheNumbersOfTheReferenceAndAreFoundByThem(
+      WireCode[] constants, String golden, IntFunction<Optional<?>> from) {
+    assertThat(constants)
+        .extracting(constant -> constant.code() + " " + constant)
+        .containsExactly(golden.split(", "));
+    for (WireCode constant : constants) {
+      assertThat(from.apply(constant.code()).orElseThrow()).isSameAs(constant);
+    }
+    assertThat(from.apply(-2)).isEmpty();
+    assertThat(from.apply(99)).isEmpty();
+  }
+
+  @Test
+  void aKnownCodeHasItsConstantAndItsName() {
+    Code<MotionType> code = new Code<>(MotionType.class, 2);
+
+    assertThat(code.known()).contains(MotionType.LIN);
+    assertThat(code.is(MotionType.LIN)).isTrue();
+    assertThat(code.is(MotionType.PTP)).isFalse();
+    assertThat(code).isEqualTo(Code.of(MotionType.LIN)).hasToString("LIN");
+  }
+
+  @Test
+  void anUnknownCodeKeepsItsNumber() {
+    Code<MotionType> code = new Code<>(MotionType.class, 77);
+
+    assertThat(code.known()).isEmpty();
+    assertThat(code.number()).isEqualTo(77);
+    assertThat(code).hasToString("77");
+  }
+
+  @Test
+  void flagsKeepTheBitsThatAreUnknown() {
+    Flags<ListFlag> flags = new Flags<>(ListFlag.class, 0x8000_0005);
+
+    assertThat(flags.known()).containsExactly(ListFlag.RECURSIVE, ListFlag.LONG);
+    assertThat(flags.unknown()).isEqualTo(0x8000_0000);
+    assertThat(flags.has(ListFlag.LONG)).isTrue();
+    assertThat(flags.has(ListFlag.EXPAND)).isFalse();
+    assertThat(flags).hasToString("[RECURSIVE, LONG, 0x80000000]");
+  }
+
+  @Test
+  void noFlagsAreEmpty() {
+    Flags<ItemType> flags = Flags.none(ItemType.class);
+
+    assertThat(flags.known()).isEmpty();
+    assertThat(flags.unknown()).isZero();
+    assertThat(flags.has(ItemType.UNKNOWN)).isFalse();
+    assertThat(flags).hasToString("[]").isEqualTo(Flags.of(ItemType.class, List.of()));
+  }
+
+  @Test
+  void allPropertiesAre255() {
+    // c3-bridge.md, "property flags"
+    assertThat(Flags.all(FileProperty.class).bits()).isEqualTo(255);
+    assertThat(Flags.all(FileProperty.class).known()).containsExactly(FileProperty.values());
+  }
+
+  @Test
+  void ofTwoFlagsThatOverlapTheOneWithMoreBitsStandsForBoth() {
+    Flags<CopyFlag> update = Flags.of(CopyFlag.UPDATE, CopyFlag.OVERWRITE);
+    Flags<CopyFlag> both = Flags.of(CopyFlag.class, Set.of(CopyFlag.REFRESH, CopyFlag.UPDATE));
+
+    assertThat(update.bits()).isEqualTo(48 | 64);
+    assertThat(update.known()).containsExactly(CopyFlag.UPDATE, CopyFlag.OVERWRITE);
+    assertThat(update.has(CopyFlag.REFRESH)).isTrue();
+    assertThat(both.known()).containsExactly(CopyFlag.UPDATE);
+    assertThat(new Flags<>(CopyFlag.class, 16).known()).containsExactly(CopyFlag.REFRESH);
+    assertThat(new Flags<>(CopyFlag.class, 32).known()).isEmpty();
+    assertThat(new Flags<>(CopyFlag.class, 32).unknown()).isEqualTo(32);
+  }
+
+  @Test
+  void theReferencesModulePartsAreFlagsTogether() {
+    // c3-bridge.md, "module parts": 5 SUBDAT, 6 SRCDAT
+    assertThat(Flags.of(ModulePart.SUB, ModulePart.DAT).bits()).isEqualTo(5);
+    assertThat(Flags.of(ModulePart.SRC, ModulePart.DAT).bits()).isEqualTo(6);
+  }
+}

@@ -146,6 +146,8 @@ class AsyncTest extends RobotTest {
   @Test
   void whatFollowsOnAResultDoesNotHoldUpOtherOperations() throws Exception {
     CountDownLatch never = new CountDownLatch(1);
+    // answered when thenAccept has been called: on a result that is there it would run here
+    holdFirstRequest();
     CompletableFuture<Void> blocked =
         client
             .readTextAsync("$OV_PRO")
@@ -157,6 +159,7 @@ class AsyncTest extends RobotTest {
                     Thread.currentThread().interrupt();
                   }
                 });
+    release.countDown();
 
     assertThat(client.readTextAsync("$OV_JOG").get()).isEqualTo("10");
     assertThat(blocked).isNotDone();

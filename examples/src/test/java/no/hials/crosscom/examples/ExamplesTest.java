@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import no.hials.crosscom.mock.MockServer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -99,6 +100,34 @@ class ExamplesTest {
         .contains("1: $OV_PRO = 100")
         .contains("5: $OV_PRO = 100")
         .contains("missed periods: ");
+  }
+
+  @Test
+  void moveTheSimulatedRobotPrintsItsWayAndThatItStandsOnAWholeStep() {
+    List<String> lines = run(() -> MoveTheSimulatedRobot.main(new String[0])).lines().toList();
+
+    assertThat(lines).hasSize(7);
+    assertThat(lines.get(0)).contains("X 525.0 mm, Z 890.0 mm, AUT, ACTUATOR #P_ACTIVE");
+    assertThat(lines.get(6)).contains("X 365.0 mm, Z 970.0 mm, AUT, ACTUATOR #P_ACTIVE");
+  }
+
+  @Test
+  void loadOwnProgramPrintsTheMistakeAndThenTheResult() {
+    assertThat(run(() -> LoadOwnProgram.main(new String[0])).lines())
+        .startsWith("weigh.src:6:3: SPTP is not supported", "TOTAL = 15.0000", "A1 = 10.0000");
+  }
+
+  @Test
+  void followAPathComesBackToWhereItBegan() {
+    assertThat(run(() -> FollowAPath.main(new String[0])))
+        .contains("planning point 24, A1 0.0" + System.lineSeparator() + "JOV_RESULT = 1");
+  }
+
+  @Test
+  void measureTheSimulationPrintsALineForEachProgram() {
+    assertThat(run(() -> MeasureTheSimulation.main(new String[] {"1"})).lines())
+        .hasSize(4)
+        .allMatch(line -> line.matches(".+: 60 s in .+ s, .+ cycles a second"));
   }
 
   private interface Main {

@@ -23,6 +23,8 @@ import no.hials.crosscom.mock.ProgramState;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Runs the programs of {@code krl} in the simulated controller, driven by a client. */
 class KrlProgramsTest {
@@ -240,6 +242,17 @@ class KrlProgramsTest {
     assertThat(stopped()).isTrue();
   }
 
+  @Test
+  void playPathIsReadyWhenItSaysSoAndForgetsWhatWasWrittenBefore() throws Exception {
+    writeInt("JOV_RESULT", 1);
+    writeInt("JOV_COUNT", 0);
+    writeInt("JOV_COMMAND", 1);
+    run("play_path.src");
+
+    assertThat(readInt("JOV_RESULT")).isEqualTo(3);
+    assertThat(readInt("JOV_COMMAND")).isZero();
+  }
+
   private void runSubmit() throws Exception {
     controller.submit().select(controller.load(KRL.resolve("jov_sps.sub")));
     controller.submit().start();
@@ -282,6 +295,41 @@ class KrlProgramsTest {
     writeInt("JOV_HEARTBEAT", 21);
     controller.step(Duration.ofMillis(96));
     assertThat(axes()[0]).isGreaterThan(stoodAt[0]);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "actuator.src, MYPOS, {Z -2}",
+    "ext_move_axis.src, MYAXIS, {A1 0.5}",
+    "follow_pos.src, JOV_POS, {Z 850}",
+    "follow_axis.src, JOV_AXIS, {A1 20}"
+  })
+  void withoutAHeartbeatNoProgramMovesWhoeverStartsIt(String file, String variable, String value)
+      throws Exception {
+    runSubmit();
+    writeInt("JOV_LIMIT", 200);
+    controller.step(Duration.ofMillis(500));
+    assertThat(client.readText("JOV_TIMEOUT")).isEqualTo("TRUE");
+    run(file);
+    assertMovesOnlyWithHeartbeat(variable, value);
+
+    controller.step(Duration.ofSeconds(1));
+    assertThat(client.readText("$PRO_STATE1")).isEqualTo("#P_STOP");
+    controller.robot().start();
+    assertMovesOnlyWithHeartbeat(variable, value);
+  }
+
+  private void assertMovesOnlyWithHeartbeat(String variable, String value) throws IOException {
+    double[] stoodAt = axes();
+    client.writeText(variable, value);
+    controller.step(Duration.ofSeconds(1));
+    assertThat(axes()).isEqualTo(stoodAt);
+
+    writeInt("JOV_HEARTBEAT", readInt("JOV_HEARTBEAT") + 1);
+    controller.step(Duration.ofMillis(96));
+    client.writeText(variable, value);
+    controller.step(Duration.ofMillis(96));
+    assertThat(axes()).isNotEqualTo(stoodAt);
   }
 
   @Test

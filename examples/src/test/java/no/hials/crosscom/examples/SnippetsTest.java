@@ -53,7 +53,7 @@ class SnippetsTest {
       throws IOException {
     List<String> wanted = stripped(snippet.lines());
     List<List<String>> sources = new ArrayList<>();
-    try (Stream<Path> files = Files.walk(Path.of("src/main/java"))) {
+    try (Stream<Path> files = Files.walk(Path.of("src"))) {
       for (Path file : files.filter(p -> p.toString().endsWith(".java")).toList()) {
         sources.add(stripped(Files.readAllLines(file)));
       }

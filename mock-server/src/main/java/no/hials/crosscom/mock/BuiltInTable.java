@@ -13,9 +13,15 @@ final class BuiltInTable {
       List.of("$TYPES.DAT", "$OPERATE.DAT", "$MACHINE.DAT", "$CONFIG.DAT");
 
   /** Never changed, only copied. */
-  static final VariableTable KRC4 = load(DATA_LISTS);
+  static final VariableTable KRC4 = krc4();
 
   private BuiltInTable() {}
+
+  private static VariableTable krc4() {
+    VariableTable table = load(DATA_LISTS);
+    Ranges.guard(table.scope());
+    return table;
+  }
 
   /** Makes a table of some data lists in the jar. */
   static VariableTable load(List<String> files) {

@@ -8,6 +8,7 @@ import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.Arrays;
 import no.hials.crosscom.protocol.MalformedFrameException;
+import no.hials.crosscom.protocol.ServerType;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -43,12 +44,12 @@ final class Connection {
   void run() {
     log.debug("connection {} from {} opened", number, socket.getRemoteSocketAddress());
     String reason = "the client closed it";
-    try {
+    try (Handler handler = service.open()) {
       socket.setTcpNoDelay(true);
       Duration idle = config.idleTimeout();
       // a positive time-out is never rounded down to 0, which would mean none
       socket.setSoTimeout((int) (idle.isZero() ? 0 : Math.max(1, idle.toMillis())));
-      serve();
+      serve(handler);
     } catch (SocketTimeoutException e) {
       reason = "the client was silent for too long";
     } catch (IOException e) {
@@ -67,17 +68,13 @@ final class Connection {
     }
   }
 
-  private void serve() throws IOException, InterruptedException {
+  private void serve(Handler handler) throws IOException, InterruptedException {
     InputStream in = socket.getInputStream();
     OutputStream out = socket.getOutputStream();
-    Frames frames =
-        config.joinSplitRequests()
-            ? Frames.joined(in)
-            : Frames.ofSingleReads(
-                in, bytes -> service.drop(number, bytes, "not a whole request in one read"));
+    Frames frames = frames(in);
     byte[] frame = frames.next();
     while (frame != null) {
-      Delivery delivery = service.serve(number, frame);
+      Delivery delivery = service.serve(handler, number, frame);
       hold(delivery);
       if (config.pendingRequests() != PendingRequests.WAIT && !frames.holdsBytes()) {
         dropPending(in);
@@ -89,6 +86,16 @@ final class Connection {
       }
       frame = frames.next();
     }
+  }
+
+  private Frames frames(InputStream in) {
+    if (!config.joinSplitRequests()) {
+      return Frames.ofSingleReads(
+          in, bytes -> service.drop(number, bytes, "not a whole request in one read"));
+    }
+    return config.server() == ServerType.C3_BRIDGE
+        ? Frames.joinedUntilEmpty(in)
+        : Frames.joined(in);
   }
 
   private static void hold(Delivery delivery) throws InterruptedException {

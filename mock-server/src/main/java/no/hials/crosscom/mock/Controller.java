@@ -3,19 +3,25 @@ package no.hials.crosscom.mock;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.LocalDateTime;
+import java.time.ZoneId;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SortedSet;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.SourceFile;
@@ -32,20 +38,25 @@ import org.jspecify.annotations.Nullable;
  * <p>Its time passes in cycles of 12 ms as its {@link Clock} says. With {@link Clock#stepped} the
  * same calls give the same trajectory, bit by bit.
  *
- * <p>Operating modes: in T1 the robot is slow ({@code $RED_T1}, {@code $VEL_CP_T1}); in T1 and T2
- * {@link ProgramControl#start} stands for holding the enabling switch and the start key, in AUT for
- * pressing the start key; in EXT only {@link #externalStart} starts. A change of the mode stops the
- * robot's program. There is no BCO run: the first motion of a program is like any other (a real
- * controller goes to the first point slowly, and waits).
+ * <p>Operating modes: in T1 the robot is slow ({@code $RED_T1}, {@code $VEL_CP_T1}, {@code
+ * $SPEED_LIMIT_TEACH_MODE}); in T1 and T2 {@link ProgramControl#start} stands for holding the
+ * enabling switch and the start key, in AUT for pressing the start key; in EXT only {@link
+ * #externalStart} starts. A change of the mode stops the robot's program. There is no BCO run: the
+ * first motion of a program is like any other (a real controller goes to the first point slowly,
+ * and waits).
  *
  * <p>What stops a program in error is a {@link Message} that has to be confirmed before the next
  * start; {@code $STOPMESS} is TRUE until then. The reference has no numbers of KSS's messages;
- * those from 9001 on are this simulation's own.
+ * those from 9001 on are this simulation's own. A target that cannot be reached stops the program
+ * at its motion statement; a path that turns out to lead nowhere, behind it.
  *
  * <p>Threads: one, {@code mock-server-PORT-clock}, unless the clock is stepped; a daemon that ends
  * with the server. All methods are safe for use by several threads.
  */
 public final class Controller {
+  /** With a stepped clock all is the same each time: {@code $DATE}, too, as $OPERATE.DAT has it. */
+  private static final LocalDateTime BEGIN = LocalDateTime.of(2014, 3, 14, 10, 15, 30);
+
   private final Kernel kernel;
   private final VariableTable variables;
   private final Clock clock;
@@ -53,22 +64,30 @@ public final class Controller {
   private final ProgramControl submit;
   private final @Nullable Pacemaker pacemaker;
 
-  /** Data lists of modules whose source has not come yet, by name in upper case. */
+  /** Data lists of modules, by name in upper case; guarded by the kernel. */
   private final Map<String, DataList> dataLists = new HashMap<>();
 
   Controller(VariableTable variables, Clock clock, RobotModel model, String threadName) {
     this.variables = variables;
     this.clock = clock;
-    kernel = new Kernel(variables.scope(), model);
+    LocalDateTime begin =
+        clock instanceof Clock.Stepped ? BEGIN : LocalDateTime.now(ZoneId.systemDefault());
+    kernel = new Kernel(variables.scope(), model, begin);
     robot = new ProgramControl(kernel, Interpreter.Kind.ROBOT);
     submit = new ProgramControl(kernel, Interpreter.Kind.SUBMIT);
     pacemaker = clock instanceof Clock.Stepped ? null : new Pacemaker(kernel, clock, threadName);
   }
 
   void close() {
+    kernel.close();
     if (pacemaker != null) {
       pacemaker.close();
     }
+  }
+
+  /** Gives what C3 Bridge's motions and keys need beside the methods here. */
+  Kernel kernel() {
+    return kernel;
   }
 
   // files
@@ -84,14 +103,19 @@ public final class Controller {
    */
   public String load(Path file) throws IOException, KrlFileException {
     String name = String.valueOf(file.getFileName());
+    String text = text(file);
     Path beside = dataListOf(file);
-    if (beside != null) {
-      load(String.valueOf(beside.getFileName()), text(beside));
+    if (beside == null) {
+      return load(name, text);
     }
-    return load(name, text(file));
+    ParseResult data = KrlParser.parse(String.valueOf(beside.getFileName()), text(beside));
+    return take(name, KrlParser.parse(name, text), data);
   }
 
   private static String text(Path file) throws IOException {
+    if (!Files.exists(file)) {
+      throw new NoSuchFileException(file.toString(), null, "there is no such file");
+    }
     return Files.readString(file, StandardCharsets.ISO_8859_1);
   }
 
@@ -104,10 +128,10 @@ public final class Controller {
       return null;
     }
     String wanted = name.substring(0, dot) + ".dat";
-    try (var files = Files.list(folder)) {
+    try (Stream<Path> files = Files.list(folder)) {
       return files
           .filter(other -> String.valueOf(other.getFileName()).equalsIgnoreCase(wanted))
-          .findFirst()
+          .min(Comparator.naturalOrder())
           .orElse(null);
     }
   }
@@ -115,8 +139,8 @@ public final class Controller {
   /**
    * Loads a data list or a program. A list whose name begins with {@code $} is one of the
    * controller: what it declares is global. Another belongs to the module of its name, whichever of
-   * both is loaded first. A module takes the place of an older one; a program that is selected
-   * keeps the old one until it is selected again.
+   * both is loaded first; the module's variables then have their initial values. A module takes the
+   * place of an older one; a program that is selected keeps the old one until it is selected again.
    *
    * @param fileName the file's name, for messages
    * @param text its contents
@@ -124,42 +148,61 @@ public final class Controller {
    * @throws KrlFileException if something is wrong in it; then nothing has changed
    */
   public String load(String fileName, String text) throws KrlFileException {
-    ParseResult parsed = KrlParser.parse(fileName, text);
-    if (!parsed.errors().isEmpty() || parsed.file().isEmpty()) {
-      throw new KrlFileException(parsed.errors());
+    return take(fileName, KrlParser.parse(fileName, text), null);
+  }
+
+  private String take(String fileName, ParseResult parsed, @Nullable ParseResult beside)
+      throws KrlFileException {
+    List<KrlError> errors = new ArrayList<>(parsed.errors());
+    if (beside != null) {
+      errors.addAll(beside.errors());
     }
-    if (parsed.file().get() instanceof DataList list) {
-      if (list.name().startsWith("$")) {
-        variables.load(fileName, parsed);
-      } else {
-        loadData(list);
-      }
-      return list.name();
+    KrlFile file = parsed.file().orElse(null);
+    if (!errors.isEmpty() || file == null) {
+      throw new KrlFileException(errors);
     }
-    SourceFile source = (SourceFile) parsed.file().get();
+    if (file instanceof SourceFile source) {
+      takeSource(source, beside);
+    } else {
+      takeData(fileName, (DataList) file, parsed);
+    }
+    return file.name();
+  }
+
+  private void takeSource(SourceFile source, @Nullable ParseResult beside) throws KrlFileException {
     List<KrlError> errors =
-        kernel.withLibrary(library -> library.put(source, dataLists.get(key(source.name()))));
+        kernel.withLibrary(
+            library -> {
+              DataList data = dataLists.get(key(source.name()));
+              if (beside != null && beside.file().orElse(null) instanceof DataList list) {
+                data = list;
+              }
+              List<KrlError> found = library.put(source, data);
+              if (found.isEmpty() && data != null) {
+                dataLists.put(key(source.name()), data);
+              }
+              return found;
+            });
     if (!errors.isEmpty()) {
       throw new KrlFileException(errors);
     }
-    return source.name();
+  }
+
+  private void takeData(String fileName, DataList list, ParseResult parsed)
+      throws KrlFileException {
+    // of a module's list it shows what is global, and says what is wrong
+    variables.load(fileName, parsed);
+    if (!list.name().startsWith("$")) {
+      kernel.withLibrary(
+          library -> {
+            dataLists.put(key(list.name()), list);
+            return library.put(list);
+          });
+    }
   }
 
   private static String key(String name) {
     return name.toUpperCase(Locale.ROOT);
-  }
-
-  private void loadData(DataList list) throws KrlFileException {
-    kernel.withLibrary(library -> dataLists.put(key(list.name()), list));
-    if (programs().stream().anyMatch(name -> name.equalsIgnoreCase(list.name()))) {
-      throw new KrlFileException(
-          List.of(
-              new KrlError(
-                  list.position(),
-                  "the data list of a module is loaded before its source, load "
-                      + list.name()
-                      + " again")));
-    }
   }
 
   /**
@@ -216,7 +259,8 @@ public final class Controller {
   }
 
   /**
-   * Turns the key switch.
+   * Turns the key switch. On entry to T2 {@code $OV_PRO} falls to 10 if {@code $T2_OV_REDUCE} is
+   * TRUE, as it is at first.
    *
    * @param mode the mode
    */
@@ -256,7 +300,8 @@ public final class Controller {
   /**
    * Gives the robot.
    *
-   * @return its geometry, limits and speeds
+   * @return its geometry, its speeds, and the limits that {@code $SOFTN_END} and {@code $SOFTP_END}
+   *     have now
    */
   public RobotModel model() {
     return kernel.model();
@@ -281,9 +326,11 @@ public final class Controller {
   }
 
   /**
-   * Puts the robot somewhere, at once; no program may be active.
+   * Puts the robot somewhere, at once; no program may be active. One that was stopped on a motion
+   * goes on behind it.
    *
    * @param axes where, in degrees
+   * @throws IllegalArgumentException if it is outside of the software limits
    */
   public void place(Axes axes) {
     kernel.place(axes);
@@ -304,6 +351,7 @@ public final class Controller {
    * Lets time pass. Only with {@link Clock#stepped}.
    *
    * @param time how much; rounded up to whole cycles of 12 ms
+   * @throws IllegalStateException if the clock is another one, or the server is closed
    */
   public void step(Duration time) {
     stepUntil(() -> false, time);
@@ -315,6 +363,7 @@ public final class Controller {
    * @param condition asked before each cycle of 12 ms; it may read variables over the network
    * @param limit how much simulated time at most
    * @return whether it became true; false if the time is over
+   * @throws IllegalStateException if the clock is another one, or the server is closed
    */
   public boolean stepUntil(BooleanSupplier condition, Duration limit) {
     if (!(clock instanceof Clock.Stepped)) {

@@ -5,31 +5,23 @@ import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
-import java.util.function.Supplier;
-import no.hials.crosscom.protocol.value.KrlString;
-import no.hials.crosscom.protocol.value.KrlValue;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/**
- * Answers the question where controllers are, by UDP (kukavarproxy.md, "What the server does").
- * Anything else than the question gets no answer.
- */
+/** Answers questions by UDP. What is none gets no answer. */
 final class Discovery implements Runnable, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Discovery.class);
-
-  private static final String QUESTION = "WHEREAREYOU?";
 
   /** One byte more than a question may have (c3-bridge.md), so that a longer one is seen. */
   private static final int BUFFER = 33;
 
   private final DatagramSocket socket;
-  private final VariableTable variables;
+  private final DiscoveryAnswers answers;
   private final int replyPort;
 
-  private Discovery(DatagramSocket socket, VariableTable variables, int replyPort) {
+  private Discovery(DatagramSocket socket, DiscoveryAnswers answers, int replyPort) {
     this.socket = socket;
-    this.variables = variables;
+    this.answers = answers;
     this.replyPort = replyPort;
   }
 
@@ -38,10 +30,10 @@ final class Discovery implements Runnable, AutoCloseable {
    *
    * @param replyPort the port of the sender to answer to, 0 for the one it sent from
    */
-  static Discovery open(InetSocketAddress at, int replyPort, VariableTable variables)
+  static Discovery open(InetSocketAddress at, int replyPort, DiscoveryAnswers answers)
       throws IOException {
     try {
-      return new Discovery(new DatagramSocket(at), variables, replyPort);
+      return new Discovery(new DatagramSocket(at), answers, replyPort);
     } catch (IOException e) {
       throw new IOException("cannot listen on UDP " + at + ": " + e.getMessage(), e);
     }
@@ -71,35 +63,15 @@ final class Discovery implements Runnable, AutoCloseable {
   private void answer(DatagramPacket question) throws IOException {
     String text =
         new String(question.getData(), 0, question.getLength(), StandardCharsets.ISO_8859_1);
-    if (!text.equals(QUESTION)) {
+    String answer = answers.to(text);
+    if (answer == null) {
       log.debug("datagram of {} bytes ignored", question.getLength());
       return;
     }
     int port = replyPort == 0 ? question.getPort() : replyPort;
-    byte[] answer = answer().getBytes(StandardCharsets.ISO_8859_1);
-    socket.send(new DatagramPacket(answer, answer.length, question.getAddress(), port));
+    byte[] bytes = answer.getBytes(StandardCharsets.ISO_8859_1);
+    socket.send(new DatagramPacket(bytes, bytes.length, question.getAddress(), port));
     log.debug("discovery answered to {}:{}", question.getAddress().getHostAddress(), port);
-  }
-
-  private String answer() {
-    return "KUKA|"
-        + orNothing(() -> plain(variables.value("$MODEL_NAME[]")))
-        + "|"
-        + orNothing(() -> plain(variables.value("$KR_SERIALNO")));
-  }
-
-  /** Gives a text without its quotes. Assumed: kukavarproxy.md shows neither with nor without. */
-  private static String plain(KrlValue value) {
-    return value instanceof KrlString string ? string.text() : value.toString();
-  }
-
-  /** Leaves a field empty whose variable cannot be read (c3-bridge.md, "Discovery"). */
-  private static String orNothing(Supplier<String> field) {
-    try {
-      return field.get();
-    } catch (IllegalArgumentException e) {
-      return "";
-    }
   }
 
   /** Ends {@link #run}. */

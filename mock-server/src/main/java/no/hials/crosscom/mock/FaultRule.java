@@ -1,5 +1,6 @@
 package no.hials.crosscom.mock;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
@@ -134,7 +135,7 @@ public record FaultRule(
   }
 
   /**
-   * Restricts the rule to the requests for a variable.
+   * Restricts the rule to the requests for a variable, alone or among others.
    *
    * @param name the name in any case: {@code $POS_ACT} for the variable, whole or by component or
    *     element; {@code $POS_ACT.X} or {@code LOAD_DATA[1]} for this part and those in it
@@ -168,14 +169,15 @@ public record FaultRule(
   public Optional<Fault> apply(RecordedRequest request) {
     long number = request.number();
     boolean hit =
-        number >= first && number <= last && isFor(request.name()) && draw(number) < probability;
+        number >= first && number <= last && isFor(request.names()) && draw(number) < probability;
     return hit ? Optional.of(fault) : Optional.empty();
   }
 
+  private boolean isFor(List<String> names) {
+    return variable.isEmpty() || names.stream().anyMatch(this::isFor);
+  }
+
   private boolean isFor(String name) {
-    if (variable.isEmpty()) {
-      return true;
-    }
     String asked = name.strip().toUpperCase(Locale.ROOT);
     return asked.startsWith(variable)
         && (asked.length() == variable.length()

@@ -19,11 +19,29 @@ interface Frames {
 
   /** Puts together what arrives in pieces. */
   static Frames joined(InputStream in) {
+    return joined(in, false);
+  }
+
+  /**
+   * Puts together what arrives in pieces, as C3 Bridge does: it closes the connection on the byte
+   * that follows a message of length 0 (c3-bridge.md, "Common to all messages").
+   */
+  static Frames joinedUntilEmpty(InputStream in) {
+    return joined(in, true);
+  }
+
+  private static Frames joined(InputStream in, boolean untilEmpty) {
     FrameReader reader = new FrameReader(in);
     return new Frames() {
       @Override
       public byte @Nullable [] next() throws IOException {
         int length = reader.next();
+        if (untilEmpty && length == Codec.HEADER_LENGTH) {
+          if (reader.surplus() == 0) {
+            reader.poll();
+          }
+          return null;
+        }
         return length < 0 ? null : Arrays.copyOf(reader.buffer(), length);
       }
 

@@ -9,12 +9,16 @@ import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Stands in for a robot controller with KUKAVARPROXY, over real TCP.
+ * Stands in for a robot controller with KUKAVARPROXY, or with C3 Bridge ({@link
+ * MockServerConfig#server}), over real TCP.
  *
  * <p>It serves one request at a time, whoever sent it, and answers each by one write. A request
  * that arrives in pieces is put together again, which KUKAVARPROXY does not do, and a request is
@@ -22,22 +26,32 @@ import org.slf4j.LoggerFactory;
  * sets both and the other limits as they are there. A malformed request gets no answer, one of an
  * unknown function the empty answer; the connection stays open.
  *
+ * <p>C3 Bridge answers a malformed request with code {@code PROTOCOL}, and closes the connection on
+ * an unknown type and when an answer of types 0 and 4 is too long (c3-bridge.md, "Common to all
+ * messages"). That it drops what arrives while its send blocks is not simulated. Its programs,
+ * motions and keys are those of {@link #controller}: select, run and start really do, a motion
+ * begins at once and needs the controller's time, and a program has to be stopped before somebody
+ * else can move the robot.
+ *
  * <p>Threads: one that accepts, called {@code mock-server-PORT-accept}, one for each connection,
- * called {@code mock-server-PORT-client-N}, {@code mock-server-PORT-discovery} if discovery is on,
- * and {@code mock-server-PORT-clock} from the first {@link #controller} on; PORT is the TCP port,
- * and all are daemons. {@link #close} closes all sockets and waits for the threads to end. Any
- * number of servers can run at a time. All methods are safe for use by several threads.
+ * called {@code mock-server-PORT-client-N}, {@code mock-server-PORT-discovery} and {@code
+ * mock-server-PORT-standard-discovery} if they are on, and {@code mock-server-PORT-clock} from the
+ * first {@link #controller} on; PORT is the TCP port, and all are daemons. {@link #close} closes
+ * all sockets and waits for the threads to end. Any number of servers can run at a time. All
+ * methods are safe for use by several threads.
  */
 public final class MockServer implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(MockServer.class);
 
   private final MockServerConfig config;
   private final VariableTable variables = VariableTable.krc4();
+  private final FileTree files;
   private final FaultScript faults = new FaultScript();
   private final RequestLog requests;
   private final Service service;
   private final Clients clients;
-  private final @Nullable Discovery discovery;
+  private @Nullable Discovery discovery;
+  private final @Nullable Discovery standardDiscovery;
 
   /** Made when it is asked for; guarded by {@link #variables}. */
   private @Nullable Controller controller;
@@ -48,20 +62,50 @@ public final class MockServer implements AutoCloseable {
   private MockServer(MockServerConfig config) throws IOException {
     this.config = config;
     requests = new RequestLog(config.recordedRequests());
-    service = new Service(config, variables, faults, requests);
+    files = config.files().orElseGet(FileTree::inMemory);
+    BridgeVariables bridge = new BridgeVariables(config, this::address);
+    service = new Service(config, handlers(bridge), faults, requests);
     clients = Clients.listen(config, service);
-    discovery = config.discoveryPort().isPresent() ? openDiscovery() : null;
+    boolean c3 = config.server() == ServerType.C3_BRIDGE;
+    DiscoveryAnswers answers = new DiscoveryAnswers(variables, c3 ? bridge : null);
+    discovery = openDiscovery(config.discoveryPort(), config.discoveryReplyPort(), answers);
+    standardDiscovery = openDiscovery(config.standardDiscoveryPort(), 0, answers);
   }
 
-  private Discovery openDiscovery() throws IOException {
-    int port = config.discoveryPort().getAsInt();
+  private Supplier<Handler> handlers(BridgeVariables bridge) {
+    if (config.server() == ServerType.KUKAVARPROXY) {
+      Handler handler = new RequestHandler(variables, config);
+      return () -> handler;
+    }
+    C3Variables access = new C3Variables(variables, bridge, config);
+    C3Control control = new C3Control(this::controller, files);
+    return () -> new C3Handler(bridge, access, control, new FileMessages(files, this::isSelected));
+  }
+
+  /** Says whether one of the interpreters has a module selected. */
+  private boolean isSelected(String module) {
+    Controller made;
+    synchronized (variables) {
+      made = controller;
+    }
+    return made != null
+        && Stream.of(made.robot(), made.submit())
+            .anyMatch(i -> i.program().filter(module::equalsIgnoreCase).isPresent());
+  }
+
+  private @Nullable Discovery openDiscovery(
+      OptionalInt port, int replyPort, DiscoveryAnswers answers) throws IOException {
+    if (port.isEmpty()) {
+      return null;
+    }
     try {
       return Discovery.open(
-          new InetSocketAddress(config.bindAddress(), port),
-          config.discoveryReplyPort(),
-          variables);
+          new InetSocketAddress(config.bindAddress(), port.getAsInt()), replyPort, answers);
     } catch (IOException e) {
       clients.close();
+      if (discovery != null) {
+        discovery.close();
+      }
       throw e;
     }
   }
@@ -99,6 +143,9 @@ public final class MockServer implements AutoCloseable {
     server.clients.start();
     if (server.discovery != null) {
       server.clients.threads().start("discovery", server.discovery);
+    }
+    if (server.standardDiscovery != null) {
+      server.clients.threads().start("standard-discovery", server.standardDiscovery);
     }
     log.debug("listening on {}", server.address());
     return server;
@@ -152,12 +199,33 @@ public final class MockServer implements AutoCloseable {
   }
 
   /**
+   * Gives the UDP port on which the server answers as C3 Bridge does in standard mode.
+   *
+   * @return the port, or nothing if that is off
+   */
+  public OptionalInt standardDiscoveryPort() {
+    return standardDiscovery == null
+        ? OptionalInt.empty()
+        : OptionalInt.of(standardDiscovery.port());
+  }
+
+  /**
    * Gives the variables of the simulated controller, which can be changed at any time.
    *
    * @return the table that the server serves
    */
   public VariableTable variables() {
     return variables;
+  }
+
+  /**
+   * Gives the files of the simulated controller, which clients of C3 Bridge reach. A program among
+   * them can be selected by a client; {@link Controller#load(java.nio.file.Path)} needs none.
+   *
+   * @return the tree
+   */
+  public FileTree files() {
+    return files;
   }
 
   /**
@@ -312,6 +380,9 @@ public final class MockServer implements AutoCloseable {
     clients.close();
     if (discovery != null) {
       discovery.close();
+    }
+    if (standardDiscovery != null) {
+      standardDiscovery.close();
     }
     clients.threads().join();
   }

@@ -3,54 +3,76 @@ package no.hials.crosscom.mock;
 import java.net.InetAddress;
 import java.time.Duration;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.Version;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How a {@link MockServer} behaves. Immutable; made by {@link #create}.
  *
  * <p>By default it is as strict as KUKAVARPROXY about what a client may ask for, and kinder about
  * when and how its requests arrive, so that a test is quick and does not depend on timing. {@link
- * Builder#asOnTheController} ends the kindness.
+ * Builder#asOnTheController} ends the kindness. With {@link ServerType#C3_BRIDGE} as {@link
+ * #server} the defaults are those of C3 Bridge where they differ (c3-bridge.md, "Common to all
+ * messages"; krl.md 1.8); which they are is decided when all is set, so the order does not matter.
  *
  * @param bindAddress the address to listen on; by default the loopback address, so that nobody
  *     takes the server for a robot's
  * @param port the TCP port to listen on, 0 (the default) for a free one
- * @param failedRead how a refused read is answered; by default as KUKAVARPROXY does since 2019
- * @param failedWriteTail the tail that follows the echoed value of a refused write; by default
- *     {@code 00 01 00}. It must say failure
+ * @param failedRead how a refused read is answered; by default as KUKAVARPROXY does since 2019, or
+ *     {@link FailedRead#FAILURE_ZERO} with C3 Bridge. Of C3 Bridge's own messages the code decides
+ * @param failedWriteTail the tail of the answer to a refused write, behind the echoed value, or
+ *     with C3 Bridge behind none; by default {@code 00 01 00}, with C3 Bridge {@code 00 00 00}. It
+ *     must say failure
  * @param trimValues whether blanks at the ends of a value are cut off before it is sent, as
  *     KUKAVARPROXY does (the default) and C3 Bridge does not (krl.md 1.4)
  * @param maxClients how many clients are served at a time; one more is accepted and closed at once;
- *     10 by default as in KUKAVARPROXY, 0 for no limit
+ *     10 by default as in KUKAVARPROXY, with C3 Bridge 0; 0 for no limit
  * @param idleTimeout how long a client may send nothing before it is disconnected; 30 s by default
- *     as in KUKAVARPROXY, zero for ever
+ *     as in KUKAVARPROXY, with C3 Bridge zero; zero for ever
  * @param maxAggregateLength how many bytes the text of a written aggregate may have; 255 by default
- *     (krl.md 1.7), 0 for no limit
+ *     (krl.md 1.7; assumed for C3 Bridge, too), 0 for no limit
  * @param recordedRequests how many of the last requests are kept, 10,000 by default
  * @param joinSplitRequests whether a request that arrives in pieces is put together, the default.
  *     KUKAVARPROXY does not: it reads at most 2048 bytes at a time, answers the whole requests in
  *     them in turn, and drops the rest without an answer (krl.md 1.8). Assumed: what it reads next
- *     is taken for the beginning of a request, whatever it is
+ *     is taken for the beginning of a request, whatever it is. C3 Bridge puts it together
  * @param oneAtATime whether the {@link #latency} of a request holds up those of all clients, as on
  *     the controller (the default), or of its own client only
  * @param pendingRequests what becomes of a request that arrives while another is served; by default
  *     it waits
  * @param unknownFunction how a request of an unknown function number is answered; by default as
- *     KUKAVARPROXY does
+ *     KUKAVARPROXY does, or C3 Bridge, which closes the connection
  * @param ping whether reading {@code PING} answers {@code PONG} without asking the controller; true
- *     by default, as in KUKAVARPROXY since 2019. Before, it was a variable like others
+ *     by default, as in KUKAVARPROXY since 2019. Before, it was a variable like others. C3 Bridge
+ *     asks the controller first
  * @param latency how long the controller takes for a request; by default no time
  * @param discoveryPort the UDP port on which the question {@code WHEREAREYOU?} is answered with
  *     {@code KUKA|MODEL|SERIAL}, 0 for a free one; nothing (the default) for no discovery.
- *     KUKAVARPROXY has port 6999. MODEL is the text of {@code $MODEL_NAME[]} without quotes, SERIAL
- *     the number {@code $KR_SERIALNO}; a field is empty if the variable cannot be read
+ *     KUKAVARPROXY has port 6999, and so has C3 Bridge in what it calls legacy mode. MODEL is the
+ *     text of {@code $MODEL_NAME[]} without quotes, with C3 Bridge with them (c3-vectors.tsv);
+ *     SERIAL the number {@code $KR_SERIALNO}; a field is empty if the variable cannot be read
  * @param discoveryReplyPort the port of the sender that is answered to; 7000 by default as in
  *     KUKAVARPROXY, 0 for the port it sent from
  * @param clock how the time of {@link MockServer#controller} passes; by default as real time
  * @param robot the robot that the controller moves; by default a KR 6 R900 sixx
+ * @param server which server it is; KUKAVARPROXY by default
+ * @param version the version of C3 Bridge, at least 1.0; 1.4 by default. An older one does not know
+ *     the messages that came later (c3-bridge.md, "Minimum server versions"). That it has types 6
+ *     and 7 before they are correct is assumed, and so is what is wrong with them: all of them are
+ *     answered with {@code NOT_IMPLEMENTED}, and nothing is read or written. What is wrong with
+ *     large files before 1.4 is not simulated
+ * @param computerName what C3 Bridge calls the computer that it runs on
+ * @param standardDiscoveryPort the UDP port on which C3 Bridge answers the same question, and the
+ *     names of its {@code @PROXY_} variables, to the port they came from; 0 for a free one, nothing
+ *     (the default) for none. C3 Bridge has port 7000
+ * @param files the files that clients of C3 Bridge reach; nothing (the default) for a tree in
+ *     memory of the server's own
  */
 public record MockServerConfig(
     InetAddress bindAddress,
@@ -71,10 +93,19 @@ public record MockServerConfig(
     OptionalInt discoveryPort,
     int discoveryReplyPort,
     Clock clock,
-    RobotModel robot) {
+    RobotModel robot,
+    ServerType server,
+    Version version,
+    String computerName,
+    OptionalInt standardDiscoveryPort,
+    Optional<FileTree> files) {
 
   private static final int MAX_PORT = 65_535;
   private static final int MAX_RECORDED = 10_000_000;
+  private static final int MAX_U8 = 255;
+
+  /** As many as a host name has at most. */
+  private static final int MAX_COMPUTER_NAME = 255;
 
   // of KUKAVARPROXY since 2019 (kukavarproxy.md, krl.md 1.7)
   private static final int MAX_CLIENTS = 10;
@@ -106,6 +137,22 @@ public record MockServerConfig(
     Objects.requireNonNull(robot, "robot");
     discoveryPort.ifPresent(value -> range("discoveryPort", value, MAX_PORT));
     range("discoveryReplyPort", discoveryReplyPort, MAX_PORT);
+    Objects.requireNonNull(server, "server");
+    if (version.major() < 1 || version.major() > MAX_U8 || version.minor() > MAX_U8) {
+      throw new IllegalArgumentException("version must be 1.0 to 255.255, is " + version);
+    }
+    if (computerName.length() > MAX_COMPUTER_NAME || computerName.chars().anyMatch(c -> c > '~')) {
+      throw new IllegalArgumentException(
+          "computerName must be ASCII and have at most "
+              + MAX_COMPUTER_NAME
+              + " characters, is "
+              + computerName);
+    }
+    Objects.requireNonNull(files, "files");
+    standardDiscoveryPort.ifPresent(value -> range("standardDiscoveryPort", value, MAX_PORT));
+    if (server == ServerType.KUKAVARPROXY && standardDiscoveryPort.isPresent()) {
+      throw new IllegalArgumentException("standardDiscoveryPort needs server C3_BRIDGE");
+    }
   }
 
   private static void range(String field, int value, int max) {
@@ -130,23 +177,31 @@ public record MockServerConfig(
   public static final class Builder {
     private InetAddress bindAddress = InetAddress.getLoopbackAddress();
     private int port;
-    private FailedRead failedRead = FailedRead.EMPTY_SUCCESS;
-    private Tail failedWriteTail = Tail.FAILURE;
-    private boolean trimValues = true;
-    private int maxClients = MAX_CLIENTS;
-    private Duration idleTimeout = IDLE_TIMEOUT;
+    private @Nullable FailedRead failedRead;
+    private @Nullable Tail failedWriteTail;
+    private @Nullable Boolean trimValues;
+    private @Nullable Integer maxClients;
+    private @Nullable Duration idleTimeout;
     private int maxAggregateLength = MAX_AGGREGATE;
     private int recordedRequests = 10_000;
-    private boolean joinSplitRequests = true;
+    private @Nullable Boolean joinSplitRequests;
     private boolean oneAtATime = true;
-    private PendingRequests pendingRequests = PendingRequests.WAIT;
-    private UnknownFunction unknownFunction = UnknownFunction.EMPTY_ANSWER;
+    private @Nullable PendingRequests pendingRequests;
+    private @Nullable UnknownFunction unknownFunction;
     private boolean ping = true;
     private Latency latency = Latency.none();
     private OptionalInt discoveryPort = OptionalInt.empty();
     private int discoveryReplyPort = 7000;
     private Clock clock = Clock.real();
     private RobotModel robot = RobotModel.kr6r900sixx();
+    private ServerType server = ServerType.KUKAVARPROXY;
+    private Version version = new Version(1, 4, 0);
+    private String computerName = "KRC4";
+    private OptionalInt standardDiscoveryPort = OptionalInt.empty();
+    private Optional<FileTree> files = Optional.empty();
+
+    /** Whether what is not set is as on a controller. */
+    private boolean onTheController;
 
     private Builder() {}
 
@@ -338,27 +393,29 @@ public record MockServerConfig(
     }
 
     /**
-     * Sets all that a client can notice as it is on a KR C4 with KUKAVARPROXY since 2019: the
-     * limits and answers, which are the defaults, in place of what was set before; and also {@link
-     * #joinSplitRequests} false, {@link #pendingRequests} {@link
-     * PendingRequests#DROP_OF_SAME_CLIENT} and {@link Latency#krc4}. Address, ports and what is
-     * recorded stay. {@link MockServer#dropCount} shows whether a client kept to the rules.
+     * Sets all that a client can notice as it is on a KR C4 with KUKAVARPROXY since 2019, or with
+     * C3 Bridge: the limits and answers, which are the defaults, in place of what was set before;
+     * and also {@link Latency#krc4}. With KUKAVARPROXY also {@link #joinSplitRequests} false and
+     * {@link #pendingRequests} {@link PendingRequests#DROP_OF_SAME_CLIENT}. Server, version,
+     * address, ports and what is recorded stay. {@link MockServer#dropCount} shows whether a client
+     * kept to the rules.
      *
      * @param seed the seed of the latency
      * @return this
      */
     public Builder asOnTheController(long seed) {
-      return failedRead(FailedRead.EMPTY_SUCCESS)
-          .failedWriteTail(Tail.FAILURE)
-          .trimValues(true)
-          .maxClients(MAX_CLIENTS)
-          .idleTimeout(IDLE_TIMEOUT)
-          .maxAggregateLength(MAX_AGGREGATE)
-          .unknownFunction(UnknownFunction.EMPTY_ANSWER)
+      failedRead = null;
+      failedWriteTail = null;
+      trimValues = null;
+      maxClients = null;
+      idleTimeout = null;
+      unknownFunction = null;
+      joinSplitRequests = null;
+      pendingRequests = null;
+      onTheController = true;
+      return maxAggregateLength(MAX_AGGREGATE)
           .ping(true)
           .oneAtATime(true)
-          .joinSplitRequests(false)
-          .pendingRequests(PendingRequests.DROP_OF_SAME_CLIENT)
           .latency(Latency.krc4(seed));
     }
 
@@ -384,27 +441,93 @@ public record MockServerConfig(
       return this;
     }
 
+    /**
+     * Sets which server it is.
+     *
+     * @param value the server
+     * @return this
+     */
+    public Builder server(ServerType value) {
+      server = value;
+      return this;
+    }
+
+    /**
+     * Sets the version of C3 Bridge.
+     *
+     * @param value 1.0 or later
+     * @return this
+     */
+    public Builder version(Version value) {
+      version = value;
+      return this;
+    }
+
+    /**
+     * Sets what C3 Bridge calls its computer.
+     *
+     * @param value a name of at most 255 ASCII characters
+     * @return this
+     */
+    public Builder computerName(String value) {
+      computerName = value;
+      return this;
+    }
+
+    /**
+     * Switches the standard mode of C3 Bridge's discovery on.
+     *
+     * @param value the UDP port, 0 to 65535
+     * @return this
+     */
+    public Builder standardDiscoveryPort(int value) {
+      standardDiscoveryPort = OptionalInt.of(value);
+      return this;
+    }
+
+    /**
+     * Sets the files that clients of C3 Bridge reach.
+     *
+     * @param value a tree, which several servers may share
+     * @return this
+     */
+    public Builder files(FileTree value) {
+      files = Optional.of(value);
+      return this;
+    }
+
+    private static <T> T or(@Nullable T value, T otherwise) {
+      return value == null ? otherwise : value;
+    }
+
     private MockServerConfig build() {
+      boolean c3 = server == ServerType.C3_BRIDGE;
+      boolean lossy = onTheController && !c3;
       return new MockServerConfig(
           bindAddress,
           port,
-          failedRead,
-          failedWriteTail,
-          trimValues,
-          maxClients,
-          idleTimeout,
+          or(failedRead, c3 ? FailedRead.FAILURE_ZERO : FailedRead.EMPTY_SUCCESS),
+          or(failedWriteTail, c3 ? Tail.FAILURE_ZERO : Tail.FAILURE),
+          or(trimValues, !c3),
+          or(maxClients, c3 ? 0 : MAX_CLIENTS),
+          or(idleTimeout, c3 ? Duration.ZERO : IDLE_TIMEOUT),
           maxAggregateLength,
           recordedRequests,
-          joinSplitRequests,
+          or(joinSplitRequests, !lossy),
           oneAtATime,
-          pendingRequests,
-          unknownFunction,
+          or(pendingRequests, lossy ? PendingRequests.DROP_OF_SAME_CLIENT : PendingRequests.WAIT),
+          or(unknownFunction, c3 ? UnknownFunction.CLOSE : UnknownFunction.EMPTY_ANSWER),
           ping,
           latency,
           discoveryPort,
           discoveryReplyPort,
           clock,
-          robot);
+          robot,
+          server,
+          version,
+          computerName,
+          standardDiscoveryPort,
+          files);
     }
   }
 }

@@ -74,7 +74,7 @@ public final class ProgramControl {
    * @return what {@code $PRO_STATE0} or {@code $PRO_STATE1} shows
    */
   public ProgramState state() {
-    return ProgramState.valueOf(kernel.state(kind).name());
+    return kernel.state(kind);
   }
 
   /**

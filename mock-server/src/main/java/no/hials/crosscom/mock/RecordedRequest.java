@@ -1,11 +1,19 @@
 package no.hials.crosscom.mock;
 
 import java.time.Instant;
+import java.util.List;
+import no.hials.crosscom.protocol.Assignment;
+import no.hials.crosscom.protocol.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.BenchmarkWriteRequest;
 import no.hials.crosscom.protocol.ReadArrayRequest;
+import no.hials.crosscom.protocol.ReadMultipleRequest;
 import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.ReadUtf16Request;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.WriteArrayRequest;
+import no.hials.crosscom.protocol.WriteMultipleRequest;
 import no.hials.crosscom.protocol.WriteRequest;
+import no.hials.crosscom.protocol.WriteUtf16Request;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,40 +39,80 @@ public record RecordedRequest(
   /**
    * Gives the name of the variable.
    *
-   * @return the name as the client sent it, empty if the bytes are no message
+   * @return the name as the client sent it; empty if the request is for several, or for none
    */
   public String name() {
+    List<String> names = names();
+    return names.size() == 1 ? names.get(0) : "";
+  }
+
+  /**
+   * Gives the names of the variables that are read or written.
+   *
+   * @return the names as the client sent them; none if the request is for something else, or the
+   *     bytes are no message
+   */
+  public List<String> names() {
     if (request instanceof ReadRequest read) {
-      return read.name();
+      return List.of(read.name());
     }
     if (request instanceof WriteRequest write) {
-      return write.name();
+      return List.of(write.name());
     }
     if (request instanceof ReadArrayRequest read) {
-      return read.name();
+      return List.of(read.name());
     }
     if (request instanceof WriteArrayRequest write) {
-      return write.name();
+      return List.of(write.name());
     }
-    return "";
+    if (request instanceof ReadUtf16Request read) {
+      return List.of(read.name());
+    }
+    if (request instanceof WriteUtf16Request write) {
+      return List.of(write.name());
+    }
+    return namesOfSeveral();
+  }
+
+  private List<String> namesOfSeveral() {
+    if (request instanceof ReadMultipleRequest read) {
+      return read.names();
+    }
+    if (request instanceof BenchmarkReadRequest read) {
+      return read.names();
+    }
+    if (request instanceof WriteMultipleRequest write) {
+      return write.assignments().stream().map(Assignment::name).toList();
+    }
+    if (request instanceof BenchmarkWriteRequest write) {
+      return write.assignments().stream().map(Assignment::name).toList();
+    }
+    return List.of();
   }
 
   /**
    * Gives the text to be written.
    *
-   * @return the text as the client sent it, or null if this is not a write of text
+   * @return the text as the client sent it, or null if this is not a write of one text
    */
   public @Nullable String value() {
+    if (request instanceof WriteUtf16Request write) {
+      return write.value();
+    }
     return request instanceof WriteRequest write ? write.value() : null;
   }
 
   /**
-   * Says whether the request asks for a change of the controller.
+   * Says whether the request asks for a change of variables.
    *
-   * @return true for the writes of texts and of arrays
+   * @return true for the writes of texts and of arrays, and of several variables
    */
   public boolean isWrite() {
-    return request instanceof WriteRequest || request instanceof WriteArrayRequest;
+    return request instanceof WriteRequest
+        || request instanceof WriteArrayRequest
+        || request instanceof WriteUtf16Request
+        || request instanceof WriteMultipleRequest
+        || request instanceof BenchmarkWriteRequest;
   }
 
   RecordedRequest refusedFor(Refusal reason) {

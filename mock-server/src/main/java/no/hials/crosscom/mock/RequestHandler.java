@@ -4,12 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.MalformedRequestException;
+import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ReadArrayRequest;
 import no.hials.crosscom.protocol.ReadArrayResponse;
 import no.hials.crosscom.protocol.ReadRequest;
 import no.hials.crosscom.protocol.ReadResponse;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.WriteArrayRequest;
 import no.hials.crosscom.protocol.WriteArrayResponse;
@@ -22,7 +25,7 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /** Executes requests on a table of variables, as KUKAVARPROXY does on a controller. */
-final class RequestHandler {
+final class RequestHandler implements Handler {
   /** An answer's length field counts function, value length, value and tail. */
   static final int MAX_VALUE = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 1 - 2 - 3;
 
@@ -36,15 +39,19 @@ final class RequestHandler {
     this.config = config;
   }
 
-  /**
-   * What came of a request.
-   *
-   * @param response the answer
-   * @param refused why the controller refused the access, if it did
-   */
-  record Outcome(Response response, @Nullable RefusedException refused) {}
+  @Override
+  public boolean knows(MessageType type) {
+    return type.isKnownTo(ServerType.KUKAVARPROXY);
+  }
 
-  Outcome handle(Request request) {
+  /** Assumed: it gets no answer. */
+  @Override
+  public @Nullable Response malformed(MalformedRequestException request) {
+    return null;
+  }
+
+  @Override
+  public Outcome handle(Request request) {
     if (request instanceof ReadRequest read) {
       return read(read);
     }
@@ -61,7 +68,7 @@ final class RequestHandler {
   }
 
   private Outcome read(ReadRequest request) {
-    if (isPing(request)) {
+    if (isForServer(request)) {
       return new Outcome(new ReadResponse(request.id(), "PONG", Tail.SUCCESS), null);
     }
     try {
@@ -76,8 +83,9 @@ final class RequestHandler {
     }
   }
 
-  /** Says whether a request is for the server itself: case-sensitive (krl.md 1.8). */
-  boolean isPing(Request request) {
+  /** The name is case-sensitive (krl.md 1.8). */
+  @Override
+  public boolean isForServer(Request request) {
     return config.ping() && request instanceof ReadRequest read && read.name().equals("PING");
   }
 
@@ -156,11 +164,9 @@ final class RequestHandler {
   /** Makes an answer with a value and a tail of somebody's choice. */
   static Response answer(Request request, String value, Tail tail) {
     return switch (request.type()) {
-      case READ -> new ReadResponse(request.id(), value, tail);
-      case WRITE -> new WriteResponse(request.id(), value, tail);
       case READ_ARRAY -> new ReadArrayResponse(request.id(), wordsOrNone(value), tail);
       case WRITE_ARRAY -> new WriteArrayResponse(request.id(), value, tail);
-      default -> throw new IllegalArgumentException("no such request: " + request);
+      default -> C3Answers.scripted(request, value, tail);
     };
   }
 

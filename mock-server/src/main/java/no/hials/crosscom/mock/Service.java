@@ -4,12 +4,16 @@ import java.time.Instant;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.EmptyResponse;
 import no.hials.crosscom.protocol.MalformedFrameException;
+import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.Strictness;
 import no.hials.crosscom.protocol.UnknownFunctionException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -20,7 +24,7 @@ final class Service {
   private static final Logger log = LoggerFactory.getLogger(Service.class);
 
   private final MockServerConfig config;
-  private final RequestHandler handler;
+  private final Supplier<Handler> handlers;
   private final FaultScript faults;
   private final RequestLog requests;
   private final LongSupplier times;
@@ -33,11 +37,14 @@ final class Service {
   private long served;
 
   Service(
-      MockServerConfig config, VariableTable variables, FaultScript faults, RequestLog requests) {
+      MockServerConfig config,
+      Supplier<Handler> handlers,
+      FaultScript faults,
+      RequestLog requests) {
     this.config = config;
     this.faults = faults;
     this.requests = requests;
-    handler = new RequestHandler(variables, config);
+    this.handlers = handlers;
     times = ServiceTimes.of(config.latency());
     // who waits for long must not be passed over; without latency that would only cost time
     turn = new ReentrantLock(!(config.latency() instanceof Latency.None));
@@ -48,11 +55,16 @@ final class Service {
    *
    * @param request the message, null if they are none
    * @param hex the bytes in hex if there is no message
+   * @param malformed why they are none, if only the fields are not
    * @param response the answer if that is all the request needs
    * @param fault what the server does on its own if nothing else goes wrong
    */
   private record Decoded(
-      @Nullable Request request, @Nullable String hex, @Nullable Response response, Fault fault) {}
+      @Nullable Request request,
+      @Nullable String hex,
+      @Nullable MalformedRequestException malformed,
+      @Nullable Response response,
+      Fault fault) {}
 
   /**
    * What came of a request.
@@ -63,18 +75,24 @@ final class Service {
    */
   private record Served(Fault fault, @Nullable Response response, long nanos) {}
 
+  /** Makes what executes the requests of a connection; the connection has to close it. */
+  Handler open() {
+    return handlers.get();
+  }
+
   /**
    * Serves one request: decodes it, executes it and records it.
    *
+   * @param handler executes it
    * @param connection the connection's number
    * @param frame the bytes
    * @return what goes out
    */
-  Delivery serve(int connection, byte[] frame) throws InterruptedException {
+  Delivery serve(Handler handler, int connection, byte[] frame) throws InterruptedException {
     if (log.isTraceEnabled()) {
-      log.trace("connection {} < {}", connection, MalformedFrameException.hex(frame, frame.length));
+      log.trace("connection {} < {}", connection, hex(frame));
     }
-    Decoded decoded = decode(connection, frame);
+    Decoded decoded = decode(handler, connection, frame);
     if (config.pendingRequests() != PendingRequests.DROP) {
       turn.lock();
     } else if (!turn.tryLock()) {
@@ -83,7 +101,7 @@ final class Service {
     }
     Served result;
     try {
-      result = execute(connection, decoded);
+      result = execute(handler, connection, decoded);
       if (config.oneAtATime()) {
         Pause.ofNanos(result.nanos());
       }
@@ -97,40 +115,58 @@ final class Service {
   }
 
   /** Executes and records a request, in its turn. */
-  private Served execute(int connection, Decoded decoded) {
+  private Served execute(Handler handler, int connection, Decoded decoded) {
     Request request = decoded.request();
     RecordedRequest recorded =
         new RecordedRequest(served + 1, connection, Instant.now(), request, decoded.hex(), null);
     Fault fault = faults.next(recorded);
+    Fault own = decoded.fault();
     Response response = decoded.response();
     long nanos = 0;
     if (fault.executes() && request != null) {
-      RequestHandler.Outcome outcome = handler.handle(request);
+      Handler.Outcome outcome = handler.handle(request);
       response = outcome.response();
+      own = response == null ? Fault.closeBefore() : own;
       recorded = afterwards(recorded, outcome.refused());
-      nanos = handler.isPing(request) ? 0 : times.getAsLong();
+      nanos = handler.isForServer(request) ? 0 : times.getAsLong();
+    } else if (fault.executes() && decoded.malformed() != null) {
+      response = handler.malformed(decoded.malformed());
     }
     served++;
     requests.add(recorded);
-    return new Served(fault instanceof Fault.None ? decoded.fault() : fault, response, nanos);
+    return new Served(fault instanceof Fault.None ? own : fault, response, nanos);
   }
 
-  private Decoded decode(int connection, byte[] frame) {
+  private Decoded decode(Handler handler, int connection, byte[] frame) {
     try {
-      return new Decoded(Codec.decodeRequest(frame), null, null, Fault.none());
+      Strictness strictness =
+          config.server() == ServerType.C3_BRIDGE ? Strictness.LENIENT : Strictness.STRICT;
+      Request request = Codec.decodeRequest(frame, config.server(), strictness);
+      return handler.knows(request.type())
+          ? new Decoded(request, null, null, null, Fault.none())
+          : unknown(request.id(), frame);
     } catch (UnknownFunctionException e) {
       log.debug("connection {}: {}", connection, e.getMessage());
-      boolean closes = config.unknownFunction() == UnknownFunction.CLOSE;
-      return new Decoded(
-          null,
-          MalformedFrameException.hex(frame, frame.length),
-          new EmptyResponse(e.id()),
-          closes ? Fault.closeBefore() : Fault.none());
+      return unknown(e.id(), frame);
+    } catch (MalformedRequestException e) {
+      log.debug("connection {}: {}", connection, e.getMessage());
+      return handler.knows(e.type())
+          ? new Decoded(null, hex(frame), e, null, Fault.none())
+          : unknown(e.id(), frame);
     } catch (MalformedFrameException e) {
       log.debug("connection {}: {}", connection, e.getMessage());
-      String hex = MalformedFrameException.hex(frame, frame.length);
-      return new Decoded(null, hex, null, Fault.none());
+      return new Decoded(null, hex(frame), null, null, Fault.none());
     }
+  }
+
+  private static String hex(byte[] frame) {
+    return MalformedFrameException.hex(frame, frame.length);
+  }
+
+  private Decoded unknown(int id, byte[] frame) {
+    boolean closes = config.unknownFunction() == UnknownFunction.CLOSE;
+    return new Decoded(
+        null, hex(frame), null, new EmptyResponse(id), closes ? Fault.closeBefore() : Fault.none());
   }
 
   private static RecordedRequest afterwards(

@@ -34,7 +34,8 @@ import org.jspecify.annotations.Nullable;
  * LOAD_DATA[1].CM.X}, {@code $TORQUE_AXIS_ACT[3]}, {@code $TORQUE_AXIS_ACT[]} for a whole array,
  * {@code $MODEL_NAME[]} for a CHAR array, {@code TOOL_NAME[1,]} for one text of several. The
  * methods here are for Java code, which may write everything; a client's write keeps to the access
- * rights. What is not possible is an {@link IllegalArgumentException} that says why.
+ * rights and, of {@code $OV_PRO}, {@code $ADVANCE} and some more of {@link #krc4}, to a range. What
+ * is not possible is an {@link IllegalArgumentException} that says why.
  *
  * <p>Safe for use by several threads; every access is atomic. The table starts no thread.
  */

@@ -5,11 +5,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.InetAddress;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.Version;
 import org.junit.jupiter.api.Test;
 
 class MockServerConfigTest {
@@ -43,11 +46,17 @@ class MockServerConfigTest {
                 OptionalInt.empty(),
                 7000,
                 Clock.real(),
-                RobotModel.kr6r900sixx()));
+                RobotModel.kr6r900sixx(),
+                ServerType.KUKAVARPROXY,
+                new Version(1, 4, 0),
+                "KRC4",
+                OptionalInt.empty(),
+                Optional.empty()));
   }
 
   @Test
   void takesWhatIsSet() throws Exception {
+    FileTree files = FileTree.inMemory();
     InetAddress any = InetAddress.getByAddress(new byte[4]);
     RobotModel otherLimits =
         RobotModel.kr6r900sixx()
@@ -73,7 +82,12 @@ class MockServerConfigTest {
                         .discoveryPort(65_535)
                         .discoveryReplyPort(0)
                         .clock(Clock.stepped())
-                        .robot(otherLimits)))
+                        .robot(otherLimits)
+                        .server(ServerType.C3_BRIDGE)
+                        .version(new Version(1, 1, 2))
+                        .computerName("VM")
+                        .standardDiscoveryPort(1)
+                        .files(files)))
         .isEqualTo(
             new MockServerConfig(
                 any,
@@ -94,7 +108,12 @@ class MockServerConfigTest {
                 OptionalInt.of(65_535),
                 0,
                 Clock.stepped(),
-                otherLimits));
+                otherLimits,
+                ServerType.C3_BRIDGE,
+                new Version(1, 1, 2),
+                "VM",
+                OptionalInt.of(1),
+                Optional.of(files)));
   }
 
   @Test
@@ -138,7 +157,50 @@ class MockServerConfigTest {
                 OptionalInt.of(7),
                 8,
                 Clock.stepped(),
-                RobotModel.kr6r900sixx()));
+                RobotModel.kr6r900sixx(),
+                ServerType.KUKAVARPROXY,
+                new Version(1, 4, 0),
+                "KRC4",
+                OptionalInt.empty(),
+                Optional.empty()));
+  }
+
+  @Test
+  void behavesAsC3BridgeInAnyOrder() {
+    MockServerConfig expected =
+        new MockServerConfig(
+            InetAddress.getLoopbackAddress(),
+            0,
+            FailedRead.FAILURE_ZERO,
+            Tail.FAILURE_ZERO,
+            false,
+            0,
+            Duration.ZERO,
+            255,
+            10_000,
+            true,
+            true,
+            PendingRequests.WAIT,
+            UnknownFunction.CLOSE,
+            true,
+            Latency.krc4(3),
+            OptionalInt.empty(),
+            7000,
+            Clock.real(),
+            RobotModel.kr6r900sixx(),
+            ServerType.C3_BRIDGE,
+            new Version(1, 4, 0),
+            "KRC4",
+            OptionalInt.empty(),
+            Optional.empty());
+    assertThat(
+            MockServerConfig.create(
+                cfg -> cfg.maxClients(3).server(ServerType.C3_BRIDGE).asOnTheController(3)))
+        .isEqualTo(expected);
+    assertThat(
+            MockServerConfig.create(
+                cfg -> cfg.asOnTheController(3).server(ServerType.C3_BRIDGE).trimValues(false)))
+        .isEqualTo(expected);
   }
 
   @Test
@@ -154,6 +216,13 @@ class MockServerConfigTest {
     assertRefused(cfg -> cfg.discoveryPort(-1), "discoveryPort must be 0 to 65535, is -1");
     assertRefused(cfg -> cfg.discoveryPort(65_536), "discoveryPort");
     assertRefused(cfg -> cfg.discoveryReplyPort(65_536), "discoveryReplyPort");
+    assertRefused(cfg -> cfg.version(new Version(0, 9, 0)), "version must be 1.0 to 255.255");
+    assertRefused(cfg -> cfg.version(new Version(256, 0, 0)), "version");
+    assertRefused(cfg -> cfg.version(new Version(1, 256, 0)), "version");
+    assertRefused(cfg -> cfg.computerName("x".repeat(256)), "computerName");
+    assertRefused(
+        cfg -> cfg.server(ServerType.C3_BRIDGE).standardDiscoveryPort(-1), "standardDiscoveryPort");
+    assertRefused(cfg -> cfg.standardDiscoveryPort(0), "needs server C3_BRIDGE");
     assertRefused(
         cfg -> cfg.oneAtATime(false).pendingRequests(PendingRequests.DROP), "needs oneAtATime");
   }

@@ -41,6 +41,11 @@ public final class RawClient implements AutoCloseable {
     socket.getOutputStream().write(bytes);
   }
 
+  /** Says that nothing more will be sent; what comes can still be received. */
+  void endSending() throws IOException {
+    socket.shutdownOutput();
+  }
+
   /** Receives exactly this many bytes. */
   String receive(int count) throws IOException {
     return HEX.formatHex(in.readNBytes(count));

@@ -99,8 +99,8 @@ class VariableTableTest {
           "TOOL_NAME[1,2]|\"L\"",
           "TOOL_NAME[1,7]|\" \"",
           "$MODEL_NAME[2]|\"K\"",
-          "$PRO_IP0.NAME[]|\"/R1/SPS.SUB\"",
-          "$PRO_IP0.SI01.SNR|1",
+          "$PRO_IP0.NAME[]|\" \"",
+          "$PRO_IP0.SI01.SNR|0",
         })
     void printsWhatANameStandsFor(String name, String text) {
       // the annotation strips unquoted columns

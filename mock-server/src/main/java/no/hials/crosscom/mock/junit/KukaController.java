@@ -12,6 +12,7 @@ import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
@@ -46,6 +47,9 @@ import org.junit.jupiter.api.extension.ExtendWith;
  * <p>Tests may run in parallel, as far as a field is not shared: two tests at a time need a server
  * each, so parameters or, with an instance for each test, instance fields.
  *
+ * <p>Without {@link #programs}, {@link #start}, {@link #submit} and {@link #mode} the variables
+ * stand still until the test asks for {@link MockServer#controller}.
+ *
  * <p>The annotation can be put on an annotation of your own, too, to name a set of attributes.
  */
 @Target({ElementType.FIELD, ElementType.PARAMETER, ElementType.ANNOTATION_TYPE})
@@ -53,6 +57,13 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @Documented
 @ExtendWith(MockServerExtension.class)
 public @interface KukaController {
+
+  /**
+   * Gives which server it is.
+   *
+   * @return the server; KUKAVARPROXY by default
+   */
+  ServerType server() default ServerType.KUKAVARPROXY;
 
   /**
    * Says whether the server keeps all rules of a real controller, see {@link
@@ -87,9 +98,10 @@ public @interface KukaController {
   /**
    * Gives the number of clients that are served at a time.
    *
-   * @return 0 for no limit
+   * @return 0 for no limit; {@link Integer#MIN_VALUE}, the default, for as many as {@link #server}
+   *     serves
    */
-  int maxClients() default 10;
+  int maxClients() default Integer.MIN_VALUE;
 
   /**
    * Gives the data lists to load, before the programs.

@@ -124,7 +124,10 @@ final class MockServerExtension
     if (!settings.latency().isEmpty()) {
       cfg.latency(Latency.parse(settings.latency(), settings.seed()));
     }
-    cfg.maxClients(settings.maxClients()).clock(Clock.parse(settings.clock()));
+    if (settings.maxClients() != Integer.MIN_VALUE) {
+      cfg.maxClients(settings.maxClients());
+    }
+    cfg.server(settings.server()).clock(Clock.parse(settings.clock()));
   }
 
   /** Makes a server that runs already what the attributes say. */
@@ -133,25 +136,12 @@ final class MockServerExtension
     for (String rule : settings.faults()) {
       server.faults(FaultRule.parse(rule, settings.seed()));
     }
-    Controller controller = server.controller();
     try {
-      for (String file : settings.dataLists()) {
-        load(context, controller, file);
-      }
-      for (String file : settings.programs()) {
-        load(context, controller, file);
-      }
-      controller.setMode(settings.mode());
-      if (!settings.submit().isEmpty()) {
-        controller.submit().select(settings.submit());
-        controller.submit().start();
-      }
-      if (!settings.start().isEmpty()) {
-        controller.robot().select(settings.start());
-        if (settings.mode() == OperatingMode.EXT) {
-          controller.externalStart();
-        } else {
-          controller.robot().start();
+      if (isController(settings)) {
+        prepare(context, server.controller(), settings);
+      } else {
+        for (String file : settings.dataLists()) {
+          load(context, file, server.variables()::load, server.variables()::load);
         }
       }
     } catch (KrlFileException e) {
@@ -159,10 +149,53 @@ final class MockServerExtension
     }
   }
 
-  private static void load(ExtensionContext context, Controller controller, String file)
+  /** Says whether more than variables is asked for; without a controller nobody moves them. */
+  private static boolean isController(KukaController settings) {
+    return settings.programs().length > 0
+        || !settings.start().isEmpty()
+        || !settings.submit().isEmpty()
+        || settings.mode() != OperatingMode.T1;
+  }
+
+  private static void prepare(
+      ExtensionContext context, Controller controller, KukaController settings)
+      throws IOException, KrlFileException {
+    for (String file : settings.dataLists()) {
+      load(context, file, controller::load, controller::load);
+    }
+    for (String file : settings.programs()) {
+      load(context, file, controller::load, controller::load);
+    }
+    controller.setMode(settings.mode());
+    if (!settings.submit().isEmpty()) {
+      controller.submit().select(settings.submit());
+      controller.submit().start();
+    }
+    if (!settings.start().isEmpty()) {
+      controller.robot().select(settings.start());
+      if (settings.mode() == OperatingMode.EXT) {
+        controller.externalStart();
+      } else {
+        controller.robot().start();
+      }
+    }
+  }
+
+  @FunctionalInterface
+  private interface FileLoader {
+    void load(Path file) throws IOException, KrlFileException;
+  }
+
+  @FunctionalInterface
+  private interface TextLoader {
+    void load(String name, String text) throws KrlFileException;
+  }
+
+  private static void load(
+      ExtensionContext context, String file, FileLoader files, TextLoader texts)
       throws IOException, KrlFileException {
     if (!file.startsWith(CLASSPATH)) {
-      controller.load(Path.of(file));
+      files.load(Path.of(file));
       return;
     }
     String name = file.substring(CLASSPATH.length());
@@ -170,7 +203,7 @@ final class MockServerExtension
       if (in == null) {
         throw new IllegalArgumentException("there is no resource " + name);
       }
-      controller.load(name, new String(in.readAllBytes(), StandardCharsets.ISO_8859_1));
+      texts.load(name, new String(in.readAllBytes(), StandardCharsets.ISO_8859_1));
     }
   }
 }

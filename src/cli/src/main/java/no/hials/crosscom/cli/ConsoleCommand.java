@@ -17,7 +17,7 @@ import picocli.CommandLine.Spec;
     exitCodeList = {
       "0:done",
       "1:refused by the controller",
-      "2:wrong usage",
+      "2:wrong usage, or a file with errors",
       "3:could not connect, or not listen",
       "4:connection lost, timed out or not this protocol",
       "70:internal error, please report it",

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import no.hials.crosscom.mock.Clock;
 import no.hials.crosscom.mock.OperatingMode;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
@@ -49,6 +50,36 @@ final class Converters {
         return OperatingMode.valueOf(text.toUpperCase(Locale.ROOT));
       } catch (IllegalArgumentException e) {
         throw new TypeConversionException("must be T1, T2, AUT or EXT, is " + text);
+      }
+    }
+  }
+
+  /** How fast the time of the simulated controller passes. */
+  static final class Speed implements ITypeConverter<Clock> {
+    @Override
+    public Clock convert(String text) {
+      try {
+        Clock clock = Clock.parse(text);
+        // a test steps it; here it would stand still for ever
+        if (!(clock instanceof Clock.Stepped)) {
+          return clock;
+        }
+      } catch (IllegalArgumentException e) {
+        // said below
+      }
+      throw new TypeConversionException(
+          "must be real, max, or a factor of more than 0 and at most 10000, is " + text);
+    }
+  }
+
+  /** The seed of what happens by chance. */
+  static final class Seed implements ITypeConverter<Long> {
+    @Override
+    public Long convert(String text) {
+      try {
+        return Long.valueOf(text);
+      } catch (NumberFormatException e) {
+        throw new TypeConversionException("must be a whole number, is " + text);
       }
     }
   }

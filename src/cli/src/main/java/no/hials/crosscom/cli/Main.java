@@ -105,6 +105,10 @@ public final class Main {
       console.failure(e, verbose);
       return ExitCode.NOT_CONNECTED;
     }
+    if (e instanceof FileException) {
+      console.failure(e, verbose);
+      return ExitCode.USAGE;
+    }
     if (e instanceof OutputException lost) {
       // whoever read the output has closed it, as head does: it has what it wants
       if (!lost.isBrokenPipe()) {

@@ -3,22 +3,19 @@ package no.hials.crosscom.cli;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
 import no.hials.crosscom.mock.FaultRule;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.OperatingMode;
-import no.hials.crosscom.mock.ProgramControl;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -27,21 +24,28 @@ import picocli.CommandLine.Option;
 @Command(
     name = "mock",
     description = {
-      "Simulates a controller with KUKAVARPROXY (KR 6 R900 sixx, KR C4), until Ctrl-C: its variables,"
-          + " its programs and its robot. Its first line is: listening on HOST:PORT"
+      "Simulates a controller with KUKAVARPROXY (KR 6 R900 sixx, KR C4) until Ctrl-C: its variables,"
+          + " its programs and its robot.",
+      "The first line of stdout says on which port, behind the last colon."
     },
     footer = {
       "",
-      "Ctrl-C (SIGINT) and SIGTERM close it; that is its regular end, with exit code 0.",
+      "Ctrl-C (SIGINT) and SIGTERM end it with exit code 0. Messages of the controller go to stderr."
+          + " On a terminal the last line shows the simulated time, mode and programs, the"
+          + " axes in degrees, clients and requests; not with --verbose.",
       "",
-      "A fault is FAULT[:ARGUMENT][@NUMBERS][@NAME][%%PROBABILITY], such as drop@3, closeAfter%%0.01,",
-      "delay:200ms@$POS_ACT, wrongId@5-10 or truncate:4.",
+      "FAULT is NAME[:ARGUMENT][@REQUESTS][@VARIABLE][%%PROBABILITY]:",
+      "  drop@3                 no answer to the third request",
+      "  delay:200ms@$POS_ACT   requests for $POS_ACT take 200 ms",
+      "  wrongId@5-10           wrong ids from the fifth to the tenth",
+      "  closeAfter%%0.01        one connection in a hundred closed after an answer",
+      "A name that is wrong, as in --fault list, shows the list of all.",
       "",
       "Examples:",
       "  jopenshowvar mock",
-      "  jopenshowvar mock --port 0 --verbose",
-      "  jopenshowvar mock --config krl/config.dat --program krl/actuator.src --start --mode AUT",
-      "  jopenshowvar mock --latency krc4 --fault 'drop%%0.01' --seed 1"
+      "  jopenshowvar mock --config krl/config.dat --program krl/actuator.src \\",
+      "      --start --mode AUT",
+      "  jopenshowvar mock --port 0 --latency krc4 --fault drop%%0.01 --seed 7"
     })
 final class MockCommand extends ConsoleCommand {
   /** As KUKAVARPROXY has it. */
@@ -67,16 +71,16 @@ final class MockCommand extends ConsoleCommand {
 
   @Option(
       names = "--discovery",
-      order = 2,
+      order = 3,
       paramLabel = "PORT",
       converter = Converters.ListeningPort.class,
       description = {
-        "UDP port on which WHEREAREYOU? is answered, 0 for a free one. If not given, 6999, and none if"
-            + " that is in use."
+        "UDP port on which WHEREAREYOU? is answered, to port 7000 of who asks; 0 for a free one. If"
+            + " not given, 6999, and none if that is in use."
       })
   private @Nullable Integer discovery;
 
-  @Option(names = "--no-discovery", order = 2, description = "Do not answer WHEREAREYOU?.")
+  @Option(names = "--no-discovery", order = 3, description = "Do not answer WHEREAREYOU?.")
   private boolean noDiscovery;
 
   @Option(
@@ -115,11 +119,12 @@ final class MockCommand extends ConsoleCommand {
       names = "--speed",
       order = 3,
       paramLabel = "SPEED",
+      converter = Converters.Speed.class,
       description = {
         "How fast the time of programs and robot passes: 10 for ten times as fast, max for as fast as"
             + " this machine can; real if not given."
       })
-  private String speed = "real";
+  private Clock speed = Clock.real();
 
   @Option(
       names = "--latency",
@@ -142,6 +147,7 @@ final class MockCommand extends ConsoleCommand {
       names = "--seed",
       order = 4,
       paramLabel = "NUMBER",
+      converter = Converters.Seed.class,
       description = "Seed of the chance in latency and faults; 1 if not given.")
   private long seed = 1;
 
@@ -157,28 +163,35 @@ final class MockCommand extends ConsoleCommand {
     if (noDiscovery && discovery != null) {
       throw wrongUsage("--discovery and --no-discovery exclude each other");
     }
-    InetAddress address = addressOf(host);
-    Clock clock = argument("--speed", () -> Clock.parse(speed));
-    if (clock instanceof Clock.Stepped) {
-      throw wrongUsage("--speed stepped is for tests in Java only");
-    }
+    ControllerSetup setup = new ControllerSetup(configs, programs, mode, start);
+    setup
+        .mistake()
+        .ifPresent(
+            mistake -> {
+              throw wrongUsage(mistake);
+            });
     Latency times = argument("--latency", () -> Latency.parse(latency, seed));
     List<FaultRule> rules = new ArrayList<>();
     for (String fault : faults) {
-      rules.add(argument("--fault " + fault, () -> FaultRule.parse(fault, seed)));
+      rules.add(argument("--fault", () -> FaultRule.parse(fault, seed)));
     }
+    InetAddress address = addressOf(host);
     // in this order: a signal behind the first line finds both there
     try (StopSignal stop = new StopSignal();
-        MockServer server = open(address, cfg -> cfg.clock(clock).latency(times))) {
+        MockServer server = open(address, cfg -> cfg.clock(speed).latency(times))) {
       rules.forEach(server::faults);
-      Controller controller = server.controller();
-      List<String> lines = prepare(controller);
+      List<String> lines = setup.apply(server.controller());
+      warning(address).ifPresent(console()::error);
       console().print("listening on " + shown(server.host()) + ":" + server.port());
       server
           .discoveryPort()
           .ifPresent(udp -> console().print("discovery on " + shown(server.host()) + ":" + udp));
       lines.forEach(console()::print);
-      try (StatusLine status = new StatusLine(console(), server)) {
+      // what is logged would come into the line, and a job in the background would write into what
+      // its user types
+      boolean line = !isVerbose() && Terminal.isInteractive();
+      try (StatusLine status =
+          new StatusLine(console(), server, () -> line && Terminal.isForeground())) {
         status.start();
         stop.await();
       }
@@ -186,16 +199,20 @@ final class MockCommand extends ConsoleCommand {
     }
   }
 
-  /** Something that a text is turned into. */
-  private interface Parsing<T> {
-    T get();
+  /** Says who else reaches a server on this address; nothing if nobody does. */
+  static Optional<String> warning(InetAddress address) {
+    return address.isLoopbackAddress()
+        ? Optional.empty()
+        : Optional.of(
+            "warning: whoever reaches this machine over the network can read and write the"
+                + " controller's variables, and needs no password");
   }
 
-  private <T> T argument(String option, Parsing<T> parsing) {
+  private <T> T argument(String option, Supplier<T> parsing) {
     try {
       return parsing.get();
     } catch (IllegalArgumentException e) {
-      throw wrongUsage(option + ": " + e.getMessage());
+      throw wrongUsage("invalid value for option '" + option + "': " + e.getMessage());
     }
   }
 
@@ -208,69 +225,6 @@ final class MockCommand extends ConsoleCommand {
       return host == null ? InetAddress.getLoopbackAddress() : InetAddress.getByName(host);
     } catch (UnknownHostException e) {
       throw new CannotListenException("cannot listen on " + host + ": the name is unknown", e);
-    }
-  }
-
-  // what runs
-
-  /** Loads, selects and starts what was asked for, and says so in lines. */
-  private List<String> prepare(Controller controller) throws IOException {
-    List<String> lines = new ArrayList<>();
-    for (Path file : configs) {
-      lines.add("loaded " + load(controller, file) + " from " + file);
-    }
-    controller.setMode(mode);
-    boolean robotChosen = false;
-    boolean submitChosen = false;
-    for (Path file : programs) {
-      String name = load(controller, file);
-      lines.add("loaded " + name + " from " + file);
-      boolean submit = file.toString().toLowerCase(Locale.ROOT).endsWith(".sub");
-      if (submit ? !submitChosen : !robotChosen) {
-        select(submit ? controller.submit() : controller.robot(), name, file);
-        submitChosen |= submit;
-        robotChosen |= !submit;
-      }
-    }
-    if (start && !robotChosen && !submitChosen) {
-      throw wrongUsage("--start needs a --program");
-    }
-    if (submitChosen && start) {
-      controller.submit().start();
-    }
-    if (robotChosen && start) {
-      startRobot(controller);
-    }
-    if (robotChosen || submitChosen) {
-      lines.add(controller.toString());
-    }
-    return lines;
-  }
-
-  private void startRobot(Controller controller) {
-    if (mode == OperatingMode.EXT) {
-      controller.externalStart();
-    } else {
-      controller.robot().start();
-    }
-  }
-
-  private String load(Controller controller, Path file) throws IOException {
-    if (!Files.isRegularFile(file)) {
-      throw wrongUsage(file + " is no file");
-    }
-    try {
-      return controller.load(file);
-    } catch (KrlFileException e) {
-      throw wrongUsage(file + " has errors, nothing of it was loaded:\n" + e.getMessage());
-    }
-  }
-
-  private void select(ProgramControl interpreter, String name, Path file) {
-    try {
-      interpreter.select(name);
-    } catch (KrlFileException e) {
-      throw wrongUsage(file + " cannot be selected:\n" + e.getMessage());
     }
   }
 

@@ -1,28 +1,37 @@
 package no.hials.crosscom.cli;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
-import no.hials.crosscom.kinematics.Axes;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
 import no.hials.crosscom.mock.Controller;
 import no.hials.crosscom.mock.Message;
 import no.hials.crosscom.mock.MockServer;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Shows what a simulated controller does: its messages line by line, and on a terminal a line that
- * changes in place. Both go to stderr.
+ * Shows what a simulated controller does: its messages line by line on stderr, and on a terminal a
+ * last line that changes in place. That one goes to stdout, of which it is known that it is a
+ * terminal.
  */
 final class StatusLine implements AutoCloseable {
   private static final long PERIOD_MILLIS = 250;
 
-  /** Goes to the beginning of the line and clears it. */
-  private static final String CLEAR = "\r\u001b[K";
+  /** Clears the line from the cursor on. */
+  private static final String CLEAR_REST = "\u001b[K";
+
+  /** Lets the terminal cut off what is too long; a line that is wrapped could not be cleared. */
+  private static final String NO_WRAP = "\u001b[?7l";
+
+  private static final String WRAP = "\u001b[?7h";
 
   private final Console console;
   private final MockServer server;
-  private final boolean terminal = Terminal.isInteractive();
+  private final BooleanSupplier line;
   private final ScheduledExecutorService executor =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -30,11 +39,20 @@ final class StatusLine implements AutoCloseable {
             thread.setDaemon(true);
             return thread;
           });
-  private int messagesShown;
 
-  StatusLine(Console console, MockServer server) {
+  private @Nullable Message lastShown;
+  private boolean lineIsThere;
+  private boolean closed;
+
+  /**
+   * Makes a status line that shows nothing yet.
+   *
+   * @param line whether there is a line that changes now, or messages only
+   */
+  StatusLine(Console console, MockServer server, BooleanSupplier line) {
     this.console = console;
     this.server = server;
+    this.line = line;
   }
 
   void start() {
@@ -42,49 +60,66 @@ final class StatusLine implements AutoCloseable {
     var task = executor.scheduleWithFixedDelay(this::show, 0, PERIOD_MILLIS, TimeUnit.MILLISECONDS);
   }
 
-  private void show() {
-    Controller controller = server.controller();
-    List<Message> messages = controller.messages();
-    for (Message message :
-        messages.subList(Math.min(messagesShown, messages.size()), messages.size())) {
-      console.err().println((terminal ? CLEAR : "") + message);
+  /** Shows what is new. */
+  synchronized void show() {
+    if (closed) {
+      return;
     }
-    messagesShown = messages.size();
-    if (terminal) {
-      console.err().print(CLEAR + text(server));
-      console.err().flush();
+    showMessages();
+    if (line.getAsBoolean()) {
+      // what is behind the text is cleared after it, or the line would flicker; then back to its
+      // beginning, where the terminal shows Ctrl-C
+      terminal(NO_WRAP + text(server) + CLEAR_REST + WRAP + "\r");
+      lineIsThere = true;
     }
   }
 
-  /** Gives the line: mode and programs, axes, simulated time, clients and requests. */
+  private void showMessages() {
+    List<Message> messages = server.controller().messages();
+    // the controller keeps the last ones only, so this may find nothing: then all are new
+    int from = lastShown == null ? 0 : messages.lastIndexOf(lastShown) + 1;
+    List<Message> fresh = messages.subList(from, messages.size());
+    if (fresh.isEmpty()) {
+      return;
+    }
+    clear();
+    fresh.forEach(message -> console.err().println(message));
+    lastShown = fresh.get(fresh.size() - 1);
+  }
+
+  private void clear() {
+    if (lineIsThere) {
+      terminal("\r" + CLEAR_REST);
+      lineIsThere = false;
+    }
+  }
+
+  private void terminal(String text) {
+    console.out().print(text);
+    console.out().flush();
+  }
+
+  /** Gives the line: simulated time, mode and programs, axes, clients and requests. */
   static String text(MockServer server) {
     Controller controller = server.controller();
-    Axes axes = controller.axes();
-    StringBuilder line = new StringBuilder(controller.toString()).append(" |");
-    for (int i = 0; i < axes.toArray().length; i++) {
-      line.append(String.format(Locale.ROOT, " A%d %.1f", i + 1, axes.get(i)));
-    }
-    line.append(
-        String.format(
-            Locale.ROOT,
-            " | %.1f s | %d clients, %d requests",
-            controller.time().toMillis() / 1000.0,
-            server.clientCount(),
-            server.requestCount()));
-    return line.toString();
+    return String.format(
+        Locale.ROOT,
+        "%.1f s | %s | %s deg | clients %d, requests %d",
+        controller.time().toMillis() / 1000.0,
+        controller,
+        Arrays.stream(controller.axes().toArray())
+            .mapToObj(degrees -> String.format(Locale.ROOT, "%.1f", degrees))
+            .collect(Collectors.joining(" ")),
+        server.clientCount(),
+        server.requestCount());
   }
 
+  /** Shows the last messages, and takes the line away. */
   @Override
-  public void close() {
-    executor.shutdownNow();
-    try {
-      // nothing is printed behind this
-      if (executor.awaitTermination(1, TimeUnit.SECONDS) && terminal) {
-        console.err().print(CLEAR);
-        console.err().flush();
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+  public synchronized void close() {
+    executor.shutdown();
+    showMessages();
+    clear();
+    closed = true;
   }
 }

@@ -1,16 +1,26 @@
 package no.hials.crosscom.cli;
 
 import java.io.Console;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 
 /** Knows whether a person looks on. */
 final class Terminal {
+  private static final Path OWN_STATE = Path.of("/proc/self/stat");
+
   private Terminal() {}
 
-  /** Says whether stdin and stdout are a terminal. */
+  /**
+   * Says whether stdin and stdout are a terminal, one that can clear a line. Where {@code TERM} is
+   * not set, as on Windows, that is not known of it, and assumed not to be so.
+   */
   @SuppressWarnings("SystemConsoleNull") // of the newer ones the method below tells
   static boolean isInteractive() {
     Console console = System.console();
-    if (console == null) {
+    String kind = System.getenv("TERM");
+    if (console == null || kind == null || kind.isBlank() || kind.equals("dumb")) {
       return false;
     }
     try {
@@ -20,6 +30,19 @@ final class Terminal {
       return true;
     } catch (ReflectiveOperationException e) {
       return false;
+    }
+  }
+
+  /** Says whether the terminal is this process's, and not a shell's; yes where nobody knows. */
+  static boolean isForeground() {
+    try {
+      // man 5 proc: the name in brackets, state, parent, process group, session, terminal, and the
+      // process group in the foreground of the terminal
+      String state = Files.readString(OWN_STATE, StandardCharsets.ISO_8859_1);
+      String[] fields = state.substring(state.lastIndexOf(')') + 1).strip().split(" ", -1);
+      return fields[2].equals(fields[5]);
+    } catch (IOException e) {
+      return true;
     }
   }
 }

@@ -99,11 +99,47 @@ class JarIT {
       Cli.Result read = run(jar("read", "MYINT", "--host", "127.0.0.1", "--port", "" + port));
       assertThat(read.lines()).containsExactly("MYINT = 0");
 
+      assertThat(out.readLine()).isEqualTo("T1, no program");
       // SIGTERM; Process.destroy would close the stream besides
       mock.toHandle().destroy();
       assertThat(mock.waitFor()).isZero();
       assertThat(out.readLine()).isNull();
       new ServerSocket(port, 1, InetAddress.getLoopbackAddress()).close();
+    } finally {
+      mock.destroyForcibly();
+    }
+    assertThat(dir.resolve("err")).isEmptyFile();
+  }
+
+  @Test
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no SIGTERM")
+  void endsWithCode0AlsoWhileAProgramRunsAtFullSpeed() throws Exception {
+    Path program = dir.resolve("busy.src");
+    Files.write(
+        program,
+        List.of("DEF BUSY ( )", "LOOP", "  PTP_REL {A1 1}", "  PTP_REL {A1 -1}", "ENDLOOP", "END"));
+    Process mock =
+        jar(
+                "mock",
+                "--port",
+                "0",
+                "--no-discovery",
+                "--program",
+                program.toString(),
+                "--start",
+                "--speed",
+                "max")
+            .redirectError(dir.resolve("err").toFile())
+            .start();
+    try (BufferedReader out =
+        new BufferedReader(new InputStreamReader(mock.getInputStream(), StandardCharsets.UTF_8))) {
+      assertThat(out.readLine()).startsWith("listening on ");
+      assertThat(out.readLine()).startsWith("loaded BUSY from ");
+      assertThat(out.readLine()).startsWith("T1, BUSY #P_ACTIVE line ");
+
+      mock.toHandle().destroy();
+      assertThat(mock.waitFor()).isZero();
+      assertThat(out.readLine()).isNull();
     } finally {
       mock.destroyForcibly();
     }

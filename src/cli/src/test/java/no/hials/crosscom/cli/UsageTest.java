@@ -34,7 +34,22 @@ class UsageTest {
         "write MYINT 1 --host h --mock           | --host and --mock exclude each other",
         "mock --port -1                          | must be 0 to 65535, is -1",
         "mock --json                             | unknown option: '--json'",
-        "mock MYINT                              | there is an argument too many, 'MYINT'"
+        "mock MYINT                              | there is an argument too many, 'MYINT'",
+        "mock --discovery 65536                  | must be 0 to 65535, is 65536",
+        "mock --discovery 0 --no-discovery       | --discovery and --no-discovery exclude",
+        "mock --config a.src                     | --config needs a .dat file, is a.src",
+        "mock --program a.dat                    | --program needs a .src or .sub file, is a.dat",
+        "mock --start                            | --start needs a --program",
+        "mock --config a.dat --start             | --start needs a --program",
+        "mock --mode T3                          | must be T1, T2, AUT or EXT, is T3",
+        "mock --speed fast                       | must be real, max, or a factor of more than 0",
+        "mock --speed 0                          | at most 10000, is 0",
+        "mock --speed 10001                      | at most 10000, is 10001",
+        "mock --speed stepped                    | must be real, max, or a factor",
+        "mock --latency 5                        | option '--latency': latency must be none, krc4",
+        "mock --fault frob                       | option '--fault': fault 'frob', column 1",
+        "mock --fault drop --fault drop@x%2      | fault 'drop@x%2', column 8: expected a prob",
+        "mock --seed x                           | must be a whole number, is x"
       })
   void saysWhatIsWrongAndWhereHelpIs(String arguments, String message) {
     String[] args = arguments.isEmpty() ? new String[0] : arguments.split(" ");
@@ -93,6 +108,14 @@ class UsageTest {
   void explainsQuotingAndJson(String command) {
     assertThat(Cli.run(command, "--help").out())
         .contains("Quoting: a shell replaces $NAME", "JSON: ", "--timeout", "--mock", "--json");
+  }
+
+  @Test
+  void explainsFaultsInTheFormInWhichTheyAreGiven() {
+    assertThat(Cli.run("mock", "--help").out())
+        .contains("FAULT is NAME[:ARGUMENT][@REQUESTS][@VARIABLE][%PROBABILITY]:")
+        .contains("--fault drop%0.01 --seed 7")
+        .contains("  closeAfter%0.01  ");
   }
 
   @Test

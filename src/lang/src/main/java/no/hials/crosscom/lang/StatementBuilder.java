@@ -165,9 +165,8 @@ final class StatementBuilder {
     List<ParserRuleContext> written = new ArrayList<>(context.anyApproximation());
     written.addAll(context.pathApproximation());
     for (ParserRuleContext approximation : written) {
-      if (!approximations.add(Approximation.valueOf(upper(approximation.getStart())))) {
-        errors.add(approximation.getStart(), approximation.getText() + " stands there already");
-      }
+      // KSS itself writes LIN P1 C_DIS C_DIS: the second is that of the orientation (assumed)
+      approximations.add(Approximation.valueOf(upper(approximation.getStart())));
     }
     return Collections.unmodifiableSet(approximations);
   }

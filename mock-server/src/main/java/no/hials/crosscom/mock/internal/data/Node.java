@@ -365,9 +365,10 @@ public abstract sealed class Node {
 
     @Override
     KrlValue rounded(KrlValue value) throws RefusedException {
-      if (!(value instanceof KrlStruct struct)) {
+      if (!(value instanceof KrlStruct given)) {
         return value;
       }
+      KrlStruct struct = type.ofItsKind(given);
       List<KrlStruct.Field> fields = new ArrayList<>(struct.fields().size());
       for (KrlStruct.Field field : struct.fields()) {
         Path path = Path.parse(field.name());

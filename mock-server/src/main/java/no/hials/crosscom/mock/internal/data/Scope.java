@@ -86,20 +86,23 @@ public final class Scope {
   }
 
   /**
-   * Takes over all types and variables of another scope, which can be changed independently. Its
-   * guards and bound variables are not taken over.
+   * Takes over all types, variables and guards of another scope, which can be changed
+   * independently. What follows something there has here the value that was declared.
    *
    * @param other a scope
    */
   public void copyFrom(Scope other) {
     Map<String, Type> otherTypes;
     Map<String, Variable> otherVariables;
+    Map<String, Guard> otherGuards;
     synchronized (other) {
       otherTypes = Map.copyOf(other.types);
       otherVariables = Map.copyOf(other.variables);
+      otherGuards = Map.copyOf(other.guards);
     }
     synchronized (this) {
       types.putAll(otherTypes);
+      guards.putAll(otherGuards);
       otherVariables.forEach((name, variable) -> variables.put(name, variable.bound(null)));
       systemOutputs = null;
     }
@@ -459,9 +462,12 @@ public final class Scope {
         // and none is documented for later
         throw new RefusedException(Refusal.WHOLE_ARRAY, "an array is written by element");
       }
+    }
+    if (writer != Writer.SYSTEM) {
       Index index = path.first().index();
       if (key.equals(OUTPUTS) && index.count() > 0 && systemOutputs().get(index.number(0))) {
-        // krl.md 2.6, marked U: outputs that system signals use cannot be set from outside
+        // krl.md 2.6, marked U: outputs that system signals use cannot be set; for programs
+        // assumed
         throw new RefusedException(Refusal.READ_ONLY, "is used by a system signal");
       }
     }

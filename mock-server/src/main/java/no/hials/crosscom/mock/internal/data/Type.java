@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import no.hials.crosscom.mock.Refusal;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
@@ -145,6 +146,8 @@ sealed interface Type {
    */
   record Struc(String name, List<Declarator> components, Map<String, Integer> positions, int depth)
       implements Type {
+    private static final List<Set<String>> POSITIONS =
+        List.of(Set.of("FRAME", "POS", "E6POS"), Set.of("AXIS", "E6AXIS"));
 
     static Struc of(String name, List<Declarator> components) {
       Map<String, Integer> positions = new HashMap<>();
@@ -179,6 +182,28 @@ sealed interface Type {
         parts[i] = components.get(i).uninitialised();
       }
       return new Node.StrucNode(this, parts);
+    }
+
+    /**
+     * Makes of a position what a variable of another type of position takes over: the components
+     * that it has. Assumed: krl.md is silent, and programs assign {@code $POS_ACT} to a FRAME.
+     */
+    KrlStruct ofItsKind(KrlStruct value) {
+      String given = value.typeName();
+      if (given == null || given.equalsIgnoreCase(name)) {
+        return value;
+      }
+      for (Set<String> kind : POSITIONS) {
+        if (kind.contains(name.toUpperCase(Locale.ROOT))
+            && kind.contains(given.toUpperCase(Locale.ROOT))) {
+          return new KrlStruct(
+              name,
+              value.fields().stream()
+                  .filter(field -> positions.containsKey(field.name().toUpperCase(Locale.ROOT)))
+                  .toList());
+        }
+      }
+      return value;
     }
 
     /** Checks that an aggregate is of this type, by its name, which may be missing. */

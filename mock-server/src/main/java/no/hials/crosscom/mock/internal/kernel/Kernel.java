@@ -1,13 +1,11 @@
 package no.hials.crosscom.mock.internal.kernel;
 
 import java.time.Duration;
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Deque;
-import java.util.HashMap;
+import java.time.LocalDateTime;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
@@ -16,25 +14,26 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.mock.Message;
 import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.mock.ProgramState;
 import no.hials.crosscom.mock.internal.data.Path;
 import no.hials.crosscom.mock.internal.data.Scope;
-import no.hials.crosscom.mock.internal.motion.Motion;
-import no.hials.crosscom.mock.internal.motion.MotionEvent;
-import no.hials.crosscom.mock.internal.motion.MotionRefusedException;
 import no.hials.crosscom.mock.internal.motion.MotionSystem;
 import no.hials.crosscom.mock.internal.motion.PointToPoint;
-import no.hials.crosscom.mock.internal.motion.Problem;
-import no.hials.crosscom.mock.internal.motion.Suspended;
+import no.hials.crosscom.mock.internal.motion.SpeedLimit;
 import no.hials.crosscom.mock.internal.program.Environment;
 import no.hials.crosscom.mock.internal.program.Interpreter;
 import no.hials.crosscom.mock.internal.program.LinkException;
 import no.hials.crosscom.mock.internal.program.MotionOrder;
 import no.hials.crosscom.mock.internal.program.ProgramFault;
 import no.hials.crosscom.mock.internal.program.ProgramLibrary;
+import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The simulated controller but for its network: programs, motion, modes, messages and time.
@@ -47,8 +46,6 @@ public final class Kernel {
   /** The interpolation cycle of a KR C4 (krl.md 5: RSI's IPO cycle), ms. */
   public static final int CYCLE_MILLIS = 12;
 
-  private static final double CYCLE_SECONDS = CYCLE_MILLIS / 1000.0;
-
   /**
    * How many instructions the interpreters execute in a cycle. Assumed: the reference does not say
    * how fast they are; it keeps a loop without end from stopping everything else.
@@ -59,96 +56,85 @@ public final class Kernel {
 
   private static final double PERCENT = 100;
   private static final Path OV_PRO = Machine.path("$OV_PRO");
+  private static final Path OV_JOG = Machine.path("$OV_JOG");
   private static final Path ADVANCE = Machine.path("$ADVANCE");
   private static final Path RED_T1 = Machine.path("$RED_T1");
   private static final Path VEL_CP_T1 = Machine.path("$VEL_CP_T1");
   private static final int MAX_ADVANCE = 5;
 
+  private static final Path VEL_LIMIT_T1 = Machine.path("$SPEED_LIMIT_TEACH_MODE");
+  private static final Path T2_OV_REDUCE = Machine.path("$T2_OV_REDUCE");
+
+  /** krl.md 2.2: the override falls to 10 % on entry to T2. */
+  private static final int OVERRIDE_IN_T2 = 10;
+
+  /** Fair, so that a clock without a limit lets others in between its cycles. */
   private final ReentrantLock lock = new ReentrantLock(true);
+
   private final Machine machine;
-  private final RobotModel model;
   private final ProgramLibrary library;
   private final Interpreter robot;
   private final Interpreter submit;
   private final Messages messages = new Messages();
   private final Timers timers;
-  private final Triggers triggers;
-  private final Planner planner;
-  private MotionSystem motion;
+  private final Motions motions;
   private final SystemVariables variables;
-
-  /** Motions that were handed over and have not ended. */
-  private final Map<Long, MotionOrder> orders = new HashMap<>();
-
-  /** The plans that interrupts have put aside, the last one first. */
-  private final Deque<Suspended> aside = new ArrayDeque<>();
-
-  /** Motions that were handed over while the robot still slows down for something else. */
-  private final List<MotionOrder> waiting = new ArrayList<>();
-
   private volatile long time;
+  private volatile boolean closed;
   private OperatingMode mode = OperatingMode.T1;
   private boolean emergency;
 
-  /** What happens to the plan as soon as the robot stands. */
-  private Settling settling = Settling.NOTHING;
+  /** What moves the robot while no program is active. */
+  private Manual manual = Manual.NOTHING;
 
-  private enum Settling {
+  private enum Manual {
     NOTHING,
-    PUT_ASIDE,
-    FORGET
+    MOTION,
+    JOG
   }
+
+  /** The simulation's own error after which nothing moves any more. */
+  private @Nullable RuntimeException failure;
 
   /**
    * Makes a controller that stands where {@code $AXIS_ACT} says.
    *
    * @param globals the variables that clients see
-   * @param robot the robot; its software limits are replaced by {@code $SOFTN_END} and {@code
+   * @param model the robot; its software limits are replaced by {@code $SOFTN_END} and {@code
    *     $SOFTP_END}
+   * @param begin what {@code $DATE} shows at first
    */
-  public Kernel(Scope globals, RobotModel robot) {
+  public Kernel(Scope globals, RobotModel model, LocalDateTime begin) {
     machine = new Machine(globals);
-    model = limited(robot);
-    Axes start = machine.position(Machine.path("$AXIS_ACT"), robot.home());
     library = new ProgramLibrary(globals, SystemVariables::stopsAdvanceRun);
-    this.robot = new Interpreter(Interpreter.Kind.ROBOT, new RobotEnvironment());
+    robot = new Interpreter(Interpreter.Kind.ROBOT, new RobotEnvironment());
     submit = new Interpreter(Interpreter.Kind.SUBMIT, new SubmitEnvironment());
     timers = new Timers(machine);
-    triggers = new Triggers(this.robot::fire);
-    planner = new Planner(machine, model, start);
-    motion = new MotionSystem(model, start);
-    variables = new SystemVariables(globals, machine, model, this.robot, submit, state());
+    Triggers triggers = new Triggers(robot::fire);
+    motions = new Motions(machine, model, triggers, new MotionListener());
+    variables = new SystemVariables(globals, machine, model, robot, submit, state());
     publish();
-    variables.bind(() -> time);
-  }
-
-  private RobotModel limited(RobotModel robot) {
-    Axes low = robot.home();
-    Axes high = robot.home();
-    for (int i = 0; i < Values.ROBOT_AXES; i++) {
-      low = low.with(i, machine.number(Path.element("$SOFTN_END", i + 1), robot.minimum(i)));
-      high = high.with(i, machine.number(Path.element("$SOFTP_END", i + 1), robot.maximum(i)));
-    }
-    return robot.withLimits(low, high);
+    variables.bind(() -> time, begin);
   }
 
   // calls from outside
 
+  /** Looks at something, or works with what no variable shows. */
   private <T> T locked(Supplier<T> work) {
     lock.lock();
     try {
-      T result = work.get();
-      publish();
-      return result;
+      return work.get();
     } finally {
       lock.unlock();
     }
   }
 
-  private void locked(Runnable work) {
+  /** Changes something, and has the variables show it. */
+  private void change(Runnable work) {
     locked(
         () -> {
           work.run();
+          publish();
           return true;
         });
   }
@@ -181,7 +167,7 @@ public final class Kernel {
       requireIdle(interpreter, "select");
       interpreter.select(library.program(name), arguments);
       if (kind == Interpreter.Kind.ROBOT) {
-        discard();
+        motions.discardAll();
       }
       publish();
     } finally {
@@ -190,7 +176,7 @@ public final class Kernel {
   }
 
   private static void requireIdle(Interpreter interpreter, String what) {
-    if (interpreter.state() == Interpreter.State.ACTIVE) {
+    if (interpreter.state() == ProgramState.ACTIVE) {
       throw new IllegalStateException(what + ": a program is active, stop it first");
     }
   }
@@ -206,12 +192,15 @@ public final class Kernel {
    * @param external whether the higher-level controller starts it and not the pendant
    */
   public void start(Interpreter.Kind kind, boolean external) {
-    locked(() -> startLocked(kind, external));
+    change(() -> startLocked(kind, external));
   }
 
   private void startLocked(Interpreter.Kind kind, boolean external) {
+    if (failure != null) {
+      throw new IllegalStateException("start: the simulation has failed: " + failure, failure);
+    }
     Interpreter interpreter = interpreter(kind);
-    if (interpreter.state() == Interpreter.State.FREE) {
+    if (interpreter.state() == ProgramState.FREE) {
       throw new IllegalStateException("start: no program is selected");
     }
     requireIdle(interpreter, "start");
@@ -228,6 +217,9 @@ public final class Kernel {
       if (messages.stop()) {
         throw new IllegalStateException("start: a message has to be confirmed first");
       }
+      if (manual != Manual.NOTHING) {
+        throw new IllegalStateException("start: the robot is moved without a program");
+      }
     }
     interpreter.start();
   }
@@ -238,9 +230,12 @@ public final class Kernel {
    * @param kind which interpreter
    */
   public void stop(Interpreter.Kind kind) {
-    locked(
+    change(
         () -> {
           interpreter(kind).stop();
+          if (kind == Interpreter.Kind.ROBOT) {
+            endManual();
+          }
         });
   }
 
@@ -250,7 +245,7 @@ public final class Kernel {
    * @param kind which interpreter
    */
   public void reset(Interpreter.Kind kind) {
-    locked(
+    change(
         () -> {
           Interpreter interpreter = interpreter(kind);
           interpreter.stop();
@@ -258,7 +253,7 @@ public final class Kernel {
             throw new IllegalStateException("reset: no program is selected");
           }
           if (kind == Interpreter.Kind.ROBOT) {
-            discard();
+            motions.discardAll();
           }
         });
   }
@@ -269,61 +264,15 @@ public final class Kernel {
    * @param kind which interpreter
    */
   public void cancel(Interpreter.Kind kind) {
-    locked(
+    change(
         () -> {
           Interpreter interpreter = interpreter(kind);
           interpreter.stop();
           interpreter.cancel();
           if (kind == Interpreter.Kind.ROBOT) {
-            discard();
+            motions.discardAll();
           }
         });
-  }
-
-  /** Slows the robot down, and forgets all that is planned when it stands. */
-  private void discard() {
-    aside.clear();
-    waiting.clear();
-    triggers.clear();
-    settling = Settling.FORGET;
-    motion.cancel();
-    settle();
-  }
-
-  /** Does what had to wait until the robot stands. */
-  private void settle() {
-    if (settling == Settling.NOTHING || !motion.standing()) {
-      return;
-    }
-    if (settling == Settling.PUT_ASIDE) {
-      aside.push(motion.suspend());
-    } else if (aside.isEmpty()) {
-      orders.clear();
-    }
-    settling = Settling.NOTHING;
-    planner.startAt(motion.axes());
-    for (MotionOrder order : List.copyOf(waiting)) {
-      waiting.remove(0);
-      try {
-        take(order);
-      } catch (ProgramFault e) {
-        stopFor(e.number(), order.position() + ": " + e.getMessage());
-        discard();
-        return;
-      }
-    }
-  }
-
-  private void take(MotionOrder order) throws ProgramFault {
-    Motion planned = planner.plan(order);
-    try {
-      motion.add(planned);
-    } catch (MotionRefusedException e) {
-      throw new ProgramFault(number(e.problem()), e.problem().message());
-    }
-    planner.startAt(motion.plannedEnd());
-    orders.put(planned.id(), order);
-    triggers.add(planned, order.triggers());
   }
 
   /**
@@ -332,7 +281,7 @@ public final class Kernel {
    * @param kind which
    * @return what {@code $PRO_STATE} tells
    */
-  public Interpreter.State state(Interpreter.Kind kind) {
+  public ProgramState state(Interpreter.Kind kind) {
     return locked(() -> interpreter(kind).state());
   }
 
@@ -371,16 +320,24 @@ public final class Kernel {
    * @param newMode the mode
    */
   public void setMode(OperatingMode newMode) {
-    locked(
+    change(
         () -> {
-          if (newMode != mode && robot.stop()) {
+          if (newMode == mode) {
+            return;
+          }
+          if (robot.stop()) {
             messages.add(
                 Message.Kind.NOTIFICATION,
                 Messages.MODE_CHANGED,
                 "the operating mode was changed from " + mode + " to " + newMode,
                 time);
           }
+          endManual();
           mode = newMode;
+          if (mode == OperatingMode.T2 && machine.bool(T2_OV_REDUCE, false)) {
+            int reduced = (int) Math.min(OVERRIDE_IN_T2, machine.number(OV_PRO, PERCENT));
+            machine.write(OV_PRO, new KrlInt(reduced));
+          }
         });
   }
 
@@ -390,10 +347,11 @@ public final class Kernel {
    * @param pressed whether it is pressed
    */
   public void emergencyStop(boolean pressed) {
-    locked(
+    change(
         () -> {
           if (pressed && !emergency) {
             robot.stop();
+            endManual();
             messages.add(
                 Message.Kind.ACKNOWLEDGEMENT, Messages.EMERGENCY_STOP, "emergency stop", time);
           }
@@ -416,7 +374,12 @@ public final class Kernel {
    * @return how many had to be
    */
   public int confirmAll() {
-    return locked(messages::confirm);
+    return locked(
+        () -> {
+          int confirmed = messages.confirm();
+          publish();
+          return confirmed;
+        });
   }
 
   /**
@@ -425,11 +388,19 @@ public final class Kernel {
    * @param axes where
    */
   public void place(Axes axes) {
-    locked(
+    change(
         () -> {
           requireIdle(robot, "place");
-          motion = new MotionSystem(model, axes);
-          discard();
+          motions.readLimits();
+          List<Integer> outside = motions.model().axesOutsideLimits(axes);
+          if (!outside.isEmpty()) {
+            throw new IllegalArgumentException(
+                "place: A"
+                    + (outside.get(0) + 1)
+                    + " must be within its software limits, would be "
+                    + axes.get(outside.get(0)));
+          }
+          motions.place(axes);
         });
   }
 
@@ -439,7 +410,7 @@ public final class Kernel {
    * @return the commanded axis angles
    */
   public Axes axes() {
-    return locked(motion::axes);
+    return locked(() -> motions.system().axes());
   }
 
   /**
@@ -448,7 +419,7 @@ public final class Kernel {
    * @return whether no axis moves
    */
   public boolean standing() {
-    return locked(motion::standing);
+    return locked(() -> motions.system().standing());
   }
 
   /**
@@ -457,7 +428,11 @@ public final class Kernel {
    * @return the model with the software limits of the controller
    */
   public RobotModel model() {
-    return model;
+    return locked(
+        () -> {
+          motions.readLimits();
+          return motions.model();
+        });
   }
 
   /**
@@ -477,9 +452,10 @@ public final class Kernel {
   public boolean busy() {
     return locked(
         () ->
-            robot.state() == Interpreter.State.ACTIVE
-                || submit.state() == Interpreter.State.ACTIVE
-                || !motion.standing());
+            robot.state() == ProgramState.ACTIVE
+                || submit.state() == ProgramState.ACTIVE
+                || manual != Manual.NOTHING
+                || !motions.system().standing());
   }
 
   /**
@@ -490,14 +466,121 @@ public final class Kernel {
    * @return whether it was done in time
    */
   public boolean run(Duration limit, BooleanSupplier done) {
-    long end = time + limit.toMillis();
+    Duration cycle = Duration.ofMillis(CYCLE_MILLIS);
+    long cycles = limit.dividedBy(cycle);
+    cycles += limit.compareTo(cycle.multipliedBy(cycles)) > 0 ? 1 : 0;
     while (!done.getAsBoolean()) {
-      if (time >= end) {
+      if (cycles-- <= 0) {
         return false;
+      }
+      if (closed) {
+        throw new IllegalStateException("step: the server is closed");
       }
       cycle();
     }
     return true;
+  }
+
+  /** Ends a {@link #run} that is under way on another thread. */
+  public void close() {
+    closed = true;
+  }
+
+  // motions without a program, as C3 Bridge's messages 11 and 12 ask for them
+
+  /**
+   * Moves the robot without a program: after the motions that were asked for before, exactly to the
+   * end.
+   *
+   * @param kind the kind of motion; not a circle
+   * @param target a Cartesian or an axis position, or for a relative motion a difference
+   * @throws ProgramFault if the robot cannot go there
+   * @throws IllegalStateException if the state of the controller does not allow it
+   */
+  public void move(MotionKind kind, KrlStruct target) throws ProgramFault {
+    lock.lock();
+    try {
+      requireReleased("move");
+      if (manual == Manual.JOG) {
+        throw new IllegalStateException("move: a jog key is pressed");
+      }
+      moveLocked(Manual.MOTION, kind, target);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /**
+   * Moves the robot until {@link #releaseJog}: in T1 and T2, with {@code $OV_JOG}, at most to the
+   * end of its reach.
+   *
+   * @param kind PTP to an axis position far away, or LIN_REL by a difference far out
+   * @param target the position
+   * @throws ProgramFault if the robot cannot go there at all
+   * @throws IllegalStateException if the state of the controller does not allow it
+   */
+  public void jog(MotionKind kind, KrlStruct target) throws ProgramFault {
+    lock.lock();
+    try {
+      requireReleased("jog");
+      if (!mode.manual()) {
+        throw new IllegalStateException("jog: the operating mode must be T1 or T2, is " + mode);
+      }
+      endManual();
+      moveLocked(Manual.JOG, kind, target);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Slows down a robot that is jogged. */
+  public void releaseJog() {
+    change(
+        () -> {
+          if (manual == Manual.JOG) {
+            endManual();
+          }
+        });
+  }
+
+  private void moveLocked(Manual why, MotionKind kind, KrlStruct target) throws ProgramFault {
+    MotionOrder order =
+        new MotionOrder(
+            kind,
+            null,
+            target,
+            OptionalDouble.empty(),
+            Set.of(),
+            null,
+            "",
+            "",
+            new Position(kind.name(), 1, 1),
+            List.of());
+    motions.move(order);
+    manual = why;
+    publish();
+  }
+
+  private void requireReleased(String what) {
+    requireIdle(robot, what);
+    if (emergency) {
+      throw new IllegalStateException(what + ": the emergency stop is pressed");
+    }
+    if (messages.stop()) {
+      throw new IllegalStateException(what + ": a message has to be confirmed first");
+    }
+    boolean within = !motions.idle();
+    if (robot.state() == ProgramState.STOP && manual == Manual.NOTHING && within) {
+      throw new IllegalStateException(
+          what + ": a program is stopped within a motion, reset or cancel it first");
+    }
+  }
+
+  private void endManual() {
+    if (manual != Manual.NOTHING) {
+      motions.discardAll();
+      manual = Manual.NOTHING;
+    }
   }
 
   // the cycle
@@ -509,20 +592,28 @@ public final class Kernel {
       advanceTime();
       timers.advance(time, CYCLE_MILLIS);
       submit.run(SUBMIT_INSTRUCTIONS);
-      settle();
+      motions.settle(robot.state() == ProgramState.ACTIVE || manual != Manual.NOTHING);
       robot.run(ROBOT_INSTRUCTIONS);
-      for (MotionEvent event : motion.cycle(override(), released())) {
-        handle(event);
+      motions.cycle(time, override(), released(), speedLimit());
+      if (motions.finished()) {
+        manual = Manual.NOTHING;
       }
-      triggers.cycle(
-          time,
-          motion.current().map(Motion::id).orElse(0L),
-          motion.distanceToEnd(),
-          motion.pathVelocity(),
-          CYCLE_SECONDS);
       publish();
+    } catch (RuntimeException e) {
+      fail(e);
+      throw e;
     } finally {
       lock.unlock();
+    }
+  }
+
+  /** An error of the simulation itself: it says so once, and starts nothing any more. */
+  private void fail(RuntimeException error) {
+    if (failure == null) {
+      failure = error;
+      submit.stop();
+      stopFor(Messages.FAILED, "the simulation has failed: " + error);
+      publish();
     }
   }
 
@@ -533,56 +624,38 @@ public final class Kernel {
   }
 
   private boolean released() {
-    return !emergency && robot.state() == Interpreter.State.ACTIVE;
+    return !emergency && (robot.state() == ProgramState.ACTIVE || manual != Manual.NOTHING);
   }
 
   private double override() {
-    double program = Math.max(0, Math.min(1, machine.number(OV_PRO, PERCENT) / PERCENT));
+    Path set = manual == Manual.JOG ? OV_JOG : OV_PRO;
+    double program = Math.max(0, Math.min(1, machine.number(set, PERCENT) / PERCENT));
+    boolean reduced = mode == OperatingMode.T1 && isPointToPoint();
+    // krl.md 2.2: the reduction of PTP motions in T1
+    return reduced ? program * Math.min(1, machine.number(RED_T1, PERCENT) / PERCENT) : program;
+  }
+
+  private boolean isPointToPoint() {
+    return motions.system().current().map(current -> current instanceof PointToPoint).orElse(true);
+  }
+
+  /** krl.md 2.2: the limits of T1 for TCP and flange, and on a path for the axes, too. */
+  private SpeedLimit speedLimit() {
     if (mode != OperatingMode.T1) {
-      return program;
+      return SpeedLimit.NONE;
     }
-    return program * motion.current().map(this::reductionInT1).orElse(1.0);
-  }
-
-  /** krl.md 2.2: $RED_T1 for PTP, $VEL_CP_T1 for the path. */
-  private double reductionInT1(Motion current) {
-    if (current instanceof PointToPoint) {
-      return Math.min(1, machine.number(RED_T1, PERCENT) / PERCENT);
+    double most = machine.number(VEL_LIMIT_T1, Double.POSITIVE_INFINITY);
+    if (isPointToPoint()) {
+      return new SpeedLimit(most, SpeedLimit.NONE.axes());
     }
-    double programmed = Planner.pathVelocity(current);
-    return Math.min(1, machine.number(VEL_CP_T1, programmed) / programmed);
-  }
-
-  private void handle(MotionEvent event) {
-    Motion of = event.motion();
-    if (event instanceof MotionEvent.Started) {
-      variables.started(motion.currentStart(), motion.currentEnd());
-      triggers.started(of, time);
-    } else if (event instanceof MotionEvent.Passed) {
-      triggers.passed(of, time);
-      orders.remove(of.id());
-    } else if (event instanceof MotionEvent.Faulted fault) {
-      MotionOrder order = orders.get(of.id());
-      String where = order == null ? "" : order.position() + ": ";
-      stopFor(number(fault.problem()), where + fault.problem().message());
-      discard();
-    }
-  }
-
-  private static int number(Problem problem) {
-    if (problem instanceof Problem.AxisLimit) {
-      return Messages.SOFTWARE_LIMIT;
-    }
-    if (problem instanceof Problem.Singularity) {
-      return Messages.SINGULARITY;
-    }
-    return problem instanceof Problem.OutOfReach ? Messages.WORK_ENVELOPE : Messages.BAD_MOTION;
+    return new SpeedLimit(
+        Math.min(most, machine.number(VEL_CP_T1, most)), machine.axes("$VEL_CPT1_MA", PERCENT));
   }
 
   private void stopFor(int number, String text) {
     robot.stop();
     messages.add(Message.Kind.ACKNOWLEDGEMENT, number, text, time);
-    variables.error(number);
+    variables.error(number, Interpreter.Kind.ROBOT);
   }
 
   private void publish() {
@@ -590,6 +663,7 @@ public final class Kernel {
   }
 
   private SystemVariables.State state() {
+    MotionSystem motion = motions.system();
     return new SystemVariables.State(
         motion.axes(),
         motion.axisVelocity(),
@@ -600,7 +674,30 @@ public final class Kernel {
         mode,
         emergency,
         messages.stop(),
-        motion.finished() && waiting.isEmpty() && aside.isEmpty());
+        motions.idle());
+  }
+
+  /** Shows what the robot does. */
+  private final class MotionListener implements Motions.Listener {
+    @Override
+    public void failed(int number, String text) {
+      boolean jogged = manual == Manual.JOG;
+      endManual();
+      // who jogs to the end of the reach sees that the robot stands
+      if (!jogged) {
+        stopFor(number, text);
+      }
+    }
+
+    @Override
+    public void started(Axes from, Axes to) {
+      variables.started(from, to);
+    }
+
+    @Override
+    public void leftPath(Axes axes) {
+      variables.leftPath(axes);
+    }
   }
 
   // what the interpreters ask for
@@ -612,38 +709,51 @@ public final class Kernel {
       return time;
     }
 
+    abstract Interpreter.Kind kind();
+
     @Override
     public void pulse(int output, boolean level, double seconds) throws ProgramFault {
-      timers.pulse(output, level, time + Math.round(seconds * 1000));
+      if (!(seconds > 0)) {
+        throw new ProgramFault(
+            ProgramFault.OUT_OF_RANGE, "a pulse takes more than 0 s, was given " + seconds);
+      }
+      if (!timers.pulse(output, level, time + Math.round(seconds * 1000))) {
+        throw new ProgramFault(ProgramFault.BAD_INDEX, "there is no $OUT[" + output + "]");
+      }
     }
 
     @Override
     public Optional<KrlStruct> forward(KrlStruct axes) {
-      Axes position = Values.toAxes(axes, motion.axes());
-      Frame tcp = planner.base().inverse().times(model.forward(position)).times(planner.tool());
-      return Optional.of(Values.e6Pos(tcp, model.status(position), model.turn(position)));
+      Axes position = Values.toAxes(axes, motions.system().axes());
+      Frame tcp =
+          motions
+              .planner()
+              .base()
+              .inverse()
+              .times(motions.model().forward(position))
+              .times(motions.planner().tool());
+      return Optional.of(
+          Values.e6Pos(tcp, motions.model().status(position), motions.model().turn(position)));
     }
 
     @Override
     public Optional<KrlStruct> inverse(KrlStruct position, KrlStruct start) {
       try {
         return Optional.of(
-            Values.e6Axis(planner.inverse(position, Values.toAxes(start, motion.axes()))));
+            Values.e6Axis(
+                motions
+                    .planner()
+                    .inverse(position, Values.toAxes(start, motions.system().axes()))));
       } catch (UnreachableException e) {
         return Optional.empty();
       }
     }
 
     @Override
-    public void message(no.hials.crosscom.mock.internal.program.Message message) {
+    public void fault(ProgramFault fault, Position position) {
       messages.add(
-          Message.Kind.valueOf(message.kind().name()),
-          message.number(),
-          message.position() + ": " + message.text(),
-          time);
-      if (message.kind() == no.hials.crosscom.mock.internal.program.Message.Kind.ACKNOWLEDGEMENT) {
-        variables.error(message.number());
-      }
+          Message.Kind.ACKNOWLEDGEMENT, fault.number(), position + ": " + fault.getMessage(), time);
+      variables.error(fault.number(), kind());
     }
   }
 
@@ -655,50 +765,48 @@ public final class Kernel {
     }
 
     @Override
+    Interpreter.Kind kind() {
+      return Interpreter.Kind.ROBOT;
+    }
+
+    @Override
     public int motionsAhead() {
-      return motion.planned() + waiting.size();
+      return motions.ahead();
     }
 
     @Override
     public boolean motionFinished() {
-      return settling == Settling.NOTHING && waiting.isEmpty() && motion.finished();
+      return motions.finished();
     }
 
     @Override
     public void move(MotionOrder order) throws ProgramFault {
-      if (settling == Settling.NOTHING) {
-        take(order);
-      } else {
-        waiting.add(order);
-      }
+      motions.move(order);
     }
 
     @Override
     public void holdMotion(boolean maximum) {
-      settling = Settling.PUT_ASIDE;
-      motion.brake(maximum);
+      motions.hold(maximum);
     }
 
     @Override
     public void releaseMotion() {
-      motion.resume(aside.pop(), planner.axisRates());
-      planner.startAt(motion.plannedEnd());
+      motions.release();
     }
 
     @Override
     public void discardMotion(int holds) {
-      waiting.clear();
-      triggers.clear();
-      for (int i = 0; i < holds; i++) {
-        aside.pop();
-      }
-      settling = Settling.FORGET;
-      motion.cancel();
+      motions.discard(holds);
     }
   }
 
   /** The submit interpreter's, which moves nothing. */
   private final class SubmitEnvironment extends CommonEnvironment {
+    @Override
+    Interpreter.Kind kind() {
+      return Interpreter.Kind.SUBMIT;
+    }
+
     @Override
     public int advance() {
       return 0;

@@ -2,6 +2,7 @@ package no.hials.crosscom.mock.internal.kernel;
 
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.mock.internal.data.Node;
 import no.hials.crosscom.mock.internal.data.Path;
 import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.mock.internal.data.Scope;
@@ -37,6 +38,18 @@ final class Machine {
   private @Nullable KrlValue read(Path path) {
     try {
       return globals.read(path);
+    } catch (RefusedException e) {
+      return null;
+    }
+  }
+
+  /**
+   * Gives the contents of a variable, which are another object after each write; null if there is
+   * none.
+   */
+  @Nullable Node contents(String name) {
+    try {
+      return globals.contents(name);
     } catch (RefusedException e) {
       return null;
     }
@@ -79,11 +92,14 @@ final class Machine {
     return read(path) instanceof KrlStruct struct ? Values.toAxes(struct, otherwise) : otherwise;
   }
 
-  void write(Path path, KrlValue value) {
+  /** Writes a value; says whether that was possible. */
+  boolean write(Path path, KrlValue value) {
     try {
       globals.write(path, value, Scope.Writer.SYSTEM);
+      return true;
     } catch (RefusedException e) {
-      log.debug("{} cannot be set: {}", path.first().name(), e.getMessage());
+      log.trace("{} cannot be set: {}", path.first().name(), e.getMessage());
+      return false;
     }
   }
 }

@@ -31,8 +31,8 @@ final class Messages {
   /** A motion statement makes no sense. */
   static final int BAD_MOTION = 9106;
 
-  /** A program has come to a HALT. */
-  static final int HALT = 9107;
+  /** The simulation itself has failed. */
+  static final int FAILED = 9107;
 
   private static final int KEPT = 1000;
 

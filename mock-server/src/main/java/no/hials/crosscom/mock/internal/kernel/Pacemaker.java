@@ -54,7 +54,7 @@ public final class Pacemaker implements AutoCloseable {
         }
       }
     } catch (RuntimeException e) {
-      // an error of the simulation itself: without a clock the controller stands still
+      // an error of the simulation itself, which the kernel has told its users of
       log.error("the simulated controller has stopped", e);
     }
   }

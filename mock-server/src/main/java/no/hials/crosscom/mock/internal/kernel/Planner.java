@@ -56,7 +56,7 @@ final class Planner {
   private static final double LEAST_RATE = 0.001;
 
   private final Machine machine;
-  private final RobotModel robot;
+  private RobotModel robot;
 
   /** Where the last planned motion ends. */
   private Axes last;
@@ -67,6 +67,11 @@ final class Planner {
     this.machine = machine;
     this.robot = robot;
     this.last = start;
+  }
+
+  /** Takes the robot with other software limits. */
+  void robot(RobotModel limited) {
+    robot = limited;
   }
 
   /** Says where the robot will be when the next motion begins. */
@@ -189,17 +194,6 @@ final class Planner {
       return robot.inverse(flange, near);
     }
     return robot.inverse(flange, (int) status.getAsDouble(), (int) turn.orElse(robot.turn(near)));
-  }
-
-  /** Gives the programmed speed of a LIN or CIRC, m/s. */
-  static double pathVelocity(Motion motion) {
-    if (motion instanceof Linear linear) {
-      return linear.rates().velocity();
-    }
-    if (motion instanceof Circular circular) {
-      return circular.rates().velocity();
-    }
-    throw new IllegalArgumentException("a PTP has no path velocity");
   }
 
   // rates

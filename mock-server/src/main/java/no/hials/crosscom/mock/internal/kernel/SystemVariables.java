@@ -2,12 +2,9 @@ package no.hials.crosscom.mock.internal.kernel;
 
 import java.time.Duration;
 import java.time.LocalDateTime;
-import java.time.ZoneId;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Set;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -15,6 +12,7 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.mock.ProgramState;
 import no.hials.crosscom.mock.internal.data.Path;
 import no.hials.crosscom.mock.internal.data.Scope;
 import no.hials.crosscom.mock.internal.program.Interpreter;
@@ -61,6 +59,20 @@ final class SystemVariables {
   /** The brakes of A1 to A6, open (krl.md 2.1). */
   private static final int BRAKES_OPEN = 63;
 
+  private static final Path ROB_STOPPED = Machine.path("$ROB_STOPPED");
+  private static final Path PRO_ACT = Machine.path("$PRO_ACT");
+  private static final Path PRO_MOVE = Machine.path("$PRO_MOVE");
+  private static final Path STOPMESS = Machine.path("$STOPMESS");
+  private static final Path ALARM_STOP = Machine.path("$ALARM_STOP");
+  private static final Path PERI_RDY = Machine.path("$PERI_RDY");
+  private static final Path IN_HOME = Machine.path("$IN_HOME");
+  private static final Path T1 = Machine.path("$T1");
+  private static final Path T2 = Machine.path("$T2");
+  private static final Path AUT = Machine.path("$AUT");
+  private static final Path EXT = Machine.path("$EXT");
+  private static final Path H_POS = Machine.path("$H_POS");
+  private static final Path H_POS_TOL = Machine.path("$H_POS_TOL");
+
   private static final double PERCENT = 100;
   private static final int SHOWN_LEVELS = 10;
   private static final int CENTISECOND_NANOS = 10_000_000;
@@ -92,20 +104,18 @@ final class SystemVariables {
       boolean idle) {}
 
   /** What an interpreter shows. */
-  private record Pointer(Interpreter.State state, String program, List<Interpreter.Level> levels) {}
+  private record Pointer(ProgramState state, String program, List<Interpreter.Level> levels) {}
 
-  private static final Pointer NO_POINTER = new Pointer(Interpreter.State.FREE, " ", List.of());
+  private static final Pointer NO_POINTER = new Pointer(ProgramState.FREE, " ", List.of());
 
   private final Scope globals;
   private final Machine machine;
   private final RobotModel robot;
   private final Interpreter robotInterpreter;
   private final Interpreter submitInterpreter;
-  private final Map<String, Boolean> shownSignals = new HashMap<>();
   private final Path base = Machine.path("$BASE");
   private final Path tool = Machine.path("$TOOL");
   private final Path robroot = Machine.path("$ROBROOT");
-  private final LocalDateTime begin = LocalDateTime.now(ZoneId.systemDefault());
 
   private volatile State state;
   private volatile Pointer robotPointer = NO_POINTER;
@@ -116,6 +126,10 @@ final class SystemVariables {
 
   private volatile Axes origin;
   private volatile Axes interrupted;
+
+  /** Where an interrupt has put the motions aside. */
+  private volatile Axes left;
+
   private boolean inInterrupt;
 
   SystemVariables(
@@ -134,6 +148,7 @@ final class SystemVariables {
     target = state.axes();
     origin = state.axes();
     interrupted = state.axes();
+    left = state.axes();
   }
 
   static boolean stopsAdvanceRun(String name) {
@@ -142,7 +157,14 @@ final class SystemVariables {
 
   // computed when they are read
 
-  void bind(LongSupplier time) {
+  /**
+   * Binds them.
+   *
+   * @param time ms since the start
+   * @param begin what $DATE shows at first
+   */
+  void bind(LongSupplier time, LocalDateTime begin) {
+    long counted = (long) machine.number(Machine.path("$ROB_TIMER"), 0);
     bindPositions();
     bind("$VEL_ACT", () -> KrlReal.of(state.pathVelocity()));
     bind("$VEL_AXIS_ACT", this::axisVelocity);
@@ -151,7 +173,7 @@ final class SystemVariables {
     // the brakes of a robot that waits for a program stay open (assumed)
     bind("$BRAKE_SIG", () -> new KrlInt(drivesOn() ? BRAKES_OPEN : 0));
     bind("$MODE_OP", () -> new KrlEnum(state.mode().constant()));
-    bind("$ROB_TIMER", () -> new KrlInt((int) time.getAsLong()));
+    bind("$ROB_TIMER", () -> new KrlInt((int) (counted + time.getAsLong())));
     bind("$DATE", () -> date(begin.plus(Duration.ofMillis(time.getAsLong()))));
     // the robot interpreter is the one that the pendant shows ($INTERPRETER 1)
     bindPointer("", () -> robotPointer);
@@ -165,13 +187,13 @@ final class SystemVariables {
     bind("$AXIS_FOR", () -> Values.e6Axis(target));
     bind("$AXIS_BACK", () -> Values.e6Axis(origin));
     bind("$AXIS_INT", () -> Values.e6Axis(interrupted));
-    bind("$AXIS_RET", () -> Values.e6Axis(interrupted));
+    bind("$AXIS_RET", () -> Values.e6Axis(left));
     bind("$POS_ACT", () -> position(state.axes()));
     bind("$POS_ACT_MES", () -> position(state.axes()));
     bind("$POS_FOR", () -> position(target));
     bind("$POS_BACK", () -> position(origin));
     bind("$POS_INT", () -> position(interrupted));
-    bind("$POS_RET", () -> position(interrupted));
+    bind("$POS_RET", () -> position(left));
   }
 
   private void bindPointer(String suffix, Supplier<Pointer> pointer) {
@@ -205,7 +227,7 @@ final class SystemVariables {
 
   private boolean drivesOn() {
     return !state.emergency()
-        && (!state.mode().manual() || robotPointer.state() == Interpreter.State.ACTIVE);
+        && (!state.mode().manual() || robotPointer.state() == ProgramState.ACTIVE);
   }
 
   private static KrlStruct date(LocalDateTime date) {
@@ -232,8 +254,11 @@ final class SystemVariables {
     return new KrlStruct.Field(name + "[]", new KrlString(value));
   }
 
+  /** krl.md 1.3 (OSV): {@code /R1/XXX.SRC}. */
   private static String moduleName(Interpreter.Level level) {
-    return "/R1/" + level.module().toUpperCase(Locale.ROOT);
+    String file = level.position().file().toUpperCase(Locale.ROOT);
+    String module = level.module().toUpperCase(Locale.ROOT);
+    return "/R1/" + module + (file.endsWith(".SUB") ? ".SUB" : ".SRC");
   }
 
   /** The main run's pointer is the advance run's: assumed, the reference has no rule. */
@@ -269,9 +294,14 @@ final class SystemVariables {
     target = to;
   }
 
+  void leftPath(Axes axes) {
+    left = axes;
+  }
+
   /** Puts the number of an error into $ERR. */
-  void error(int number) {
-    List<Interpreter.Level> levels = robotInterpreter.levels();
+  void error(int number, Interpreter.Kind kind) {
+    boolean ofRobot = kind == Interpreter.Kind.ROBOT;
+    List<Interpreter.Level> levels = (ofRobot ? robotInterpreter : submitInterpreter).levels();
     int line = levels.isEmpty() ? 0 : levels.get(0).position().line();
     String module = levels.isEmpty() ? " " : moduleName(levels.get(0));
     String routine = levels.isEmpty() ? " " : levels.get(0).routine();
@@ -281,6 +311,7 @@ final class SystemVariables {
             null,
             List.of(
                 integer("NUMBER", number),
+                new KrlStruct.Field("INTERPRETER", new KrlEnum(ofRobot ? "R_INT" : "S_INT")),
                 integer("LINE_NR", line),
                 text("MODULE", module),
                 text("UP_NAME", routine))));
@@ -296,18 +327,18 @@ final class SystemVariables {
       interrupted = newState.axes();
     }
     inInterrupt = interrupt;
-    boolean active = robotPointer.state() == Interpreter.State.ACTIVE;
-    signal("$ROB_STOPPED", newState.standing());
-    signal("$PRO_ACT", active);
-    signal("$PRO_MOVE", !newState.idle() && active);
-    signal("$STOPMESS", newState.stopMessage());
-    signal("$ALARM_STOP", !newState.emergency());
-    signal("$PERI_RDY", drivesOn());
-    signal("$IN_HOME", near("$H_POS", newState.axes()));
-    signal("$T1", newState.mode() == OperatingMode.T1);
-    signal("$T2", newState.mode() == OperatingMode.T2);
-    signal("$AUT", newState.mode() == OperatingMode.AUT);
-    signal("$EXT", newState.mode() == OperatingMode.EXT);
+    boolean active = robotPointer.state() == ProgramState.ACTIVE;
+    signal(ROB_STOPPED, newState.standing());
+    signal(PRO_ACT, active);
+    signal(PRO_MOVE, !newState.idle() && active);
+    signal(STOPMESS, newState.stopMessage());
+    signal(ALARM_STOP, !newState.emergency());
+    signal(PERI_RDY, drivesOn());
+    signal(IN_HOME, atHome(newState.axes()));
+    signal(T1, newState.mode() == OperatingMode.T1);
+    signal(T2, newState.mode() == OperatingMode.T2);
+    signal(AUT, newState.mode() == OperatingMode.AUT);
+    signal(EXT, newState.mode() == OperatingMode.EXT);
   }
 
   private static Pointer pointer(Interpreter interpreter, Pointer old) {
@@ -319,17 +350,17 @@ final class SystemVariables {
     return new Pointer(interpreter.state(), program, levels);
   }
 
-  private void signal(String name, boolean value) {
-    Boolean shown = shownSignals.put(name, value);
-    if (shown == null || shown != value) {
-      machine.write(Machine.path(name), new KrlBool(value));
+  private void signal(Path path, boolean value) {
+    // looked at each time: a data list or Java code may have changed the output
+    if (machine.bool(path, !value) != value) {
+      machine.write(path, new KrlBool(value));
     }
   }
 
   /** Within $H_POS_TOL of every axis of the home position (krl.md 2.1). */
-  private boolean near(String home, Axes axes) {
-    Axes tolerance = machine.position(Machine.path("$H_POS_TOL"), Axes.ZERO);
-    Axes away = machine.position(Machine.path(home), robot.home()).minus(axes);
+  private boolean atHome(Axes axes) {
+    Axes tolerance = machine.position(H_POS_TOL, Axes.ZERO);
+    Axes away = machine.position(H_POS, robot.home()).minus(axes);
     for (int i = 0; i < Values.ROBOT_AXES; i++) {
       if (Math.abs(away.get(i)) > tolerance.get(i)) {
         return false;

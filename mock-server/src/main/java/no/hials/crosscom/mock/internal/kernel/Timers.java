@@ -1,24 +1,33 @@
 package no.hials.crosscom.mock.internal.kernel;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
+import no.hials.crosscom.mock.internal.data.Node;
 import no.hials.crosscom.mock.internal.data.Path;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
+import org.jspecify.annotations.Nullable;
 
 /** Counts the timers up and ends the pulses of outputs, in simulated time. */
 final class Timers {
   /** How many timers a KR C4 has (krl.md 2.6). */
   private static final int COUNT = 64;
 
-  private record Pulse(Path output, boolean level, long end) {}
+  private record Pulse(int output, boolean level, long end) {}
 
   private final Machine machine;
   private final List<Path> timers = new ArrayList<>();
   private final List<Path> stops = new ArrayList<>();
   private final List<Path> flags = new ArrayList<>();
   private final List<Pulse> pulses = new ArrayList<>();
+
+  /** Whether a timer counts. */
+  private boolean running;
+
+  /** The contents of the variables after the last look: as long as they stay nothing is to do. */
+  private List<@Nullable Node> seen = List.of();
 
   Timers(Machine machine) {
     this.machine = machine;
@@ -30,6 +39,29 @@ final class Timers {
   }
 
   void advance(long now, int millis) {
+    List<@Nullable Node> contents = contents();
+    if (running || !contents.equals(seen)) {
+      count(millis);
+      seen = contents();
+    }
+    for (Iterator<Pulse> it = pulses.iterator(); it.hasNext(); ) {
+      Pulse pulse = it.next();
+      if (pulse.end() <= now) {
+        it.remove();
+        machine.write(Path.element("$OUT", pulse.output()), new KrlBool(!pulse.level()));
+      }
+    }
+  }
+
+  private List<@Nullable Node> contents() {
+    return Arrays.asList(
+        machine.contents("$TIMER"),
+        machine.contents("$TIMER_STOP"),
+        machine.contents("$TIMER_FLAG"));
+  }
+
+  private void count(int millis) {
+    running = false;
     for (int i = 0; i < COUNT; i++) {
       int value = (int) machine.number(timers.get(i), 0);
       // what is not known is taken for stopped, as a KR C4 has them when it starts
@@ -37,17 +69,11 @@ final class Timers {
         show(i, value);
         continue;
       }
+      running = true;
       // a timer that has come to the end of its range stays there (assumed)
       int next = (int) Math.min(Integer.MAX_VALUE, (long) value + millis);
       machine.write(timers.get(i), new KrlInt(next));
       show(i, next);
-    }
-    for (Iterator<Pulse> it = pulses.iterator(); it.hasNext(); ) {
-      Pulse pulse = it.next();
-      if (pulse.end() <= now) {
-        it.remove();
-        machine.write(pulse.output(), new KrlBool(!pulse.level()));
-      }
     }
   }
 
@@ -58,11 +84,14 @@ final class Timers {
     }
   }
 
-  void pulse(int output, boolean level, long end) {
-    Path path = Path.element("$OUT", output);
+  /** Sets an output until a moment; says whether there is one. */
+  boolean pulse(int output, boolean level, long end) {
     // a new pulse takes the place of an old one at the same output (assumed)
-    pulses.removeIf(pulse -> pulse.output().equals(path));
-    machine.write(path, new KrlBool(level));
-    pulses.add(new Pulse(path, level, end));
+    pulses.removeIf(pulse -> pulse.output() == output);
+    boolean there = machine.write(Path.element("$OUT", output), new KrlBool(level));
+    if (there) {
+      pulses.add(new Pulse(output, level, end));
+    }
+    return there;
   }
 }

@@ -3,6 +3,7 @@ package no.hials.crosscom.mock.internal.kernel;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 import no.hials.crosscom.mock.internal.motion.Motion;
 import no.hials.crosscom.mock.internal.program.TriggerOrder;
@@ -47,6 +48,11 @@ final class Triggers {
 
   void clear() {
     waiting.clear();
+  }
+
+  /** Forgets all but those of some motions. */
+  void retain(Set<Long> motions) {
+    waiting.removeIf(trigger -> !motions.contains(trigger.motion));
   }
 
   void started(Motion motion, long now) {

@@ -26,6 +26,7 @@ final class Governor {
   private final Axes last;
   private final Axes now;
   private final @Nullable Frame tcp;
+  private final SpeedLimit speedLimit;
   private final double pathStep;
   private final double turnStep;
   private double least;
@@ -36,8 +37,10 @@ final class Governor {
    *
    * @param last where the axes were a cycle ago
    * @param now where they are
+   * @param speedLimit how fast the robot may be
    */
-  Governor(Arm arm, double cycle, Limits limits, Axes last, Axes now) {
+  Governor(Arm arm, double cycle, Limits limits, Axes last, Axes now, SpeedLimit speedLimit) {
+    this.speedLimit = speedLimit;
     this.arm = arm;
     this.cycle = cycle;
     this.limits = limits;
@@ -68,7 +71,7 @@ final class Governor {
     most = 1;
     for (int axis = 0; axis < Arm.AXES; axis++) {
       double step = (ahead.get(axis) - now.get(axis)) / horizon;
-      most = Math.min(most, arm.maxSpeed(axis) * cycle / Math.abs(step));
+      most = Math.min(most, fastest(axis) * cycle / Math.abs(step));
       change(now.get(axis) - last.get(axis), step, limits.axes().get(axis));
     }
     PathRates path = limits.path();
@@ -77,8 +80,21 @@ final class Governor {
       change(pathStep, tcp.distance(to) / horizon, path.acceleration() * 1000);
       change(turnStep, tcp.angle(to) / horizon, path.turnAcceleration());
     }
+    if (speedLimit.path() < Double.POSITIVE_INFINITY) {
+      most = Math.min(most, speedLimit.path() * 1000 * cycle * horizon / furthest(ahead));
+    }
     double rate = Math.max(wanted, Math.min(least, Math.max(wanted, before)));
     return Math.max(0, Math.min(rate, most));
+  }
+
+  private double fastest(int axis) {
+    return arm.maxSpeed(axis) * speedLimit.axes().get(axis) / 100;
+  }
+
+  /** Gives how far the TCP or the flange is away, whichever goes further, mm. */
+  private double furthest(Axes ahead) {
+    double tool = arm.tcp(now, limits.tool()).distance(arm.tcp(ahead, limits.tool()));
+    return Math.max(tool, arm.forward(now).distance(arm.forward(ahead)));
   }
 
   private void change(double last, double step, double acceleration) {

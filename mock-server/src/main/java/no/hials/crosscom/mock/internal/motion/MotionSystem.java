@@ -44,9 +44,14 @@ public final class MotionSystem {
     MAXIMUM
   }
 
-  private final Arm arm;
-  private final Planner planner;
-  private final Blend blend;
+  private Arm arm;
+  private Planner planner;
+  private Blend blend;
+
+  /** Where the motions under way may go: within the limits that there were when they were added. */
+  private RobotModel widest;
+
+  private Blend way;
   private final List<Leg> planned = new ArrayList<>();
   private Cursor cursor = Cursor.NOWHERE;
   private Axes plannedEnd;
@@ -65,12 +70,33 @@ public final class MotionSystem {
    * @param start where its axes are, degrees
    */
   public MotionSystem(RobotModel robot, Axes start) {
+    widest = robot;
     arm = new Arm(robot);
     planner = new Planner(arm);
     blend = new Blend(arm);
+    way = blend;
     plannedEnd = start;
     last = start;
     now = start;
+  }
+
+  /**
+   * Changes the software limits, for motions that are added from now on.
+   *
+   * @param limited the same robot with other limits
+   */
+  public void robot(RobotModel limited) {
+    arm = new Arm(limited);
+    planner = new Planner(arm);
+    blend = new Blend(arm);
+    Axes low = limited.home();
+    Axes high = limited.home();
+    for (int axis = 0; axis < Arm.AXES; axis++) {
+      low = low.with(axis, Math.min(widest.minimum(axis), limited.minimum(axis)));
+      high = high.with(axis, Math.max(widest.maximum(axis), limited.maximum(axis)));
+    }
+    widest = limited.withLimits(low, high);
+    way = new Blend(new Arm(widest));
   }
 
   /**
@@ -168,6 +194,18 @@ public final class MotionSystem {
    * @return what happened, in order
    */
   public List<MotionEvent> cycle(double override, boolean released) {
+    return cycle(override, released, SpeedLimit.NONE);
+  }
+
+  /**
+   * Runs for a cycle in which the robot must not be too fast.
+   *
+   * @param override the speed that is wanted, 0 to 1; at 0 the robot holds
+   * @param released whether the robot may move; if not, it slows down on its path and holds
+   * @param speedLimit how fast it may be
+   * @return what happened, in order
+   */
+  public List<MotionEvent> cycle(double override, boolean released, SpeedLimit speedLimit) {
     if (!(override >= 0 && override <= 1)) {
       throw new IllegalArgumentException("the override must be 0 to 1, is " + override);
     }
@@ -180,7 +218,7 @@ public final class MotionSystem {
     if (cursor.leg() == null || (wanted == 0 && rate == 0)) {
       last = now;
     } else {
-      move(wanted, events);
+      move(wanted, speedLimit, events);
     }
     if (cancelled && standing()) {
       forget();
@@ -319,14 +357,14 @@ public final class MotionSystem {
     return returning == null ? cursor.current() : returning.cursor().current();
   }
 
-  private void move(double wanted, List<MotionEvent> events) {
+  private void move(double wanted, SpeedLimit speedLimit, List<MotionEvent> events) {
     Leg leg = cursor.requireLeg();
     Limits limits = Limits.of(leg, cursor.next());
     if (brake == Brake.MAXIMUM) {
       limits = limits.withoutPath(planner.accelerations());
     }
     tool = leg.tool();
-    Governor governor = new Governor(arm, CYCLE, limits, last, now);
+    Governor governor = new Governor(arm, CYCLE, limits, last, now, speedLimit);
     try {
       double part = rate;
       double horizon;
@@ -357,7 +395,7 @@ public final class MotionSystem {
   }
 
   private Axes axes(Cursor.Step step) throws NoPointException {
-    return step.ended() == null ? blend.axes(step.cursor()) : step.ended().path().end();
+    return step.ended() == null ? way.axes(step.cursor()) : step.ended().path().end();
   }
 
   private void take(Cursor.Step step, Axes there, List<MotionEvent> events) {

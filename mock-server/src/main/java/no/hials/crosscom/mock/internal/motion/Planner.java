@@ -44,7 +44,7 @@ final class Planner {
   Leg plan(Motion motion, Axes start) throws MotionRefusedException {
     try {
       if (motion instanceof PointToPoint ptp) {
-        return pointToPoint(ptp, ptp.target(), ptp.rates(), start);
+        return pointToPoint(ptp, start);
       }
       return motion instanceof Linear linear
           ? linear(linear, start)
@@ -56,20 +56,19 @@ final class Planner {
 
   /** Plans the way back to where a path was left. */
   Leg back(Axes start, Axes target, AxisRates rates) {
-    try {
-      return pointToPoint(null, target, rates, start);
-    } catch (NoPointException e) {
-      throw new IllegalStateException("a path was left outside of the limits", e);
-    }
+    // the limits may have changed since then
+    return leg(null, target, rates, start);
   }
 
-  private Leg pointToPoint(@Nullable Motion motion, Axes target, AxisRates rates, Axes start)
-      throws NoPointException {
-    Optional<AxisLimit> beyond = arm.beyondLimit(target);
+  private Leg pointToPoint(PointToPoint motion, Axes start) throws NoPointException {
+    Optional<AxisLimit> beyond = arm.beyondLimit(motion.target());
     if (beyond.isPresent()) {
       throw new NoPointException(beyond.get());
     }
-    Axes end = arm.clamped(target);
+    return leg(motion, arm.clamped(motion.target()), motion.rates(), start);
+  }
+
+  private Leg leg(@Nullable Motion motion, Axes end, AxisRates rates, Axes start) {
     double[] most = new double[Arm.AXES];
     double speed = Double.POSITIVE_INFINITY;
     double acceleration = Double.POSITIVE_INFINITY;

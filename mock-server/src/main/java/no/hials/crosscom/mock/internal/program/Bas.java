@@ -1,11 +1,13 @@
 package no.hials.crosscom.mock.internal.program;
 
 import java.util.Locale;
+import no.hials.crosscom.mock.Refusal;
 import no.hials.crosscom.mock.internal.data.Path;
 import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.mock.internal.data.Scope;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
@@ -50,7 +52,9 @@ final class Bas {
         frames();
         setAxes("$VEL_AXIS", argument);
       }
+      case "CP_DAT" -> pathData();
       case "CP_PARAMS" -> {
+        pathData();
         frames();
         set("$VEL.CP", argument);
       }
@@ -95,12 +99,41 @@ final class Bas {
     set("$IPO_MODE", get("FDAT_ACT.IPO_FRAME"));
   }
 
+  /** What the inline form leaves open keeps its value. */
   private void ptpData() throws ProgramFault {
-    setAxes("$VEL_AXIS", get("PDAT_ACT.VEL"));
-    setAxes("$ACC_AXIS", get("PDAT_ACT.ACC"));
-    KrlValue mode = get("PDAT_ACT.APO_MODE");
-    boolean percent = mode instanceof KrlEnum constant && constant.name().equals("CPTP");
-    set(percent ? "$APO.CPTP" : "$APO.CDIS", get("PDAT_ACT.APO_DIST"));
+    setAxesIfGiven("$VEL_AXIS", "PDAT_ACT.VEL");
+    setAxesIfGiven("$ACC_AXIS", "PDAT_ACT.ACC");
+    KrlValue mode = find("PDAT_ACT.APO_MODE");
+    boolean distance = mode instanceof KrlEnum constant && constant.name().equals("CDIS");
+    setIfGiven(distance ? "$APO.CDIS" : "$APO.CPTP", "PDAT_ACT.APO_DIST");
+  }
+
+  private void pathData() throws ProgramFault {
+    if (!scope.knows("LDAT_ACT")) {
+      return;
+    }
+    KrlValue percent = find("LDAT_ACT.ACC");
+    if (percent != null) {
+      double full = Machine.number(get("DEF_ACC_CP"));
+      set("$ACC.CP", KrlReal.of(full * Machine.number(percent) / 100));
+    }
+    setIfGiven("$APO.CDIS", "LDAT_ACT.APO_DIST");
+    setIfGiven("$ORI_TYPE", "LDAT_ACT.ORI_TYP");
+    setIfGiven("$CIRC_TYPE", "LDAT_ACT.CIRC_TYP");
+  }
+
+  private void setIfGiven(String name, String from) throws ProgramFault {
+    KrlValue value = find(from);
+    if (value != null) {
+      set(name, value);
+    }
+  }
+
+  private void setAxesIfGiven(String array, String from) throws ProgramFault {
+    KrlValue percent = find(from);
+    if (percent != null) {
+      setAxes(array, percent);
+    }
   }
 
   private static int number(KrlValue value) throws ProgramFault {
@@ -117,6 +150,18 @@ final class Bas {
     try {
       return scope.read(Path.parse(name));
     } catch (RefusedException e) {
+      throw ProgramFault.of("BAS: " + name, e);
+    }
+  }
+
+  /** Gives the value of what there has to be, or null if it has none. */
+  private @Nullable KrlValue find(String name) throws ProgramFault {
+    try {
+      return scope.read(Path.parse(name));
+    } catch (RefusedException e) {
+      if (e.reason() == Refusal.NOT_INITIALISED) {
+        return null;
+      }
       throw ProgramFault.of("BAS: " + name, e);
     }
   }

@@ -1,6 +1,7 @@
 package no.hials.crosscom.mock.internal.program;
 
 import java.util.Optional;
+import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlStruct;
 
 /** What the interpreter of a program asks of the controller around it. */
@@ -90,9 +91,10 @@ public interface Environment {
   Optional<KrlStruct> inverse(KrlStruct position, KrlStruct start);
 
   /**
-   * Takes a message for the operator.
+   * Learns why the program has stopped.
    *
-   * @param message the message
+   * @param fault the fault
+   * @param position where it is
    */
-  void message(Message message);
+  void fault(ProgramFault fault, Position position);
 }

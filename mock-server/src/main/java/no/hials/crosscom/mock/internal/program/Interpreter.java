@@ -3,6 +3,7 @@ package no.hials.crosscom.mock.internal.program;
 import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.mock.ProgramState;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
@@ -23,20 +24,6 @@ public final class Interpreter {
     SUBMIT
   }
 
-  /** What {@code $PRO_STATE} tells (krl.md 2.4). */
-  public enum State {
-    /** No program is selected: {@code #P_FREE}. */
-    FREE,
-    /** The program stands at its first line: {@code #P_RESET}. */
-    RESET,
-    /** It runs: {@code #P_ACTIVE}. */
-    ACTIVE,
-    /** It was stopped and can go on: {@code #P_STOP}. */
-    STOP,
-    /** It has come to its end: {@code #P_END}. */
-    END
-  }
-
   /**
    * A routine that is being executed.
    *
@@ -49,7 +36,7 @@ public final class Interpreter {
 
   private final Environment environment;
   private final Machine machine;
-  private State state = State.FREE;
+  private ProgramState state = ProgramState.FREE;
   private @Nullable Program program;
   private List<KrlValue> arguments = List.of();
 
@@ -75,13 +62,13 @@ public final class Interpreter {
    *     nothing has changed
    */
   public boolean select(Program newProgram, List<KrlValue> newArguments) throws ProgramFault {
-    if (state == State.ACTIVE) {
+    if (state == ProgramState.ACTIVE) {
       return false;
     }
     machine.begin(newProgram.main(), newArguments);
     program = newProgram;
     arguments = List.copyOf(newArguments);
-    state = State.RESET;
+    state = ProgramState.RESET;
     return true;
   }
 
@@ -91,13 +78,13 @@ public final class Interpreter {
    * @return false if none is selected or it is active
    */
   public boolean start() {
-    if (state == State.END) {
+    if (state == ProgramState.END) {
       reset();
     }
-    if (state != State.RESET && state != State.STOP) {
+    if (state != ProgramState.RESET && state != ProgramState.STOP) {
       return false;
     }
-    state = State.ACTIVE;
+    state = ProgramState.ACTIVE;
     return true;
   }
 
@@ -107,10 +94,10 @@ public final class Interpreter {
    * @return false if it is not active
    */
   public boolean stop() {
-    if (state != State.ACTIVE) {
+    if (state != ProgramState.ACTIVE) {
       return false;
     }
-    state = State.STOP;
+    state = ProgramState.STOP;
     return true;
   }
 
@@ -121,7 +108,7 @@ public final class Interpreter {
    */
   public boolean reset() {
     Program selected = program;
-    if (state == State.ACTIVE || selected == null) {
+    if (state == ProgramState.ACTIVE || selected == null) {
       return false;
     }
     try {
@@ -129,7 +116,7 @@ public final class Interpreter {
     } catch (ProgramFault e) {
       throw new IllegalStateException("the arguments fitted when the program was selected", e);
     }
-    state = State.RESET;
+    state = ProgramState.RESET;
     return true;
   }
 
@@ -139,12 +126,12 @@ public final class Interpreter {
    * @return false if none is selected or it is active
    */
   public boolean cancel() {
-    if (state == State.ACTIVE || program == null) {
+    if (state == ProgramState.ACTIVE || program == null) {
       return false;
     }
     machine.clear();
     program = null;
-    state = State.FREE;
+    state = ProgramState.FREE;
     return true;
   }
 
@@ -155,24 +142,19 @@ public final class Interpreter {
    * @return how many were
    */
   public int run(int maxInstructions) {
-    if (state != State.ACTIVE) {
+    if (state != ProgramState.ACTIVE) {
       return 0;
     }
     try {
       machine.run(maxInstructions);
       if (machine.ended()) {
-        state = State.END;
+        state = ProgramState.END;
       } else if (machine.halted()) {
-        state = State.STOP;
+        state = ProgramState.STOP;
       }
     } catch (ProgramFault fault) {
-      state = State.STOP;
-      environment.message(
-          new Message(
-              Message.Kind.ACKNOWLEDGEMENT,
-              fault.number(),
-              String.valueOf(fault.getMessage()),
-              machine.faultPosition()));
+      state = ProgramState.STOP;
+      environment.fault(fault, machine.faultPosition());
     }
     return machine.executed();
   }
@@ -191,7 +173,7 @@ public final class Interpreter {
    *
    * @return what {@code $PRO_STATE} tells
    */
-  public State state() {
+  public ProgramState state() {
     return state;
   }
 

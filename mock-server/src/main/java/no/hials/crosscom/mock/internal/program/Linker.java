@@ -69,7 +69,7 @@ final class Linker {
 
   /** Declares the routines of a module; gives what is wrong so far. */
   private List<KrlError> declare(String key, Module module) {
-    List<KrlError> errors = new ArrayList<>(module.dataErrors());
+    List<KrlError> errors = new ArrayList<>();
     Map<String, CompiledRoutine> own = new HashMap<>();
     boolean first = true;
     for (Routine routine : module.source().routines()) {

@@ -49,17 +49,34 @@ public final class ProgramLibrary {
    *
    * @param source its routines, in which the parser has found nothing wrong
    * @param data its data list, or null
-   * @return what is wrong in the data list; {@link #check} says what is wrong in the routines
+   * @return what is wrong in the data list, and then nothing has changed; {@link #check} says what
+   *     is wrong in the routines
    */
   public List<KrlError> put(SourceFile source, @Nullable DataList data) {
     List<KrlError> errors = new ArrayList<>();
     Scope scope = new Scope(globals);
-    if (data != null) {
-      DataListLoader.load(data, scope, globals, errors::add);
+    boolean done = data == null || globals.attempt(() -> load(data, scope, errors));
+    if (done) {
+      modules.put(Scope.key(source.name()), new Module(source, scope));
+      linked = null;
     }
-    modules.put(Scope.key(source.name()), new Module(source, scope, List.copyOf(errors)));
-    linked = null;
     return List.copyOf(errors);
+  }
+
+  private boolean load(DataList data, Scope scope, List<KrlError> errors) {
+    DataListLoader.load(data, scope, globals, errors::add);
+    return errors.isEmpty();
+  }
+
+  /**
+   * Sets up the variables of a module again that is there already.
+   *
+   * @param data its data list
+   * @return what is wrong in the data list; then nothing has changed
+   */
+  public List<KrlError> put(DataList data) {
+    Module module = modules.get(Scope.key(data.name()));
+    return module == null ? List.of() : put(module.source(), data);
   }
 
   /**

@@ -164,6 +164,10 @@ final class StatementCompiler {
 
   private void action(Statement.Action action) {
     if (action instanceof Statement.Assignment assignment) {
+      if (Scope.key(assignment.target().name()).equals("$CYCFLAG")) {
+        // its expression would have to be looked at again in each cycle (krl.md 2.6)
+        context.error(assignment.position(), "cyclic flags are not supported by this simulation");
+      }
       expressions.write(assignment.target(), () -> expressions.compile(assignment.value()));
     } else if (action instanceof Statement.Call call) {
       expressions.call(call.position(), call.name(), call.arguments(), false);

@@ -2,6 +2,7 @@ package no.hials.crosscom.mock.internal.program;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import no.hials.crosscom.mock.ProgramState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -226,7 +227,7 @@ class ControlFlowTest {
   @Test
   void stopsAtHaltAndGoesOn() {
     Rig rig = new Rig().start("DEF TEST()\nI = 1\nHALT\nI = 2\nEND\n").cycle();
-    assertThat(rig.interpreter.state()).isEqualTo(Interpreter.State.STOP);
+    assertThat(rig.interpreter.state()).isEqualTo(ProgramState.STOP);
     assertThat(rig.get("I")).isEqualTo("1");
     assertThat(rig.line()).isEqualTo(4);
 
@@ -234,7 +235,7 @@ class ControlFlowTest {
     rig.cycle();
 
     assertThat(rig.get("I")).isEqualTo("2");
-    assertThat(rig.interpreter.state()).isEqualTo(Interpreter.State.END);
+    assertThat(rig.interpreter.state()).isEqualTo(ProgramState.END);
   }
 
   @Test

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.mock.internal.data.Path;
 import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.mock.internal.data.Scope;
@@ -16,6 +17,9 @@ import no.hials.crosscom.protocol.value.KrlValue;
 final class FakeRobot implements Environment {
   static final long CYCLE_MILLIS = 12;
 
+  /** Why a program has stopped. */
+  record Fault(int number, String text, Position position) {}
+
   private final Scope globals;
   private final Deque<Deque<MotionOrder>> aside = new ArrayDeque<>();
   private Deque<MotionOrder> motions = new ArrayDeque<>();
@@ -26,7 +30,7 @@ final class FakeRobot implements Environment {
   final List<String> log = new ArrayList<>();
 
   final List<MotionOrder> orders = new ArrayList<>();
-  final List<Message> messages = new ArrayList<>();
+  final List<Fault> faults = new ArrayList<>();
 
   /** Whether kinematics have an answer. */
   boolean reaches = true;
@@ -128,7 +132,7 @@ final class FakeRobot implements Environment {
   }
 
   @Override
-  public void message(Message message) {
-    messages.add(message);
+  public void fault(ProgramFault fault, Position position) {
+    faults.add(new Fault(fault.number(), String.valueOf(fault.getMessage()), position));
   }
 }

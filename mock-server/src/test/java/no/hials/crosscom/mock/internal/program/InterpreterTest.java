@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.tuple;
 
 import java.util.List;
+import no.hials.crosscom.mock.ProgramState;
 import no.hials.crosscom.mock.internal.program.Interpreter.Level;
-import no.hials.crosscom.mock.internal.program.Interpreter.State;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
 import org.junit.jupiter.api.Test;
@@ -18,7 +18,7 @@ class InterpreterTest {
   void hasNoProgramAtFirst() {
     Interpreter interpreter = new Rig().interpreter;
 
-    assertThat(interpreter.state()).isEqualTo(State.FREE);
+    assertThat(interpreter.state()).isEqualTo(ProgramState.FREE);
     assertThat(interpreter.program()).isEmpty();
     assertThat(interpreter.levels()).isEmpty();
     assertThat(interpreter.start()).isFalse();
@@ -32,12 +32,12 @@ class InterpreterTest {
   void goesFromStateToState() {
     Rig rig = new Rig().load(WAITING).select("TEST");
     Interpreter interpreter = rig.interpreter;
-    assertThat(interpreter.state()).isEqualTo(State.RESET);
+    assertThat(interpreter.state()).isEqualTo(ProgramState.RESET);
     assertThat(interpreter.program().map(Program::name)).contains("TEST");
     assertThat(rig.line()).isEqualTo(2);
 
     assertThat(interpreter.start()).isTrue();
-    assertThat(interpreter.state()).isEqualTo(State.ACTIVE);
+    assertThat(interpreter.state()).isEqualTo(ProgramState.ACTIVE);
     assertThat(interpreter.start()).isFalse();
     assertThat(interpreter.reset()).isFalse();
     assertThat(interpreter.cancel()).isFalse();
@@ -45,16 +45,16 @@ class InterpreterTest {
     assertThat(rig.line()).isEqualTo(3);
 
     assertThat(interpreter.stop()).isTrue();
-    assertThat(interpreter.state()).isEqualTo(State.STOP);
+    assertThat(interpreter.state()).isEqualTo(ProgramState.STOP);
     assertThat(interpreter.run(100)).isZero();
 
     assertThat(interpreter.start()).isTrue();
     rig.set("$IN[1]", "TRUE").cycle();
-    assertThat(interpreter.state()).isEqualTo(State.END);
+    assertThat(interpreter.state()).isEqualTo(ProgramState.END);
     assertThat(interpreter.levels()).isEmpty();
 
     assertThat(interpreter.cancel()).isTrue();
-    assertThat(interpreter.state()).isEqualTo(State.FREE);
+    assertThat(interpreter.state()).isEqualTo(ProgramState.FREE);
     assertThat(interpreter.program()).isEmpty();
   }
 
@@ -63,14 +63,14 @@ class InterpreterTest {
     Rig rig = new Rig().start(WAITING).cycle();
     rig.interpreter.stop();
     assertThat(rig.interpreter.reset()).isTrue();
-    assertThat(rig.interpreter.state()).isEqualTo(State.RESET);
+    assertThat(rig.interpreter.state()).isEqualTo(ProgramState.RESET);
 
     rig.interpreter.start();
     assertThat(rig.cycle().get("I")).isEqualTo("2");
 
     rig.set("$IN[1]", "TRUE").cycle();
     assertThat(rig.interpreter.start()).isTrue();
-    assertThat(rig.cycle().interpreter.state()).isEqualTo(State.END);
+    assertThat(rig.cycle().interpreter.state()).isEqualTo(ProgramState.END);
   }
 
   @Test
@@ -90,7 +90,7 @@ class InterpreterTest {
         .hasMessage("TEST has 1 parameters, was given 2");
     assertThatThrownBy(() -> rig.interpreter.select(program, List.of(new KrlBool(true))))
         .hasMessage("N: needs INT, was given TRUE");
-    assertThat(rig.interpreter.state()).isEqualTo(State.FREE);
+    assertThat(rig.interpreter.state()).isEqualTo(ProgramState.FREE);
   }
 
   @Test

@@ -3,6 +3,7 @@ package no.hials.crosscom.mock.internal.program;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.tuple;
 
+import no.hials.crosscom.mock.ProgramState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -279,7 +280,7 @@ class InterruptTest {
     Rig rig = moving("BRAKE\nHALT\nI = 1");
 
     rig.set("$IN[1]", "TRUE").cycle();
-    assertThat(rig.interpreter.state()).isEqualTo(Interpreter.State.STOP);
+    assertThat(rig.interpreter.state()).isEqualTo(ProgramState.STOP);
 
     rig.interpreter.start();
     rig.cycle();
@@ -301,7 +302,7 @@ class InterruptTest {
 
     rig.cycle();
     rig.endMotion();
-    assertThat(rig.interpreter.state()).isEqualTo(Interpreter.State.END);
+    assertThat(rig.interpreter.state()).isEqualTo(ProgramState.END);
   }
 
   @Test
@@ -417,6 +418,6 @@ class InterruptTest {
 
     rig.set("$STOPMESS", "TRUE").cycles(2).set("$IN[16]", "TRUE").cycle();
 
-    assertThat(rig.interpreter.state()).isEqualTo(Interpreter.State.END);
+    assertThat(rig.interpreter.state()).isEqualTo(ProgramState.END);
   }
 }

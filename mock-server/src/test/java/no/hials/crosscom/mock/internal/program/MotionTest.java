@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import no.hials.crosscom.lang.Statement.Approximation;
+import no.hials.crosscom.mock.ProgramState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -13,7 +14,7 @@ class MotionTest {
 
   private static MotionOrder order(String statement) {
     Rig rig = new Rig().start("DEF TEST()\n" + statement + "\nEND\n").cycle();
-    assertThat(rig.robot.messages).isEmpty();
+    assertThat(rig.robot.faults).isEmpty();
     return rig.robot.orders.get(0);
   }
 
@@ -169,7 +170,7 @@ class MotionTest {
     assertThat(rig.line()).isBetween(4, 5);
 
     rig.endMotion();
-    if (rig.interpreter.state() == Interpreter.State.STOP) {
+    if (rig.interpreter.state() == ProgramState.STOP) {
       rig.interpreter.start();
     }
 
@@ -219,12 +220,12 @@ class MotionTest {
   @Test
   void endsWhenTheRobotHasEndedItsMotions() {
     Rig rig = new Rig().start("DEF TEST()\nPTP F\nEND\n").cycles(3);
-    assertThat(rig.interpreter.state()).isEqualTo(Interpreter.State.ACTIVE);
+    assertThat(rig.interpreter.state()).isEqualTo(ProgramState.ACTIVE);
     assertThat(rig.line()).isEqualTo(3);
 
     rig.endMotion();
 
-    assertThat(rig.interpreter.state()).isEqualTo(Interpreter.State.END);
+    assertThat(rig.interpreter.state()).isEqualTo(ProgramState.END);
   }
 
   // triggers
@@ -284,7 +285,7 @@ class MotionTest {
     assertThat(rig.get("I")).isEqualTo("6");
     assertThat(rig.get("J")).isEqualTo("6");
     assertThat(rig.robot.log).contains("pulse 6 true 6.0");
-    assertThat(rig.interpreter.state()).isEqualTo(Interpreter.State.END);
+    assertThat(rig.interpreter.state()).isEqualTo(ProgramState.END);
   }
 
   @ParameterizedTest
@@ -323,7 +324,7 @@ class MotionTest {
     other.start();
     other.run(100);
 
-    assertThat(other.state()).isEqualTo(Interpreter.State.END);
+    assertThat(other.state()).isEqualTo(ProgramState.END);
     assertThat(rig.get("$OUT[2]")).isEqualTo("TRUE");
   }
 }

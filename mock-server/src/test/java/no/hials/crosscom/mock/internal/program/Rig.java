@@ -10,6 +10,7 @@ import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.SourceFile;
+import no.hials.crosscom.mock.ProgramState;
 import no.hials.crosscom.mock.internal.data.DataListLoader;
 import no.hials.crosscom.mock.internal.data.Path;
 import no.hials.crosscom.mock.internal.data.RefusedException;
@@ -168,8 +169,8 @@ final class Rig {
   /** Executes a module to its end, which must come within a cycle. */
   Rig run(String source) {
     start(source).cycle();
-    assertThat(robot.messages).isEmpty();
-    assertThat(interpreter.state()).isEqualTo(Interpreter.State.END);
+    assertThat(robot.faults).isEmpty();
+    assertThat(interpreter.state()).isEqualTo(ProgramState.END);
     return this;
   }
 
@@ -191,10 +192,10 @@ final class Rig {
 
   /** Gives number, line and text of the message that the program has stopped with. */
   String fault() {
-    assertThat(interpreter.state()).isEqualTo(Interpreter.State.STOP);
-    assertThat(robot.messages).hasSize(1);
-    Message message = robot.messages.get(0);
-    return message.number() + " line " + message.position().line() + ": " + message.text();
+    assertThat(interpreter.state()).isEqualTo(ProgramState.STOP);
+    assertThat(robot.faults).hasSize(1);
+    FakeRobot.Fault fault = robot.faults.get(0);
+    return fault.number() + " line " + fault.position().line() + ": " + fault.text();
   }
 
   int line() {

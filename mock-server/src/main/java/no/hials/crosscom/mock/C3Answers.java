@@ -1,0 +1,184 @@
+package no.hials.crosscom.mock;
+
+import java.nio.ByteBuffer;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import no.hials.crosscom.protocol.AccessResult;
+import no.hials.crosscom.protocol.BenchmarkResponse;
+import no.hials.crosscom.protocol.Bytes;
+import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.ContentResponse;
+import no.hials.crosscom.protocol.ContentSizeResponse;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.Features;
+import no.hials.crosscom.protocol.FeaturesResponse;
+import no.hials.crosscom.protocol.FileProperties;
+import no.hials.crosscom.protocol.FilePropertiesResponse;
+import no.hials.crosscom.protocol.InformationResponse;
+import no.hials.crosscom.protocol.ListDirectoryResponse;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.MotionResponse;
+import no.hials.crosscom.protocol.MultipleResponse;
+import no.hials.crosscom.protocol.PendantKeyResponse;
+import no.hials.crosscom.protocol.PlainResponse;
+import no.hials.crosscom.protocol.ProgramControlResponse;
+import no.hials.crosscom.protocol.ReadDataResponse;
+import no.hials.crosscom.protocol.ReadMultipleRequest;
+import no.hials.crosscom.protocol.ReadResponse;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.protocol.ServerInformation;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.SystemTime;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TextResponse;
+import no.hials.crosscom.protocol.WriteDataResponse;
+import no.hials.crosscom.protocol.WriteMultipleRequest;
+import no.hials.crosscom.protocol.WriteResponse;
+import no.hials.crosscom.protocol.code.BuildType;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.ContentOperation;
+import no.hials.crosscom.protocol.code.MotionType;
+import no.hials.crosscom.protocol.code.PendantKey;
+import no.hials.crosscom.protocol.code.ProgramCommand;
+
+/**
+ * Makes answers that say nothing but what they repeat of the request: those of C3 Bridge to
+ * malformed requests (c3-vectors.tsv), and those of somebody's choice.
+ */
+final class C3Answers {
+  /** What an answer's length field counts, without function and tail. */
+  static final int FIELDS = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 1 - 3;
+
+  private static final int OFFSET_FIELD = 1;
+
+  /** What stands before the text of an answer of type 13, which has the least room for it. */
+  private static final int INFORMATION = 3 + 8 * 2;
+
+  private C3Answers() {}
+
+  /** Makes the tail of an answer. */
+  static Tail tail(ErrorCode code) {
+    return new Tail(code.code(), code == ErrorCode.SUCCESS ? 1 : 0);
+  }
+
+  /** Answers a request whose fields are malformed, or that has no room for its results. */
+  static Response empty(int id, MessageType type, byte[] fields, Tail tail) {
+    return answer(id, type, fields, List.of(), "", tail);
+  }
+
+  /** Makes an answer with a value and a tail of somebody's choice. */
+  static Response scripted(Request request, String value, Tail tail) {
+    byte[] frame = Codec.encode(request);
+    byte[] fields = Arrays.copyOfRange(frame, Codec.HEADER_LENGTH + 1, frame.length);
+    int count = 0;
+    if (request instanceof ReadMultipleRequest read) {
+      count = read.names().size();
+    } else if (request instanceof WriteMultipleRequest write) {
+      count = write.assignments().size();
+    }
+    Code<ErrorCode> code = new Code<>(ErrorCode.class, tail.code() & 0xFF);
+    String item = count == 0 ? "" : cut(value, (FIELDS - 1) / count - 1);
+    List<AccessResult> results = Collections.nCopies(count, new AccessResult(code, item));
+    boolean latin1 = request.type().isKnownTo(ServerType.KUKAVARPROXY);
+    String text = latin1 ? value : cut(value, FIELDS - INFORMATION);
+    return answer(request.id(), request.type(), fields, results, text, tail);
+  }
+
+  /** Leaves as much of a text as fits into these bytes as a WSTRING. */
+  private static String cut(String value, int bytes) {
+    return value.substring(0, Math.max(0, Math.min(value.length(), (bytes - 2) / 2)));
+  }
+
+  private static Response answer(
+      int id,
+      MessageType type,
+      byte[] fields,
+      List<AccessResult> results,
+      String value,
+      Tail tail) {
+    int first = fields.length == 0 ? 0 : fields[0] & 0xFF;
+    return switch (type) {
+      case READ -> new ReadResponse(id, value, tail);
+      case WRITE -> new WriteResponse(id, value, tail);
+      case READ_UTF16, WRITE_UTF16, FULL_NAME, KRC_NAME -> new TextResponse(id, type, value, tail);
+      case READ_MULTIPLE, WRITE_MULTIPLE -> new MultipleResponse(id, type, results, tail);
+      case PROGRAM_CONTROL ->
+          new ProgramControlResponse(id, new Code<>(ProgramCommand.class, first), tail);
+      case MOTION -> new MotionResponse(id, new Code<>(MotionType.class, first), tail);
+      case PENDANT_KEY -> new PendantKeyResponse(id, new Code<>(PendantKey.class, first), tail);
+      case INFORMATION -> new InformationResponse(id, information(value), tail);
+      case FEATURES -> new FeaturesResponse(id, features(value), tail);
+      case BENCHMARK -> benchmark(id, fields, tail);
+      case LIST_DIRECTORY -> new ListDirectoryResponse(id, lines(value), List.of(), tail);
+      case FILE_PROPERTIES -> new FilePropertiesResponse(id, FileProperties.NONE, tail);
+      case WRITE_CONTENT, READ_CONTENT -> content(id, type, fields, tail);
+      case READ_ARRAY,
+          WRITE_ARRAY,
+          SET_ATTRIBUTES,
+          CREATE_FILE,
+          DELETE_FILE,
+          COPY_FILE,
+          MOVE_FILE,
+          CONFIRM_ALL ->
+          new PlainResponse(id, type, tail);
+    };
+  }
+
+  /** Gives the items of a directory, one a line, as many as fit. */
+  private static List<String> lines(String value) {
+    List<String> lines = new ArrayList<>();
+    int left = FIELDS - 2 - 2;
+    for (String line : value.lines().toList()) {
+      left -= 2 + 2 * line.length();
+      if (left >= 0) {
+        lines.add(line);
+      }
+    }
+    return lines;
+  }
+
+  private static ServerInformation information(String computerName) {
+    return new ServerInformation(
+        0, 0, Code.of(BuildType.OPEN_SOURCE), SystemTime.of(Instant.EPOCH), computerName);
+  }
+
+  /** Reads digits as those of {@code @PROXY_FEATURES}: the last is that of message 0. */
+  private static Features features(String digits) {
+    Set<Integer> types = new TreeSet<>();
+    for (int type = 0; type < Math.min(digits.length(), 256); type++) {
+      if (digits.charAt(digits.length() - 1 - type) == '1') {
+        types.add(type);
+      }
+    }
+    return new Features(types);
+  }
+
+  /** Repeats what came of {@code write, count, iterations}. */
+  private static Response benchmark(int id, byte[] fields, Tail tail) {
+    ByteBuffer in = ByteBuffer.wrap(Arrays.copyOf(fields, 1 + 1 + 4));
+    boolean write = in.get() != 0;
+    int count = Byte.toUnsignedInt(in.get());
+    return new BenchmarkResponse(
+        id, write, count, Integer.toUnsignedLong(in.getInt()), 0, 0, 0, tail);
+  }
+
+  private static Response content(int id, MessageType type, byte[] fields, Tail tail) {
+    Code<ContentOperation> operation = new Code<>(ContentOperation.class, fields[0] & 0xFF);
+    if (operation.is(ContentOperation.BEGIN) || operation.is(ContentOperation.SIZE)) {
+      return new ContentSizeResponse(id, type, operation.known().orElseThrow(), 0, tail);
+    }
+    if (!operation.is(ContentOperation.DATA)) {
+      return new ContentResponse(id, type, operation, tail);
+    }
+    long offset = Integer.toUnsignedLong(ByteBuffer.wrap(fields).getInt(OFFSET_FIELD));
+    return type == MessageType.WRITE_CONTENT
+        ? new WriteDataResponse(id, offset, 0, tail)
+        : new ReadDataResponse(id, offset, Bytes.of(new byte[0]), tail);
+  }
+}

@@ -1,0 +1,304 @@
+package no.hials.crosscom.mock;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import no.hials.crosscom.lang.Statement.MotionKind;
+import no.hials.crosscom.mock.internal.kernel.Kernel;
+import no.hials.crosscom.mock.internal.program.ProgramFault;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.MotionRequest;
+import no.hials.crosscom.protocol.MotionResponse;
+import no.hials.crosscom.protocol.PendantKeyRequest;
+import no.hials.crosscom.protocol.PendantKeyResponse;
+import no.hials.crosscom.protocol.PlainRequest;
+import no.hials.crosscom.protocol.PlainResponse;
+import no.hials.crosscom.protocol.ProgramControlRequest;
+import no.hials.crosscom.protocol.ProgramControlResponse;
+import no.hials.crosscom.protocol.ProgramSelectRequest;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.protocol.code.MotionType;
+import no.hials.crosscom.protocol.code.PendantKey;
+import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Executes the requests of C3 Bridge for the controller: types 10 to 12 and 63.
+ *
+ * <p>Assumed, since the reference has only {@code ARGUMENT} for an interpreter and a position that
+ * are none, and {@code NOT_IMPLEMENTED} for an unknown command or key: {@code ARGUMENT} for other
+ * arguments that make no sense, {@code ACCESS} for what the state of the controller does not allow,
+ * such as its mode, and {@code GENERAL} for a program that is not there or has errors and for a
+ * position out of reach.
+ */
+final class C3Control {
+  private static final Logger log = LoggerFactory.getLogger(C3Control.class);
+
+  private static final int ROBOT_AXES = 6;
+  private static final String[] MOUSE = {"X", "Y", "Z", "A", "B", "C"};
+
+  /** A difference that leads out of the reach of the arm, mm, and hardly a half turn, degrees. */
+  private static final double FAR = 2500;
+
+  private static final double FAR_TURN = 170;
+  private static final int FIRST_ANGLE = 3;
+
+  private final Supplier<Controller> controller;
+  private final FileTree files;
+  private @Nullable TreePrograms programs;
+
+  C3Control(Supplier<Controller> controller, FileTree files) {
+    this.controller = controller;
+    this.files = files;
+  }
+
+  /** Gives the programs among the files; from the first time on, changes of files are seen. */
+  private TreePrograms programs() {
+    TreePrograms known = programs;
+    if (known == null) {
+      known = new TreePrograms(files, controller.get());
+      programs = known;
+    }
+    return known;
+  }
+
+  /** Prepares for a change of the files. */
+  void watchFiles() {
+    programs();
+  }
+
+  /** Something that a controller can refuse. */
+  private interface Work {
+    ErrorCode run() throws KrlFileException, ProgramFault;
+  }
+
+  Response handle(Request request) {
+    if (request instanceof ProgramControlRequest control) {
+      Tail tail = attempt(request, () -> control(control));
+      return new ProgramControlResponse(request.id(), control.command(), tail);
+    }
+    if (request instanceof ProgramSelectRequest select) {
+      Tail tail = attempt(request, () -> select(select));
+      return new ProgramControlResponse(request.id(), select.command(), tail);
+    }
+    if (request instanceof MotionRequest motion) {
+      return new MotionResponse(
+          request.id(), motion.motion(), attempt(request, () -> move(motion)));
+    }
+    if (request instanceof PendantKeyRequest key) {
+      return new PendantKeyResponse(request.id(), key.key(), attempt(request, () -> press(key)));
+    }
+    if (request instanceof PlainRequest plain) {
+      controller.get().confirmAll();
+      return new PlainResponse(request.id(), plain.type(), Tail.SUCCESS);
+    }
+    throw new IllegalArgumentException("no request for the controller: " + request);
+  }
+
+  private static Tail attempt(Request request, Work work) {
+    ErrorCode code;
+    String why = "";
+    try {
+      code = work.run();
+    } catch (IllegalStateException e) {
+      code = ErrorCode.ACCESS;
+      why = e.getMessage();
+    } catch (IllegalArgumentException e) {
+      code = ErrorCode.ARGUMENT;
+      why = e.getMessage();
+    } catch (KrlFileException e) {
+      code = ErrorCode.GENERAL;
+      why = e.getMessage();
+    } catch (ProgramFault e) {
+      code = e.number() == ProgramFault.WRONG_TYPE ? ErrorCode.ARGUMENT : ErrorCode.GENERAL;
+      why = e.getMessage();
+    }
+    if (code != ErrorCode.SUCCESS) {
+      log.debug("{} refused: {} {}", request, code, why);
+    }
+    return C3Answers.tail(code);
+  }
+
+  // type 10
+
+  private ProgramControl interpreter(Code<Interpreter> number) {
+    return number
+        .known()
+        .map(
+            known ->
+                known == Interpreter.ROBOT ? controller.get().robot() : controller.get().submit())
+        .orElseThrow(
+            () -> new IllegalArgumentException("the interpreter must be 0 or 1, is " + number));
+  }
+
+  private ErrorCode control(ProgramControlRequest request) {
+    ProgramCommand command = request.command().known().orElse(null);
+    if (command == null) {
+      return ErrorCode.NOT_IMPLEMENTED;
+    }
+    ProgramControl program = interpreter(request.interpreter());
+    switch (command) {
+      case RESET -> program.reset();
+      case START -> program.start();
+      case STOP -> program.stop();
+      case CANCEL -> program.cancel();
+      default -> throw new IllegalArgumentException("no command without a name: " + command);
+    }
+    return ErrorCode.SUCCESS;
+  }
+
+  /** Assumed: the robot interpreter's; force stops a program that is active. */
+  private ErrorCode select(ProgramSelectRequest request) throws KrlFileException {
+    if (request.name().isBlank()) {
+      throw new IllegalArgumentException("the name of a program must not be blank");
+    }
+    List<KrlValue> parameters = parameters(request.parameters());
+    ProgramControl robot = controller.get().robot();
+    if (request.force() && robot.state() == ProgramState.ACTIVE) {
+      robot.stop();
+    }
+    robot.select(programs().prepare(request.name()), parameters);
+    if (request.command().is(ProgramCommand.RUN)) {
+      robot.start();
+    }
+    return ErrorCode.SUCCESS;
+  }
+
+  /** Reads values with commas between them (assumed). */
+  private static List<KrlValue> parameters(String text) {
+    List<KrlValue> values = new ArrayList<>();
+    if (text.isBlank()) {
+      return values;
+    }
+    int depth = 0;
+    boolean quoted = false;
+    int start = 0;
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      quoted ^= c == '"';
+      if (!quoted && c == '{') {
+        depth++;
+      } else if (!quoted && c == '}') {
+        depth--;
+      } else if (!quoted && c == ',' && depth == 0) {
+        values.add(value(text.substring(start, i)));
+        start = i + 1;
+      }
+    }
+    values.add(value(text.substring(start)));
+    return values;
+  }
+
+  private static KrlValue value(String text) {
+    try {
+      return KrlValue.parse(text.strip());
+    } catch (KrlSyntaxException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+  }
+
+  // type 11
+
+  private ErrorCode move(MotionRequest request) throws ProgramFault {
+    MotionType type = request.motion().known().orElse(null);
+    if (type == null) {
+      return ErrorCode.NOT_IMPLEMENTED;
+    }
+    if (!(value(request.position()) instanceof KrlStruct position)) {
+      throw new IllegalArgumentException("a position, was '" + request.position() + "'");
+    }
+    controller.get().kernel().move(MotionKind.valueOf(type.name()), position);
+    return ErrorCode.SUCCESS;
+  }
+
+  // type 12
+
+  /**
+   * Assumed: as on the pendant, the start key has to be held in T1 and T2, and only there the robot
+   * can be jogged, with {@code $OV_JOG}. The number of the 6D mouse is 1 to 6 for X, Y, Z, A, B and
+   * C of {@code $BASE}; the key code says nothing more. A jog key stays pressed when its connection
+   * ends, until some client releases it.
+   */
+  private ErrorCode press(PendantKeyRequest request) throws ProgramFault {
+    PendantKey key = request.key().known().orElse(null);
+    if (key == null) {
+      return ErrorCode.NOT_IMPLEMENTED;
+    }
+    return switch (key) {
+      case START -> startKey(request);
+      case STOP -> stopKey(request);
+      case JOG -> jog(request, MotionKind.PTP, axis(request));
+      case MOUSE -> jog(request, MotionKind.LIN_REL, difference(request));
+    };
+  }
+
+  private ErrorCode startKey(PendantKeyRequest request) {
+    Code<Interpreter> number = new Code<>(Interpreter.class, request.number());
+    ProgramControl program = interpreter(number);
+    // c3-vectors.tsv, "12 key start, interpreter 1, forward": 0 is forward
+    if (request.direction()) {
+      return ErrorCode.NOT_IMPLEMENTED;
+    }
+    if (!request.released()) {
+      program.start();
+    } else if (number.is(Interpreter.ROBOT) && controller.get().mode().manual()) {
+      program.stop();
+    }
+    return ErrorCode.SUCCESS;
+  }
+
+  private ErrorCode stopKey(PendantKeyRequest request) {
+    ProgramControl program = interpreter(new Code<>(Interpreter.class, request.number()));
+    if (!request.released()) {
+      program.stop();
+    }
+    return ErrorCode.SUCCESS;
+  }
+
+  private ErrorCode jog(PendantKeyRequest request, MotionKind kind, KrlStruct target)
+      throws ProgramFault {
+    Kernel kernel = controller.get().kernel();
+    if (request.released()) {
+      kernel.releaseJog();
+    } else {
+      kernel.jog(kind, target);
+    }
+    return ErrorCode.SUCCESS;
+  }
+
+  private static int axisIndex(PendantKeyRequest request) {
+    if (request.number() < 1 || request.number() > ROBOT_AXES) {
+      throw new IllegalArgumentException(
+          "the axis must be 1 to " + ROBOT_AXES + ", is " + request.number());
+    }
+    return request.number() - 1;
+  }
+
+  private KrlStruct axis(PendantKeyRequest request) {
+    int axis = axisIndex(request);
+    Controller machine = controller.get();
+    double end =
+        request.direction() ? machine.model().maximum(axis) : machine.model().minimum(axis);
+    return position("E6AXIS", "A" + (axis + 1), end);
+  }
+
+  private static KrlStruct difference(PendantKeyRequest request) {
+    int axis = axisIndex(request);
+    double far = axis < FIRST_ANGLE ? FAR : FAR_TURN;
+    return position("FRAME", MOUSE[axis], request.direction() ? far : -far);
+  }
+
+  private static KrlStruct position(String type, String field, double value) {
+    return new KrlStruct(type, List.of(new KrlStruct.Field(field, KrlReal.of(value))));
+  }
+}

@@ -1,0 +1,308 @@
+package no.hials.crosscom.mock;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.mock.Handler.Outcome;
+import no.hials.crosscom.mock.internal.data.RefusedException;
+import no.hials.crosscom.protocol.AccessResult;
+import no.hials.crosscom.protocol.Assignment;
+import no.hials.crosscom.protocol.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.BenchmarkResponse;
+import no.hials.crosscom.protocol.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.MultipleResponse;
+import no.hials.crosscom.protocol.ReadMultipleRequest;
+import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.ReadResponse;
+import no.hials.crosscom.protocol.ReadUtf16Request;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TextResponse;
+import no.hials.crosscom.protocol.WriteMultipleRequest;
+import no.hials.crosscom.protocol.WriteRequest;
+import no.hials.crosscom.protocol.WriteResponse;
+import no.hials.crosscom.protocol.WriteUtf16Request;
+import no.hials.crosscom.protocol.code.Code;
+import org.jspecify.annotations.Nullable;
+
+/** Executes the requests of C3 Bridge for variables: types 0, 1, 4 to 7 and 17. */
+final class C3Variables {
+  /** c3-bridge.md, type 17: at most 10 are used. */
+  private static final int BENCHMARKED = 10;
+
+  private static final long U32 = 0xFFFF_FFFFL;
+  private static final int NANOS_PER_MILLI = 1_000_000;
+
+  private final VariableTable variables;
+  private final BridgeVariables internal;
+  private final MockServerConfig config;
+
+  C3Variables(VariableTable variables, BridgeVariables internal, MockServerConfig config) {
+    this.variables = variables;
+    this.internal = internal;
+    this.config = config;
+  }
+
+  /**
+   * What came of one access.
+   *
+   * @param value the value that was read or is echoed
+   * @param code how it ended
+   * @param refused why it was refused, if it was
+   */
+  private record Result(String value, ErrorCode code, @Nullable RefusedException refused) {
+    Result(String value) {
+      this(value, ErrorCode.SUCCESS, null);
+    }
+  }
+
+  Outcome handle(Request request) {
+    if (request instanceof ReadRequest read) {
+      return read(read);
+    }
+    if (request instanceof WriteRequest write) {
+      return write(write);
+    }
+    if (request instanceof ReadUtf16Request read) {
+      return read(read);
+    }
+    if (request instanceof WriteUtf16Request write) {
+      return write(write);
+    }
+    if (request instanceof ReadMultipleRequest read) {
+      return read(read);
+    }
+    if (request instanceof WriteMultipleRequest write) {
+      return write(write);
+    }
+    if (request instanceof BenchmarkReadRequest read) {
+      return benchmark(read);
+    }
+    if (request instanceof BenchmarkWriteRequest write) {
+      return benchmark(write);
+    }
+    throw new IllegalArgumentException("no request for variables: " + request);
+  }
+
+  // one access
+
+  private Result read(String name) {
+    try {
+      String text = variables.read(name);
+      return new Result(config.trimValues() ? text.strip() : text);
+    } catch (RefusedException e) {
+      // krl.md 1.8: the controller is asked first
+      String own = config.ping() ? internal.find(name) : internal.findProxy(name);
+      return own == null ? new Result("", code(name), e) : new Result(own);
+    }
+  }
+
+  /** Gives the text that was sent, also if it was refused. */
+  private Result write(String name, String value) {
+    try {
+      variables.write(name, value, config.maxAggregateLength());
+      return new Result(value);
+    } catch (RefusedException e) {
+      return new Result(value, isReadOnly(name) ? ErrorCode.ACCESS : code(name), e);
+    }
+  }
+
+  private Result readWide(String name) {
+    Result result = read(name);
+    return new Result(CodePage.widen(result.value()), result.code(), result.refused());
+  }
+
+  private Result writeWide(String name, String value) {
+    Result result = write(name, CodePage.narrow(value));
+    return new Result(value, result.code(), result.refused());
+  }
+
+  /** c3-vectors.tsv, "4 read empty name"; the code of anything else is assumed. */
+  private static ErrorCode code(String name) {
+    return name.isEmpty() ? ErrorCode.ARGUMENT : ErrorCode.GENERAL;
+  }
+
+  /** c3-vectors.tsv, "5 write read-only variable": the code, whatever is written. */
+  private boolean isReadOnly(String name) {
+    String variable = name.strip().split("[.\\[]", 2)[0];
+    return variables
+        .describe(variable)
+        .filter(declared -> declared.access() == Access.READ_ONLY)
+        .isPresent();
+  }
+
+  // types 0, 1, 4 and 5
+
+  private Outcome read(ReadRequest request) {
+    Result result = read(request.name());
+    String value = result.value();
+    if (value.length() > RequestHandler.MAX_VALUE) {
+      return tooLong();
+    }
+    Tail tail = result.refused() == null ? Tail.SUCCESS : config.failedRead().tail();
+    return new Outcome(new ReadResponse(request.id(), value, tail), result.refused());
+  }
+
+  private static Outcome tooLong() {
+    return new Outcome(
+        null, new RefusedException(Refusal.TOO_LONG, "the value does not fit into the answer"));
+  }
+
+  private Outcome write(WriteRequest request) {
+    Result result = write(request.name(), request.value());
+    boolean done = result.refused() == null;
+    return new Outcome(
+        new WriteResponse(
+            request.id(),
+            done ? result.value() : "",
+            done ? Tail.SUCCESS : config.failedWriteTail()),
+        result.refused());
+  }
+
+  private Outcome read(ReadUtf16Request request) {
+    Result result = readWide(request.name());
+    if (2 + 2L * result.value().length() > C3Answers.FIELDS) {
+      return tooLong();
+    }
+    return text(request, result.value(), result.code(), result.refused());
+  }
+
+  private Outcome write(WriteUtf16Request request) {
+    Result result = writeWide(request.name(), request.value());
+    // krl.md 1.6: what was sent, not what the controller stored
+    String value = result.refused() == null ? result.value() : "";
+    return text(request, value, result.code(), result.refused());
+  }
+
+  private static Outcome text(
+      Request request, String value, ErrorCode code, @Nullable RefusedException refused) {
+    return new Outcome(
+        new TextResponse(request.id(), request.type(), value, C3Answers.tail(code)), refused);
+  }
+
+  // types 6 and 7
+
+  private Outcome read(ReadMultipleRequest request) {
+    if (!internal.hasRight(request.type())) {
+      return wrong(request);
+    }
+    Batch batch = new Batch();
+    for (String name : request.names()) {
+      batch.add(readWide(name));
+    }
+    return batch.answer(request);
+  }
+
+  private Outcome write(WriteMultipleRequest request) {
+    if (!internal.hasRight(request.type())) {
+      return wrong(request);
+    }
+    Batch batch = new Batch();
+    for (Assignment item : request.assignments()) {
+      Result written = writeWide(item.name(), item.value());
+      batch.add(written.refused() == null ? readBack(item) : written);
+    }
+    if (request.assignments().size() < request.count()) {
+      // c3-bridge.md: a truncated batch applies its leading items, then answers code 9
+      return new Outcome(
+          C3Answers.empty(
+              request.id(), request.type(), new byte[0], C3Answers.tail(ErrorCode.PROTOCOL)),
+          batch.refused);
+    }
+    return batch.answer(request);
+  }
+
+  private Result readBack(Assignment item) {
+    Result read = readWide(item.name());
+    return read.refused() == null ? read : new Result(item.value());
+  }
+
+  /** See {@link MockServerConfig#version}. */
+  private static Outcome wrong(Request request) {
+    return new Outcome(
+        C3Answers.empty(
+            request.id(), request.type(), new byte[0], C3Answers.tail(ErrorCode.NOT_IMPLEMENTED)),
+        null);
+  }
+
+  /** The results of several accesses. */
+  private static final class Batch {
+    private final List<AccessResult> results = new ArrayList<>();
+    private long length = 1;
+    private @Nullable RefusedException refused;
+
+    void add(Result result) {
+      results.add(new AccessResult(Code.of(result.code()), result.value()));
+      length += 1 + 2 + 2L * result.value().length();
+      if (refused == null) {
+        refused = result.refused();
+      }
+    }
+
+    Outcome answer(Request request) {
+      if (length > C3Answers.FIELDS) {
+        // of type 7 assumed
+        Tail tail = C3Answers.tail(ErrorCode.LONG_ANSWER);
+        return new Outcome(
+            C3Answers.empty(request.id(), request.type(), new byte[0], tail), tooLong().refused());
+      }
+      // c3-bridge.md: code 0 and flag false if some failed; assumed: also if all did
+      Tail tail = refused == null ? Tail.SUCCESS : Tail.FAILURE_ZERO;
+      return new Outcome(
+          new MultipleResponse(request.id(), request.type(), results, tail), refused);
+    }
+  }
+
+  // type 17
+
+  /** One access of a benchmark. */
+  private interface Trial {
+    Result run();
+  }
+
+  private Outcome benchmark(BenchmarkReadRequest request) {
+    List<Trial> trials = new ArrayList<>();
+    request.names().forEach(name -> trials.add(() -> readWide(name)));
+    return benchmark(request, false, request.iterations(), trials);
+  }
+
+  private Outcome benchmark(BenchmarkWriteRequest request) {
+    List<Trial> trials = new ArrayList<>();
+    request.assignments().forEach(item -> trials.add(() -> writeWide(item.name(), item.value())));
+    return benchmark(request, true, request.iterations(), trials);
+  }
+
+  /** Assumed: the first access that is refused ends it. So does the end of the server. */
+  private static Outcome benchmark(
+      Request request, boolean write, long iterations, List<Trial> trials) {
+    List<Trial> used = trials.subList(0, Math.min(BENCHMARKED, trials.size()));
+    RefusedException refused = null;
+    long start = millis();
+    for (long i = 0; i < iterations && refused == null && !used.isEmpty(); i++) {
+      for (Trial trial : used) {
+        refused = refused == null ? trial.run().refused() : refused;
+      }
+      if (Thread.currentThread().isInterrupted()) {
+        break;
+      }
+    }
+    long stop = millis();
+    Response response =
+        new BenchmarkResponse(
+            request.id(),
+            write,
+            trials.size(),
+            iterations,
+            start,
+            stop,
+            (stop - start) & U32,
+            refused == null ? Tail.SUCCESS : Tail.FAILURE_ZERO);
+    return new Outcome(response, refused);
+  }
+
+  /** Gives a time since some moment, as Windows does with 32 bits. */
+  private static long millis() {
+    return (System.nanoTime() / NANOS_PER_MILLI) & U32;
+  }
+}

@@ -1,0 +1,270 @@
+package no.hials.crosscom.mock;
+
+import java.io.IOException;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.function.Predicate;
+import no.hials.crosscom.mock.internal.files.FileRefusedException;
+import no.hials.crosscom.mock.internal.files.Item;
+import no.hials.crosscom.mock.internal.files.Transfer;
+import no.hials.crosscom.mock.internal.files.Tree;
+import no.hials.crosscom.protocol.BeginReadRequest;
+import no.hials.crosscom.protocol.BeginWriteRequest;
+import no.hials.crosscom.protocol.Bytes;
+import no.hials.crosscom.protocol.ContentRequest;
+import no.hials.crosscom.protocol.ContentResponse;
+import no.hials.crosscom.protocol.ContentSizeResponse;
+import no.hials.crosscom.protocol.CopyFileRequest;
+import no.hials.crosscom.protocol.CreateFileRequest;
+import no.hials.crosscom.protocol.DeleteFileRequest;
+import no.hials.crosscom.protocol.EndWriteRequest;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.FileNameRequest;
+import no.hials.crosscom.protocol.FileProperties;
+import no.hials.crosscom.protocol.FilePropertiesRequest;
+import no.hials.crosscom.protocol.FilePropertiesResponse;
+import no.hials.crosscom.protocol.ItemTime;
+import no.hials.crosscom.protocol.ListDirectoryRequest;
+import no.hials.crosscom.protocol.ListDirectoryResponse;
+import no.hials.crosscom.protocol.MalformedRequestException;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.PlainResponse;
+import no.hials.crosscom.protocol.ReadDataRequest;
+import no.hials.crosscom.protocol.ReadDataResponse;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.SetAttributesRequest;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TextResponse;
+import no.hials.crosscom.protocol.TypedResponse;
+import no.hials.crosscom.protocol.WriteDataRequest;
+import no.hials.crosscom.protocol.WriteDataResponse;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.ContentOperation;
+import no.hials.crosscom.protocol.code.FileAttribute;
+import no.hials.crosscom.protocol.code.FileProperty;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.code.ItemType;
+
+/**
+ * Answers the messages 20 to 30 of one connection as C3 Bridge does (c3-bridge.md, "Messages";
+ * c3-vectors.tsv). It has two buffers, one for writing and one for reading; that each connection
+ * has its own is assumed.
+ *
+ * <p>For one thread at a time; those of other connections may be at work on the same tree.
+ */
+final class FileMessages implements AutoCloseable {
+  private final Tree tree;
+  private final Predicate<String> selected;
+  private final Transfer writing;
+  private final Transfer reading;
+
+  /**
+   * Begins a connection.
+   *
+   * @param files the files
+   * @param selected whether the module of a name in capital letters is selected, which is when its
+   *     files cannot be changed (assumed)
+   */
+  FileMessages(FileTree files, Predicate<String> selected) {
+    tree = files.tree();
+    this.selected = selected;
+    writing = new Transfer(tree);
+    reading = new Transfer(tree);
+  }
+
+  /** Ends the connection. */
+  @Override
+  public void close() {
+    writing.close();
+    reading.close();
+  }
+
+  /** Answers a request of a type from 20 to 30. */
+  TypedResponse handle(Request request) {
+    if (request instanceof ListDirectoryRequest list) {
+      return list(list);
+    } else if (request instanceof FilePropertiesRequest properties) {
+      return properties(properties);
+    } else if (request instanceof FileNameRequest name) {
+      return name(name);
+    } else if (request instanceof WriteDataRequest data) {
+      int written = writing.write(data.offset(), data.data());
+      return new WriteDataResponse(data.id(), data.offset(), written, Tail.SUCCESS);
+    } else if (request instanceof ReadDataRequest data) {
+      Bytes found = reading.read(data.offset(), data.size());
+      return new ReadDataResponse(data.id(), data.offset(), found, Tail.SUCCESS);
+    } else if (request instanceof BeginWriteRequest begin) {
+      Tail tail = run(() -> writing.begin(begin.size()));
+      return size(begin, ContentOperation.BEGIN, tail);
+    } else if (request instanceof BeginReadRequest begin) {
+      return beginRead(begin);
+    } else if (request instanceof EndWriteRequest end) {
+      Tail tail = run(() -> end(end));
+      return content(end, Code.of(ContentOperation.END), tail);
+    } else if (request instanceof ContentRequest content) {
+      return content(content);
+    }
+    return new PlainResponse(request.id(), request.type(), run(() -> change(request)));
+  }
+
+  private interface Work {
+    void run() throws IOException;
+  }
+
+  private static Tail run(Work work) {
+    try {
+      work.run();
+      return Tail.SUCCESS;
+    } catch (IOException e) {
+      return failure(e);
+    }
+  }
+
+  private static Tail failure(IOException e) {
+    return failure(e instanceof FileRefusedException refused ? refused.code() : ErrorCode.GENERAL);
+  }
+
+  private static Tail failure(ErrorCode code) {
+    return new Tail(code.code(), 0);
+  }
+
+  private void change(Request request) throws IOException {
+    if (request instanceof SetAttributesRequest set) {
+      tree.setAttributes(set.name(), set.attributes(), set.mask());
+    } else if (request instanceof CreateFileRequest create) {
+      // measured for 0, assumed for unknown numbers
+      ItemType type = create.itemType().known().orElse(ItemType.UNKNOWN);
+      tree.create(
+          create.name(), type, create.parts(), create.always(), create.template(), selected);
+    } else if (request instanceof DeleteFileRequest delete) {
+      tree.delete(delete.name(), delete.always(), selected);
+    } else if (request instanceof CopyFileRequest copy) {
+      if (copy.type() == MessageType.COPY_FILE) {
+        tree.copy(copy.source(), copy.destination(), copy.flags(), selected);
+      } else {
+        tree.move(copy.source(), copy.destination(), copy.flags(), selected);
+      }
+    } else {
+      throw new IllegalArgumentException("the type must be 20 to 30, is " + request.type());
+    }
+  }
+
+  private ListDirectoryResponse list(ListDirectoryRequest request) {
+    try {
+      Tree.Listed found = tree.list(request.path(), request.types(), request.flags());
+      return new ListDirectoryResponse(request.id(), found.names(), found.infos(), Tail.SUCCESS);
+    } catch (IOException e) {
+      return new ListDirectoryResponse(request.id(), List.of(), List.of(), failure(e));
+    }
+  }
+
+  private FilePropertiesResponse properties(FilePropertiesRequest request) {
+    try {
+      FileProperties found = properties(tree.item(request.name()), request.properties());
+      return new FilePropertiesResponse(request.id(), found, Tail.SUCCESS);
+    } catch (IOException e) {
+      return new FilePropertiesResponse(request.id(), FileProperties.NONE, failure(e));
+    }
+  }
+
+  private FileProperties properties(Item item, Flags<FileProperty> wanted) {
+    FileProperties none = FileProperties.NONE;
+    return new FileProperties(
+        wanted.has(FileProperty.TYPE) ? Code.of(item.type()) : none.itemType(),
+        wanted.has(FileProperty.SIZE) ? item.size() : 0,
+        wanted.has(FileProperty.ATTRIBUTES)
+            ? new Flags<>(FileAttribute.class, item.attributes())
+            : none.attributes(),
+        time(wanted.has(FileProperty.CREATION), item.created()),
+        time(wanted.has(FileProperty.ACCESS), item.accessed()),
+        time(wanted.has(FileProperty.MODIFICATION), item.modified()),
+        wanted.has(FileProperty.EDIT_MODE) ? Code.of(item.editMode()) : none.editMode(),
+        wanted.has(FileProperty.NAME) ? item.path().name() : "");
+  }
+
+  private ItemTime time(boolean wanted, Instant time) {
+    return wanted
+        ? new ItemTime(
+            time.truncatedTo(ChronoUnit.MICROS), tree.biasMinutes(time)) // a FILETIME has 100 ns
+        : ItemTime.NONE;
+  }
+
+  private TextResponse name(FileNameRequest request) {
+    try {
+      String name =
+          request.type() == MessageType.FULL_NAME
+              ? tree.fullName(request.path())
+              : tree.krcName(request.path());
+      return new TextResponse(request.id(), request.type(), name, Tail.SUCCESS);
+    } catch (IOException e) {
+      return new TextResponse(request.id(), request.type(), "", failure(e));
+    }
+  }
+
+  private ContentSizeResponse beginRead(BeginReadRequest request) {
+    // so that what cannot be read leaves nothing behind that a client takes for it; assumed
+    reading.close();
+    Tail tail = run(() -> reading.begin(tree.read(request.name())));
+    return size(request, ContentOperation.BEGIN, tail);
+  }
+
+  /** Stores what was written; if that fails the buffer stays (c3-bridge.md, "Common"). */
+  private void end(EndWriteRequest request) throws IOException {
+    if (!writing.isOpen()) {
+      throw new FileRefusedException(ErrorCode.UNEXPECTED, "nothing was begun"); // assumed
+    }
+    tree.write(request.name(), writing.content(), request.flags(), selected);
+    writing.close();
+  }
+
+  private TypedResponse content(ContentRequest request) {
+    if (request.operation().is(ContentOperation.SIZE)) {
+      return size(request, ContentOperation.SIZE, Tail.SUCCESS);
+    }
+    if (request.operation().is(ContentOperation.END)) {
+      reading.close();
+      return content(request, request.operation(), Tail.SUCCESS);
+    }
+    return content(request, request.operation(), failure(ErrorCode.NOT_IMPLEMENTED));
+  }
+
+  private static ContentResponse content(
+      Request request, Code<ContentOperation> operation, Tail tail) {
+    return new ContentResponse(request.id(), request.type(), operation, tail);
+  }
+
+  private ContentSizeResponse size(Request request, ContentOperation operation, Tail tail) {
+    return size(request.id(), request.type(), operation, tail);
+  }
+
+  private ContentSizeResponse size(
+      int id, MessageType type, ContentOperation operation, Tail tail) {
+    int size = (type == MessageType.WRITE_CONTENT ? writing : reading).size();
+    return new ContentSizeResponse(id, type, operation, size, tail);
+  }
+
+  /**
+   * Answers a request of a type from 20 to 30 whose fields are malformed (c3-vectors.tsv, the rows
+   * with code 9).
+   */
+  TypedResponse malformed(MalformedRequestException request) {
+    int id = request.id();
+    MessageType type = request.type();
+    Tail tail = failure(ErrorCode.PROTOCOL);
+    return switch (type) {
+      case LIST_DIRECTORY -> new ListDirectoryResponse(id, List.of(), List.of(), tail);
+      case FILE_PROPERTIES -> new FilePropertiesResponse(id, FileProperties.NONE, tail);
+      case FULL_NAME, KRC_NAME -> new TextResponse(id, type, "", tail);
+      case WRITE_CONTENT, READ_CONTENT -> malformedContent(id, type, request.fields(), tail);
+      default -> new PlainResponse(id, type, tail);
+    };
+  }
+
+  /** Measured for the data and the beginning of writing, assumed for the rest. */
+  private TypedResponse malformedContent(int id, MessageType type, byte[] fields, Tail tail) {
+    return fields.length > 0 && fields[0] == ContentOperation.BEGIN.code()
+        ? size(id, type, ContentOperation.BEGIN, tail)
+        : new PlainResponse(id, type, tail);
+  }
+}

@@ -1,0 +1,133 @@
+package no.hials.crosscom.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import no.hials.crosscom.mock.Controller;
+import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.mock.ProgramControl;
+
+/**
+ * What a person would do at the pendant before the robot runs.
+ *
+ * @param configs data lists
+ * @param programs modules, of which the first of each interpreter is selected
+ * @param mode the operating mode
+ * @param start whether what was selected is started
+ */
+record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mode, boolean start) {
+
+  /** Says what is wrong with the names of the files, or nothing. */
+  Optional<String> mistake() {
+    for (Path file : configs) {
+      if (!hasEnding(file, ".dat")) {
+        return Optional.of("--config needs a .dat file, is " + file);
+      }
+    }
+    for (Path file : programs) {
+      if (!hasEnding(file, ".src") && !isSubmit(file)) {
+        return Optional.of("--program needs a .src or .sub file, is " + file);
+      }
+    }
+    return start && programs.isEmpty()
+        ? Optional.of("--start needs a --program")
+        : Optional.empty();
+  }
+
+  private static boolean hasEnding(Path file, String ending) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(ending);
+  }
+
+  private static boolean isSubmit(Path file) {
+    return hasEnding(file, ".sub");
+  }
+
+  /** Does it, and gives lines that say what was done. */
+  List<String> apply(Controller controller) throws FileException {
+    List<String> lines = new ArrayList<>();
+    for (Path file : configs) {
+      lines.add("loaded " + load(controller, file) + " from " + file);
+    }
+    // selected when all are there, since one may call another
+    Optional<Module> submit = Optional.empty();
+    Optional<Module> robot = Optional.empty();
+    for (Path file : programs) {
+      Module module = new Module(load(controller, file), file);
+      lines.add("loaded " + module.name() + " from " + file);
+      if (isSubmit(file)) {
+        submit = submit.or(() -> Optional.of(module));
+      } else {
+        robot = robot.or(() -> Optional.of(module));
+      }
+    }
+    controller.setMode(mode);
+    if (submit.isPresent()) {
+      select(controller.submit(), submit.get());
+    }
+    if (robot.isPresent()) {
+      select(controller.robot(), robot.get());
+    }
+    if (start) {
+      lines.addAll(start(controller, submit.isPresent(), robot.isPresent()));
+    }
+    lines.add(controller.toString());
+    return lines;
+  }
+
+  /**
+   * A module that was loaded.
+   *
+   * @param name its name
+   * @param file where it came from
+   */
+  private record Module(String name, Path file) {}
+
+  private static String load(Controller controller, Path file) throws FileException {
+    try {
+      return controller.load(file);
+    } catch (KrlFileException e) {
+      throw new FileException(file + " has errors, it was not loaded:\n" + e.getMessage(), e);
+    } catch (IOException e) {
+      throw new FileException("cannot read " + file + ": " + reason(e), e);
+    }
+  }
+
+  /** Gives the reason; the message of most of these exceptions is the file's name only. */
+  private static String reason(IOException e) {
+    return switch (e.getClass().getSimpleName()) {
+      case "NoSuchFileException" -> "there is no such file";
+      case "AccessDeniedException" -> "access is denied";
+      default -> String.valueOf(e.getMessage());
+    };
+  }
+
+  private static void select(ProgramControl interpreter, Module module) throws FileException {
+    try {
+      interpreter.select(module.name());
+    } catch (KrlFileException e) {
+      throw new FileException(module.file() + " cannot be selected:\n" + e.getMessage(), e);
+    }
+  }
+
+  /** Starts the programs; a robot that may not be started stands, as a message will say. */
+  private List<String> start(Controller controller, boolean submit, boolean robot) {
+    if (submit) {
+      controller.submit().start();
+    }
+    try {
+      if (robot && mode == OperatingMode.EXT) {
+        controller.externalStart();
+      } else if (robot) {
+        controller.robot().start();
+      }
+      return List.of();
+    } catch (IllegalStateException e) {
+      // the submit program runs already, and may have stopped with a message
+      return List.of("not started: " + e.getMessage());
+    }
+  }
+}

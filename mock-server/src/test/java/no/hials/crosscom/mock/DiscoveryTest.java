@@ -10,6 +10,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -42,8 +43,11 @@ class DiscoveryTest {
   }
 
   private void ask(MockServer server, String question) throws IOException {
+    ask(server.discoveryPort().orElseThrow(), question);
+  }
+
+  private void ask(int port, String question) throws IOException {
     byte[] bytes = question.getBytes(StandardCharsets.ISO_8859_1);
-    int port = server.discoveryPort().orElseThrow();
     asking.send(new DatagramPacket(bytes, bytes.length, InetAddress.getLoopbackAddress(), port));
   }
 
@@ -120,5 +124,68 @@ class DiscoveryTest {
     try (MockServer server = MockServer.start(cfg -> cfg.port(free))) {
       assertThat(server.port()).isEqualTo(free);
     }
+  }
+
+  @Test
+  void isOffInStandardModeUnlessToldOtherwise() throws IOException {
+    try (MockServer server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
+      assertThat(server.standardDiscoveryPort()).isEmpty();
+    }
+  }
+
+  @Test
+  void answersInStandardModeToThePortThatTheQuestionCameFrom() throws IOException {
+    try (MockServer server = c3()) {
+      server.variables().remove("$KR_SERIALNO");
+      ask(server.standardDiscoveryPort().orElseThrow(), QUESTION);
+      assertThat(receive(asking)).isEqualTo("KUKA|\"#KR6R900 C4SR FLR 230\"|");
+      ask(server.standardDiscoveryPort().orElseThrow(), "@PROXY_PORT");
+      assertThat(receive(asking)).isEqualTo(String.valueOf(server.port()));
+    }
+  }
+
+  @Test
+  void tellsAsC3BridgeNothingButWhatItSaysOfItself() throws IOException {
+    try (MockServer server = c3()) {
+      int port = server.standardDiscoveryPort().orElseThrow();
+      for (String garbage : List.of("", "PING", "$OV_PRO", "@PROXY_", QUESTION + "\r\n")) {
+        ask(port, garbage);
+      }
+      ask(port, "@PROXY_ENABLED\0" + "x".repeat(40));
+      // the first answer is that to the last datagram
+      assertThat(receive(asking)).isEqualTo("TRUE");
+    }
+  }
+
+  @Test
+  void closesAllThatWasOpenIfTheStandardModeCannotListen() throws IOException {
+    int taken = asking.getLocalPort();
+    int free;
+    int freeUdp;
+    try (MockServer server = c3()) {
+      free = server.port();
+      freeUdp = server.discoveryPort().orElseThrow();
+    }
+    assertThatThrownBy(
+            () ->
+                MockServer.start(
+                    cfg ->
+                        cfg.server(ServerType.C3_BRIDGE)
+                            .port(free)
+                            .discoveryPort(freeUdp)
+                            .standardDiscoveryPort(taken)))
+        .hasMessageContaining("cannot listen on UDP");
+    try (MockServer server = MockServer.start(cfg -> cfg.port(free).discoveryPort(freeUdp))) {
+      assertThat(server.port()).isEqualTo(free);
+    }
+  }
+
+  private static MockServer c3() throws IOException {
+    return MockServer.start(
+        cfg ->
+            cfg.server(ServerType.C3_BRIDGE)
+                .discoveryPort(0)
+                .discoveryReplyPort(0)
+                .standardDiscoveryPort(0));
   }
 }

@@ -11,6 +11,7 @@ import no.hials.crosscom.protocol.ReadRequest;
 import no.hials.crosscom.protocol.ReadResponse;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.WriteRequest;
 import no.hials.crosscom.protocol.WriteResponse;
 import org.jspecify.annotations.Nullable;
@@ -24,6 +25,7 @@ public final class RawClient implements AutoCloseable {
 
   private final Socket socket;
   private final InputStream in;
+  private final ServerType type;
   private @Nullable FrameReader frames;
 
   public RawClient(MockServer server) throws IOException {
@@ -31,6 +33,7 @@ public final class RawClient implements AutoCloseable {
     socket.setTcpNoDelay(true);
     socket.setSoTimeout(GIVE_UP_MILLIS);
     in = socket.getInputStream();
+    type = server.config().server();
   }
 
   void send(String hex) throws IOException {
@@ -76,7 +79,7 @@ public final class RawClient implements AutoCloseable {
       throw new IOException("the server closed the connection");
     }
     byte[] frame = Arrays.copyOf(frames.buffer(), length);
-    return Codec.decodeResponse(frame);
+    return Codec.decodeResponse(frame, type);
   }
 
   public ReadResponse read(String name) throws IOException {

@@ -15,7 +15,8 @@ import java.util.function.Consumer;
  * @param maxAggregateLength how many bytes the text of a written aggregate may have, default 255
  *     (kukavarproxy.md); zero for no limit
  * @param maxRequestLength how many bytes a request may have, default 2048: KUKAVARPROXY takes no
- *     more at a time and loses the rest (kukavarproxy.md); 16 to 65539
+ *     more at a time and loses the rest (kukavarproxy.md); 16 to 65539. The messages that only C3
+ *     Bridge knows may have 65539 whatever this says
  * @param reconnect whether a broken connection is made anew by itself, default true
  * @param reconnectBackoff how long to wait after a first failed attempt to connect again; twice as
  *     long after each further one; default 100 ms

@@ -11,6 +11,7 @@ import java.net.UnknownHostException;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.SocketChannel;
+import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
@@ -19,6 +20,9 @@ import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.FrameReader;
 import no.hials.crosscom.protocol.MalformedFrameException;
 import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.TypedResponse;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -212,10 +216,12 @@ final class Connection {
    * @param frame the request; its id is not sent
    * @param id the id to be sent instead
    * @param type its type
-   * @param name the variable, for error messages
+   * @param effect what it does
+   * @param name the variable, or what is done, for error messages
    */
-  void exchange(byte[] frame, int id, MessageType type, String name) throws CrossComException {
-    boolean write = type == MessageType.WRITE;
+  void exchange(byte[] frame, int id, MessageType type, Effect effect, String name)
+      throws CrossComException {
+    boolean write = effect == Effect.CHANGE;
     if (out.capacity() < frame.length) {
       out = ByteBuffer.allocateDirect(frame.length);
     }
@@ -281,7 +287,34 @@ final class Connection {
   }
 
   private static String what(MessageType type, String name) {
-    return (type == MessageType.WRITE ? "write of " : "read of ") + name;
+    return switch (type) {
+      case READ -> "read of " + name;
+      case WRITE -> "write of " + name;
+      default -> name;
+    };
+  }
+
+  /**
+   * Gives the answer of the last exchange as a message.
+   *
+   * @param answerClass the class that it has unless it says failure
+   * @param effect what the request did
+   * @param what what was done, for error messages
+   */
+  TypedResponse decoded(Class<? extends TypedResponse> answerClass, Effect effect, String what)
+      throws CrossComProtocolException {
+    try {
+      Response response =
+          Codec.decodeResponse(
+              Arrays.copyOf(reader.buffer(), answerLength()), ServerType.C3_BRIDGE);
+      if (response instanceof TypedResponse typed
+          && (answerClass.isInstance(typed) || !typed.tail().success())) {
+        return typed;
+      }
+      throw answer.malformed("must be a " + answerClass.getSimpleName() + ", is " + response);
+    } catch (MalformedFrameException e) {
+      throw violated(e, what, effect == Effect.CHANGE);
+    }
   }
 
   private int answerLength() {
@@ -300,7 +333,9 @@ final class Connection {
       if (answer.function() != type.code()) {
         throw answer.malformed("function must be " + type.code() + ", is " + answer.function());
       }
-      answer.openValue();
+      if (type == MessageType.READ || type == MessageType.WRITE) {
+        answer.openValue();
+      }
     } catch (MalformedFrameException e) {
       throw violated(e, what(type, name), write);
     }

@@ -6,7 +6,6 @@ import java.net.InetAddress;
 import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
@@ -25,19 +24,32 @@ import no.hials.crosscom.KRL.KRLRealArray;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLStruct;
+import no.hials.crosscom.c3.Files;
+import no.hials.crosscom.c3.Information;
+import no.hials.crosscom.c3.Motion;
+import no.hials.crosscom.c3.Pendant;
+import no.hials.crosscom.c3.Programs;
+import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.ReadUtf16Request;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TextResponse;
+import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.WriteRequest;
+import no.hials.crosscom.protocol.WriteUtf16Request;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads and writes the variables of a KUKA robot controller on which KUKAVARPROXY runs.
+ * Reads and writes the variables of a KUKA robot controller on which KUKAVARPROXY or C3 Bridge
+ * Interface runs.
  *
  * <p><b>A write can move a machine.</b> The client never repeats a write; if its outcome is
  * unknown, {@link CrossComException#isOutcomeUnknown} says so.
@@ -53,19 +65,35 @@ import org.jspecify.annotations.Nullable;
  * a new one, unless {@link ClientConfig#reconnect} says otherwise. A read that was under way when
  * the connection broke is repeated once; a write never is.
  *
+ * <p>The client finds out by itself which of the two servers there is, when that matters, and uses
+ * what it has: on C3 Bridge, texts beyond ISO 8859-1, messages for several variables, and the
+ * objects that {@link #programs}, {@link #motion}, {@link #pendant}, {@link #files} and {@link
+ * #information} give.
+ *
  * <p>The client runs these daemon threads, where PORT is the server's: {@code
  * crosscom-watchdog-PORT} enforces the time-out; {@code crosscom-keepalive-PORT} uses the
  * connection when the program does not; {@code crosscom-events-PORT} calls the {@link
  * ConnectionListener}, {@code crosscom-async-PORT} does what the {@code ...Async} methods were
- * asked for, and {@code crosscom-callback-PORT} runs what the program does with the results, all
- * three only while there is something to do. Each {@link Watch} has threads of its own.
+ * asked for, {@code crosscom-files-PORT} does so for transfers of files, and {@code
+ * crosscom-callback-PORT} runs what the program does with the results, all four only while there is
+ * something to do. Each {@link Watch} has threads of its own.
  */
 public final class CrossComClient implements Closeable {
   private static final ArrayProgress NO_PROGRESS = (done, total) -> {};
 
+  /** A longer text makes no answer in UTF-16: 65,535 bytes less type, length and tail, halved. */
+  private static final int MAX_UTF16_ANSWER = 32_764;
+
   private final ClientConfig config;
   private final Link link;
+  private final Messages messages;
+  private final Programs programs;
+  private final Motion motion;
+  private final Pendant pendant;
+  private final Files files;
+  private final Information information;
   private final ThreadPoolExecutor async;
+  private final ThreadPoolExecutor transfers;
   private final Executor callbacks;
   private final ReentrantLock lock;
   private final Set<Watch> watches = ConcurrentHashMap.newKeySet();
@@ -97,6 +125,13 @@ public final class CrossComClient implements Closeable {
     this.lock = link.lock();
     this.callbacks = Threads.forCallbacks("crosscom-callback-" + config.port());
     this.async = Threads.lazy("crosscom-async-" + config.port());
+    this.transfers = Threads.lazy("crosscom-files-" + config.port());
+    this.messages = new Messages(link, async, transfers, callbacks);
+    this.programs = new Programs(messages);
+    this.motion = new Motion(messages);
+    this.pendant = new Pendant(messages);
+    this.files = new Files(messages);
+    this.information = new Information(messages);
     link.start();
   }
 
@@ -107,6 +142,76 @@ public final class CrossComClient implements Closeable {
    */
   public ClientConfig getConfig() {
     return config;
+  }
+
+  /**
+   * Finds out which server there is. It is asked at the first need only, once for each connection;
+   * the other methods do so too where they have to know.
+   *
+   * @return the server of the connection that there is
+   * @throws CrossComException if an exchange failed
+   */
+  public Server getServer() throws IOException {
+    return messages.find("request for the kind of server", Detection::server);
+  }
+
+  /**
+   * Does what {@link #getServer} does, in another thread.
+   *
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<Server> getServerAsync() {
+    return callAsync(this::getServer);
+  }
+
+  /**
+   * Gives what selects, starts and stops programs. It needs C3 Bridge.
+   *
+   * @return always the same object; on KUKAVARPROXY its methods throw {@link
+   *     CrossComUnsupportedException}
+   */
+  public Programs programs() {
+    return programs;
+  }
+
+  /**
+   * Gives what moves the robot to positions. It needs C3 Bridge.
+   *
+   * @return always the same object; on KUKAVARPROXY its methods throw {@link
+   *     CrossComUnsupportedException}
+   */
+  public Motion motion() {
+    return motion;
+  }
+
+  /**
+   * Gives what presses keys of the teach pendant. It needs C3 Bridge.
+   *
+   * @return always the same object; on KUKAVARPROXY its methods throw {@link
+   *     CrossComUnsupportedException}
+   */
+  public Pendant pendant() {
+    return pendant;
+  }
+
+  /**
+   * Gives what works with the files of the controller. It needs C3 Bridge.
+   *
+   * @return always the same object; on KUKAVARPROXY its methods throw {@link
+   *     CrossComUnsupportedException}
+   */
+  public Files files() {
+    return files;
+  }
+
+  /**
+   * Gives what asks the server about itself, and confirms messages. It needs C3 Bridge.
+   *
+   * @return always the same object; on KUKAVARPROXY its methods throw {@link
+   *     CrossComUnsupportedException}
+   */
+  public Information information() {
+    return information;
   }
 
   /**
@@ -126,15 +231,42 @@ public final class CrossComClient implements Closeable {
   }
 
   private void readWhole(KRLVariable variable) throws CrossComException {
-    String text;
+    VariableAccess access = VariableAccess.get();
+    byte[] frame = access.readFrame(variable);
+    String name = variable.getName();
+    Exchanged wide = null;
+    String text = null;
     lock.lock();
     try {
-      read(VariableAccess.get().readFrame(variable), variable.getName());
-      text = takeInPlace(variable, false);
+      if (frame == null) {
+        wide = readUtf16(name);
+      } else {
+        read(frame, name);
+        wide = access.holdsText(variable) ? readDoubtful(name) : null;
+        text = wide == null ? takeInPlace(variable, false) : null;
+      }
     } finally {
       lock.unlock();
     }
-    takeText(variable, text, false);
+    if (wide != null) {
+      take(variable, wide, false);
+    } else {
+      takeText(variable, text, false);
+    }
+  }
+
+  /** Sets a variable from a text. The lock is not held. */
+  static void take(KRLVariable variable, Exchanged exchanged, boolean written)
+      throws CrossComValueException {
+    VariableAccess access = VariableAccess.get();
+    boolean taken;
+    try {
+      taken = access.scan(variable, new KrlScanner(exchanged.text()), written);
+    } catch (IllegalArgumentException e) {
+      throw notOfType(variable, exchanged.text(), written, e);
+    }
+    access.setReadTime(variable, exchanged.nanos());
+    takeText(variable, taken ? null : exchanged.text(), written);
   }
 
   /**
@@ -219,6 +351,10 @@ public final class CrossComClient implements Closeable {
 
   private void write(KRLVariable variable, String text) throws CrossComException {
     byte[] frame = encodeWrite(variable.getName(), text);
+    if (frame == null) {
+      takeEcho(variable, writeUtf16(variable.getName(), text));
+      return;
+    }
     String echo = null;
     lock.lock();
     try {
@@ -233,6 +369,16 @@ public final class CrossComClient implements Closeable {
       lock.unlock();
     }
     takeText(variable, echo, true);
+  }
+
+  /** Updates a variable from what the server says that it has now. The lock is not held. */
+  static void takeEcho(KRLVariable variable, Exchanged echo) throws CrossComValueException {
+    if (echo.text().isEmpty()) {
+      // done, but there is no value to update the variable from
+      VariableAccess.get().setReadTime(variable, echo.nanos());
+    } else {
+      take(variable, echo, true);
+    }
   }
 
   /**
@@ -310,16 +456,19 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Reads several variables, one after the other, in order.
+   * Reads several variables: from C3 Bridge 1.2 or later in as few messages as they fit into, from
+   * any other server one after the other, in order.
    *
    * <p>One that the controller refuses, or whose value is of another type, does not keep the others
-   * from being read. If an exchange fails, the variables behind it are not tried.
+   * from being read. If an exchange fails, so do all variables that it was for, and those behind
+   * them are not tried. An array that cannot be read whole is read element by element, as by {@link
+   * #readVariable(KRLArray, ArrayProgress)}.
    *
    * @param variables what to read
    * @return what came of each, in the same order
    */
   public List<VariableResult> readVariables(List<? extends KRLVariable> variables) {
-    return each(variables, this::readVariable, "read");
+    return Batch.read(this, messages, variables);
   }
 
   /**
@@ -333,10 +482,12 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Writes several variables, one after the other, in order.
+   * Writes several variables in order: to C3 Bridge 1.3 or later in as few messages as they fit
+   * into, to any other server one after the other. An array takes a message for each element.
    *
    * <p>One that the controller refuses does not keep the others from being written. If an exchange
-   * fails, the variables behind it are not tried.
+   * fails, the outcome of all variables that it was for may be unknown, and those behind them are
+   * not tried.
    *
    * @param variables what to write
    * @return what came of each, in the same order
@@ -344,7 +495,7 @@ public final class CrossComClient implements Closeable {
    */
   public List<VariableResult> writeVariables(List<? extends KRLVariable> variables) {
     variables.forEach(KRLVariable::getStringValue); // refuses what has no value
-    return each(variables, this::writeVariable, "written");
+    return Batch.write(this, messages, variables);
   }
 
   /**
@@ -358,53 +509,9 @@ public final class CrossComClient implements Closeable {
     return writeVariables(Arrays.asList(variables));
   }
 
-  /** Reads or writes one of several variables. */
-  @FunctionalInterface
-  private interface Access {
-    void to(KRLVariable variable) throws IOException;
-  }
-
   /** Forgets a watch that has ended. */
   void ended(Watch watch) {
     watches.remove(watch);
-  }
-
-  private static List<VariableResult> each(
-      List<? extends KRLVariable> variables, Access access, String done) {
-    List<VariableResult> results = new ArrayList<>(variables.size());
-    CrossComException broken = null;
-    for (KRLVariable variable : variables) {
-      CrossComException failure = null;
-      if (broken != null) {
-        failure = notTried(variable, broken, done);
-      } else {
-        try {
-          access.to(variable);
-        } catch (CrossComAccessException | CrossComValueException e) {
-          failure = e;
-        } catch (CrossComException e) {
-          failure = e;
-          broken = e;
-        } catch (IOException e) {
-          throw new AssertionError("the client throws only its own exceptions", e);
-        }
-      }
-      results.add(new VariableResult(variable, failure));
-    }
-    return results;
-  }
-
-  private static CrossComException notTried(
-      KRLVariable variable, CrossComException broken, String done) {
-    String message =
-        variable.getName()
-            + " was not "
-            + done
-            + ", since an exchange before it failed: "
-            + broken.getMessage();
-    return broken instanceof CrossComClosedException
-        ? new CrossComClosedException(message, broken, false)
-        : new CrossComConnectionLostException(message, broken, false);
   }
 
   /**
@@ -444,7 +551,8 @@ public final class CrossComClient implements Closeable {
    * @return its value as the controller printed it
    * @throws CrossComAccessException if the controller refused
    * @throws CrossComException if the exchange failed
-   * @throws IllegalArgumentException if the name is blank or not ISO 8859-1
+   * @throws IllegalArgumentException if the name is blank, or not ISO 8859-1 and the server is not
+   *     C3 Bridge
    */
   public String readText(String name) throws IOException {
     return read(name).text();
@@ -472,9 +580,11 @@ public final class CrossComClient implements Closeable {
    * @param value KRL text: {@code 50}, {@code TRUE}, {@code #T1}, {@code "text"} with its quotes,
    *     or an aggregate
    * @throws CrossComAccessException if the controller refused
-   * @throws CrossComValueException if the text is too long to be sent, or not ISO 8859-1
+   * @throws CrossComValueException if the text is too long to be sent, or not ISO 8859-1 and the
+   *     server is not C3 Bridge
    * @throws CrossComException if the exchange failed
-   * @throws IllegalArgumentException if the name is blank or not ISO 8859-1
+   * @throws IllegalArgumentException if the name is blank, or not ISO 8859-1 and the server is not
+   *     C3 Bridge
    */
   public void writeText(String name, String value) throws IOException {
     write(name, value);
@@ -754,17 +864,21 @@ public final class CrossComClient implements Closeable {
     return AsyncCall.submit(async, callbacks, link, call);
   }
 
-  // --- exchanges; the lock is held
+  // --- exchanges
 
   /** What an exchange gave: the value's text, and the time it took. */
-  private record Exchanged(String text, long nanos) {}
+  record Exchanged(String text, long nanos) {}
 
   private Exchanged read(String name) throws CrossComException {
-    byte[] frame = encodeRead(name);
+    if (!Latin1.has(checkName(name))) {
+      return readUtf16(name);
+    }
+    byte[] frame = Codec.encode(new ReadRequest(0, name));
     lock.lock();
     try {
       read(frame, name);
-      return exchanged();
+      Exchanged wide = readDoubtful(name);
+      return wide == null ? exchanged() : wide;
     } finally {
       lock.unlock();
     }
@@ -772,6 +886,9 @@ public final class CrossComClient implements Closeable {
 
   private Exchanged write(String name, String value) throws CrossComException {
     byte[] frame = encodeWrite(name, value);
+    if (frame == null) {
+      return writeUtf16(name, value);
+    }
     lock.lock();
     try {
       write(frame, name);
@@ -785,13 +902,98 @@ public final class CrossComClient implements Closeable {
     return new Exchanged(link.answer().toString(), link.exchangeNanos());
   }
 
-  private static byte[] encodeRead(String name) {
-    return Codec.encode(new ReadRequest(0, checkName(name)));
+  /**
+   * Reads a variable again if function 0 may not have given it as it is. The lock is held.
+   *
+   * @return nothing if the answer that there is holds; else what to take instead
+   */
+  private @Nullable Exchanged readDoubtful(String name) throws CrossComException {
+    AnswerFrame answer = link.answer();
+    if (!Latin1.isDoubtful(answer) || answer.length() > MAX_UTF16_ANSWER) {
+      return null;
+    }
+    Exchanged first = exchanged();
+    String what = "read of " + name;
+    return messages.find(what, Detection::type) == ServerType.C3_BRIDGE ? readUtf16(name) : first;
   }
 
-  private byte[] encodeWrite(String name, String value) throws CrossComValueException {
+  private Exchanged readUtf16(String name) throws CrossComException {
+    Messages.Answered answered;
+    try {
+      answered =
+          messages.exchange(new ReadUtf16Request(0, name), TextResponse.class, "read of " + name);
+    } catch (CrossComUnsupportedException e) {
+      throw new IllegalArgumentException("a variable's name " + Latin1.violation(name), e);
+    }
+    Tail tail = answered.response().tail();
+    String text = text(answered.response());
+    if (!tail.success() || text.isEmpty()) {
+      throw new CrossComAccessException(name, Operation.READ, tail.success(), tail.code());
+    }
+    return new Exchanged(text, answered.nanos());
+  }
+
+  private Exchanged writeUtf16(String name, String value) throws CrossComException {
+    Messages.Answered answered;
+    try {
+      answered =
+          messages.exchange(writeUtf16Request(name, value), TextResponse.class, "write of " + name);
+    } catch (CrossComUnsupportedException e) {
+      if (!Latin1.has(name)) {
+        throw new IllegalArgumentException("a variable's name " + Latin1.violation(name), e);
+      }
+      throw new CrossComValueException(
+          name, value, "the value cannot be sent: it " + Latin1.violation(value), e);
+    }
+    Tail tail = answered.response().tail();
+    if (!tail.success()) {
+      throw new CrossComAccessException(name, Operation.WRITE, false, tail.code());
+    }
+    return new Exchanged(text(answered.response()), answered.nanos());
+  }
+
+  private static WriteUtf16Request writeUtf16Request(String name, String value)
+      throws CrossComValueException {
+    try {
+      return new WriteUtf16Request(0, name, value);
+    } catch (IllegalArgumentException e) {
+      throw new CrossComValueException(
+          name, value, "the value cannot be sent: " + e.getMessage(), e);
+    }
+  }
+
+  /** Gives the text of an answer, which has none if it says failure. */
+  private static String text(TypedResponse response) {
+    return response instanceof TextResponse text ? text.text() : "";
+  }
+
+  /**
+   * Encodes a write.
+   *
+   * @return the frame; nothing if function 1 cannot carry the text
+   */
+  private byte @Nullable [] encodeWrite(String name, String value) throws CrossComValueException {
+    checkName(name);
+    checkAggregate(name, value);
+    if (!Latin1.has(name) || !Latin1.has(value)) {
+      return null;
+    }
+    byte[] frame;
+    try {
+      frame = Codec.encode(new WriteRequest(0, name, value));
+    } catch (IllegalArgumentException e) {
+      throw new CrossComValueException(
+          name, value, "the value cannot be sent: " + e.getMessage(), e);
+    }
+    if (frame.length > config.maxRequestLength()) {
+      throw tooLong(name, value, frame.length);
+    }
+    return frame;
+  }
+
+  /** Refuses an aggregate that is too long for the controller. */
+  void checkAggregate(String name, String value) throws CrossComValueException {
     Objects.requireNonNull(value, () -> "the value to be written to " + name);
-    byte[] frame = encoded(name, value);
     int limit = config.maxAggregateLength();
     if (limit > 0 && value.length() > limit && value.stripLeading().startsWith("{")) {
       throw new CrossComValueException(
@@ -806,10 +1008,6 @@ public final class CrossComClient implements Closeable {
               + value,
           null);
     }
-    if (frame.length > config.maxRequestLength()) {
-      throw tooLong(name, value, frame.length);
-    }
-    return frame;
   }
 
   private CrossComValueException tooLong(String name, String text, int length) {
@@ -818,16 +1016,6 @@ public final class CrossComClient implements Closeable {
         text,
         "a request must have at most " + config.maxRequestLength() + " bytes, has " + length,
         null);
-  }
-
-  private static byte[] encoded(String name, String value) throws CrossComValueException {
-    try {
-      return Codec.encode(new WriteRequest(0, checkName(name), value));
-    } catch (IllegalArgumentException e) {
-      encodeRead(name); // throws if it is the name
-      throw new CrossComValueException(
-          name, value, "the value cannot be sent: " + e.getMessage(), e);
-    }
   }
 
   private static String checkName(String name) {
@@ -941,6 +1129,7 @@ public final class CrossComClient implements Closeable {
   public void close() throws IOException {
     link.close();
     watches.forEach(Watch::close);
+    transfers.shutdown();
     async.shutdown(); // what is queued fails soon, saying that the client is closed
   }
 

@@ -14,6 +14,9 @@ public abstract sealed class CrossComException extends IOException
         CrossComConnectionLostException,
         CrossComProtocolException,
         CrossComAccessException,
+        CrossComRefusedException,
+        CrossComTransferException,
+        CrossComUnsupportedException,
         CrossComValueException,
         CrossComClosedException {
   private static final long serialVersionUID = 1L;
@@ -25,18 +28,17 @@ public abstract sealed class CrossComException extends IOException
   CrossComException(String message, @Nullable Throwable cause, boolean outcomeUnknown) {
     super(
         outcomeUnknown
-            ? message
-                + "; the outcome is unknown: the controller may or may not have done the write"
+            ? message + "; the outcome is unknown: the controller may or may not have done it"
             : message,
         cause);
     this.outcomeUnknown = outcomeUnknown;
   }
 
   /**
-   * Says whether this was a write which the controller may or may not have done. The client never
-   * repeats a write; read the variable before deciding to.
+   * Says whether this was a write or command which the controller may or may not have done. The
+   * client never repeats one; look what the controller has before deciding to.
    *
-   * @return true if so; false for a read, and for a write that was certainly not done
+   * @return true if so; false for a read, and for a write or command that was certainly not done
    */
   public boolean isOutcomeUnknown() {
     return outcomeUnknown;

@@ -11,6 +11,7 @@ import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.TypedResponse;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -114,6 +115,28 @@ final class Link {
    * @param name the variable, for error messages
    */
   void exchange(byte[] frame, MessageType type, String name) throws CrossComException {
+    begin(name);
+    makeUsable();
+    Effect effect = type == MessageType.WRITE ? Effect.CHANGE : Effect.READ;
+    try {
+      send(frame, type, effect, name);
+    } catch (CrossComConnectionLostException e) {
+      if (!mayRepeat(effect)) {
+        throw e;
+      }
+      LOG.debug("repeating the read of {} on a new connection", name);
+      connect();
+      send(frame, type, effect, name);
+    }
+  }
+
+  /** Says whether what a connection was lost with may be done again on a new one. */
+  boolean mayRepeat(Effect effect) {
+    return effect == Effect.READ && config.reconnect() && !Thread.currentThread().isInterrupted();
+  }
+
+  /** Begins an operation, unless its thread is interrupted or it was cancelled. */
+  void begin(String name) throws CrossComException {
     if (Thread.currentThread().isInterrupted()) {
       // an exchange would close the connection, and could not say whether anything was sent
       throw new CrossComConnectionLostException(
@@ -126,26 +149,14 @@ final class Link {
       call.begin();
       unsent = null;
     }
-    makeUsable();
-    try {
-      send(frame, type, name);
-    } catch (CrossComConnectionLostException e) {
-      if (type == MessageType.WRITE
-          || !config.reconnect()
-          || Thread.currentThread().isInterrupted()) {
-        throw e;
-      }
-      LOG.debug("repeating the read of {} on a new connection", name);
-      connect();
-      send(frame, type, name);
-    }
   }
 
-  private void send(byte[] frame, MessageType type, String name) throws CrossComException {
+  /** Sends a request on the connection that there is, and waits for its answer. */
+  void send(byte[] frame, MessageType type, Effect effect, String name) throws CrossComException {
     lastId = (lastId + 1) & 0xFFFF;
     boolean known = connection.hasAnswered();
     try {
-      connection.exchange(frame, lastId, type, name);
+      connection.exchange(frame, lastId, type, effect, name);
       if (!known) {
         failedAttempts = 0; // a server that only accepts and closes has not let us in
       }
@@ -155,11 +166,27 @@ final class Link {
     }
   }
 
-  /** Sees to it that there is a connection which the server has not closed meanwhile. */
-  private void makeUsable() throws CrossComException {
+  /** Gives the answer of the last exchange as a message. The lock is held. */
+  TypedResponse decoded(Class<? extends TypedResponse> answerClass, Effect effect, String what)
+      throws CrossComException {
+    try {
+      return connection.decoded(answerClass, effect, what);
+    } catch (CrossComException e) {
+      lost(e);
+      throw e;
+    }
+  }
+
+  /** Throws if the client is closed. */
+  void checkOpen() throws CrossComClosedException {
     if (closed) {
       throw new CrossComClosedException("the client is closed", null, false);
     }
+  }
+
+  /** Sees to it that there is a connection which the server has not closed meanwhile. */
+  void makeUsable() throws CrossComException {
+    checkOpen();
     if (connection.isClosed()) {
       if (!config.reconnect()) {
         throw new CrossComConnectionLostException(
@@ -214,7 +241,7 @@ final class Link {
   }
 
   /** Makes a new connection. */
-  private void connect() throws CrossComException {
+  void connect() throws CrossComException {
     Connection made;
     try {
       made = Connection.open(config, this::connecting);
@@ -254,7 +281,7 @@ final class Link {
         wait = nextDuty();
         if (wait <= 0 && !closed) {
           makeUsable();
-          send(ping, MessageType.READ, "PING");
+          send(ping, MessageType.READ, Effect.READ, "PING");
         }
       } catch (CrossComException e) {
         LOG.debug("keeping the connection failed: {}", e.getMessage());

@@ -1,12 +1,23 @@
 package no.hials.crosscom;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.function.Consumer;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.params.Parameter;
+import org.junit.jupiter.params.ParameterizedClass;
+import org.junit.jupiter.params.provider.EnumSource;
 
-/** Gives each test a simulated controller and a client of it. */
+/**
+ * The contract of the client: gives each test a simulated controller and a client of it, and runs
+ * it once with each kind of server.
+ */
+@ParameterizedClass
+@EnumSource(ServerType.class)
 abstract class RobotTest {
   /** Never runs out unless a test wants it to. */
   static final Duration LONG = Duration.ofSeconds(60);
@@ -14,12 +25,14 @@ abstract class RobotTest {
   /** Runs out when a test waits for it. */
   static final Duration SHORT = Duration.ofMillis(100);
 
+  @Parameter ServerType server;
+
   MockServer robot;
   CrossComClient client;
 
   @BeforeEach
   final void connect() throws Exception {
-    robot = MockServer.start();
+    robot = MockServer.start(cfg -> cfg.server(server));
     client = client(LONG);
   }
 
@@ -27,6 +40,11 @@ abstract class RobotTest {
   final void disconnect() throws Exception {
     client.close();
     robot.close();
+  }
+
+  /** Gives the requests but those by which the client finds out which server there is. */
+  final List<RecordedRequest> requests() {
+    return robot.requests().stream().filter(r -> !r.name().startsWith("@PROXY_")).toList();
   }
 
   /** Makes a client that does not connect again, so that a test sees each failure. */

@@ -14,6 +14,7 @@ import no.hials.crosscom.KRL.KRLString;
 import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import org.junit.jupiter.api.Test;
 
@@ -39,9 +40,16 @@ class SeveralVariablesTest extends RobotTest {
         .isThrownBy(() -> results.get(1).orThrow());
     assertThat(override.getValue()).isEqualTo(100);
     assertThat(unknown.getValue()).isNull();
-    assertThat(robot.requests())
-        .extracting(RecordedRequest::name)
-        .containsExactly("$OV_PRO", "NOSUCHVAR", "$MODE_OP", "$BASE");
+    assertThat(requests())
+        .extracting(RecordedRequest::names)
+        .isEqualTo(
+            server == ServerType.C3_BRIDGE
+                ? List.of(List.of("$OV_PRO", "NOSUCHVAR", "$MODE_OP", "$BASE"))
+                : List.of(
+                    List.of("$OV_PRO"),
+                    List.of("NOSUCHVAR"),
+                    List.of("$MODE_OP"),
+                    List.of("$BASE")));
   }
 
   @Test
@@ -61,21 +69,32 @@ class SeveralVariablesTest extends RobotTest {
   }
 
   @Test
-  void afterABrokenExchangeTheRestIsNotTriedAndSaysSo() {
+  void afterABrokenExchangeTheRestIsNotTriedAndSaysSo() throws Exception {
     KRLInt first = new KRLInt("MYINT");
     first.setValue(1);
     KRLInt second = new KRLInt("MYINTS[1]");
     second.setValue(2);
+    KRLIntArray third = new KRLIntArray("MYINTS");
+    third.setValue(3);
+    client.getServer();
     robot.enqueue(Fault.closeBefore());
 
-    List<VariableResult> results = client.writeVariables(first, second);
+    List<VariableResult> results = client.writeVariables(first, second, third);
 
     assertThat(results.get(0).failure().isOutcomeUnknown()).isTrue();
-    assertThat(results.get(1).failure())
+    if (server == ServerType.C3_BRIDGE) {
+      assertThat(results.get(1).failure().isOutcomeUnknown()).as("it was under way too").isTrue();
+    } else {
+      assertThat(results.get(1).failure())
+          .isInstanceOf(CrossComConnectionLostException.class)
+          .hasMessageContaining("MYINTS[1] was not written, since an exchange before it failed");
+      assertThat(results.get(1).failure().isOutcomeUnknown()).isFalse();
+    }
+    assertThat(results.get(2).failure())
         .isInstanceOf(CrossComConnectionLostException.class)
-        .hasMessageContaining("MYINTS[1] was not written, since an exchange before it failed");
-    assertThat(results.get(1).failure().isOutcomeUnknown()).isFalse();
-    assertThat(robot.requests()).hasSize(1);
+        .hasMessageContaining("MYINTS[] was not written, since an exchange before it failed");
+    assertThat(results.get(2).failure().isOutcomeUnknown()).isFalse();
+    assertThat(requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
   }
 
   @Test
@@ -156,7 +175,41 @@ class SeveralVariablesTest extends RobotTest {
 
     List<VariableResult> results = client.writeVariables(good, euro, last);
 
-    assertThat(results).extracting(VariableResult::isOk).containsExactly(true, false, true);
-    assertThat(results.get(1).failure()).isInstanceOf(CrossComValueException.class);
+    boolean wide = server == ServerType.C3_BRIDGE;
+    assertThat(results).extracting(VariableResult::isOk).containsExactly(true, wide, true);
+    if (!wide) {
+      assertThat(results.get(1).failure()).isInstanceOf(CrossComValueException.class);
+    }
+  }
+
+  @Test
+  void anAggregateThatIsTooLongIsTheFailureOfItsVariableOnly() throws Exception {
+    KRLFrame frame = new KRLFrame("MYFRAME");
+    KRLInt good = new KRLInt("MYINT");
+    good.setValue(1);
+    KRLReal last = new KRLReal("MYREAL");
+    last.setValue(3);
+    try (CrossComClient strict = client(cfg -> cfg.maxAggregateLength(10))) {
+      List<VariableResult> results = strict.writeVariables(good, frame, last);
+
+      assertThat(results).extracting(VariableResult::isOk).containsExactly(true, false, true);
+      assertThat(results.get(1).failure()).hasMessageContaining("must have at most 10 bytes");
+    }
+  }
+
+  @Test
+  void anArrayAmongOthersIsReadElementByElementIfItMustBeAndWrittenInItsPlace() throws Exception {
+    robot.fault(r -> r.name().endsWith("[]"), Fault.answer("", Tail.FAILURE));
+    KRLIntArray ints = new KRLIntArray("MYINTS", 2);
+    KRLInt i = new KRLInt("MYINT");
+    i.setValue(1);
+    ints.setValue(5, 6);
+    KRLInt element = new KRLInt("MYINTS[2]");
+    element.setValue(7);
+
+    assertThat(client.writeVariables(i, ints, element)).allMatch(VariableResult::isOk);
+    assertThat(client.readVariables(i, ints)).allMatch(VariableResult::isOk);
+
+    assertThat(ints.getValue()).startsWith(5, 7);
   }
 }

@@ -15,6 +15,7 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.PendingRequests;
 import no.hials.crosscom.mock.RawClient;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Nested;
@@ -106,6 +107,16 @@ class KukaControllerTest {
     assertThat(strictAndQuick.config().joinSplitRequests()).isFalse();
     assertThat(strictAndQuick.config().latency()).isEqualTo(Latency.none());
     assertThat(strictAndQuick.config().maxClients()).isZero();
+  }
+
+  @Test
+  void canBeC3Bridge(@KukaController(server = ServerType.C3_BRIDGE) MockServer server)
+      throws IOException {
+    assertThat(server.config().server()).isEqualTo(ServerType.C3_BRIDGE);
+    assertThat(server.config().maxClients()).isZero();
+    try (RawClient client = new RawClient(server)) {
+      assertThat(client.read("@PROXY_TYPE").value()).isEqualTo("C3 BRIDGE INTERFACE");
+    }
   }
 
   @Test

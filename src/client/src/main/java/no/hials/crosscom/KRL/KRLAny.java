@@ -22,6 +22,11 @@ public class KRLAny extends ScannedVariable {
   }
 
   @Override
+  boolean holdsText() {
+    return true;
+  }
+
+  @Override
   public @Nullable KrlValue getValue() {
     return value;
   }

@@ -64,6 +64,11 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
   }
 
   @Override
+  boolean holdsText() {
+    return true;
+  }
+
+  @Override
   public @Nullable T getValue() {
     return value;
   }

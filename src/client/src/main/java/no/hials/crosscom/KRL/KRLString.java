@@ -23,6 +23,11 @@ public class KRLString extends ScannedVariable {
   }
 
   @Override
+  boolean holdsText() {
+    return true;
+  }
+
+  @Override
   public @Nullable String getValue() {
     return value;
   }

@@ -5,6 +5,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.internal.BoxedFrame;
+import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.ReadRequest;
@@ -23,7 +24,7 @@ public abstract class KRLVariable {
 
   private final int id;
   private final String name;
-  private final byte[] readFrame;
+  private final byte @Nullable [] readFrame;
   private long readTime = -1;
 
   static {
@@ -35,7 +36,7 @@ public abstract class KRLVariable {
    *
    * @param name the name on the controller, such as {@code $OV_PRO}, {@code MYPOS.X} or {@code
    *     $TORQUE_AXIS_ACT[3]}; case does not matter to the controller
-   * @throws IllegalArgumentException if the name is blank or not ISO 8859-1
+   * @throws IllegalArgumentException if the name is blank or too long for a message
    */
   protected KRLVariable(String name) {
     Objects.requireNonNull(name, "name");
@@ -44,7 +45,7 @@ public abstract class KRLVariable {
     }
     this.name = name;
     this.id = IDS.getAndIncrement();
-    this.readFrame = Codec.encode(new ReadRequest(0, name));
+    this.readFrame = Latin1.has(name) ? Codec.encode(new ReadRequest(0, name)) : null;
   }
 
   /**
@@ -108,6 +109,11 @@ public abstract class KRLVariable {
    *     before
    */
   protected boolean setValueFrom(KrlScanner scanner, boolean written) {
+    return false;
+  }
+
+  /** Says whether the value can have characters that function 0 of C3 Bridge does not give. */
+  boolean holdsText() {
     return false;
   }
 
@@ -245,8 +251,13 @@ public abstract class KRLVariable {
   /** What the client may do. */
   private static final class Access extends VariableAccess {
     @Override
-    public byte[] readFrame(KRLVariable variable) {
+    public byte @Nullable [] readFrame(KRLVariable variable) {
       return variable.readFrame;
+    }
+
+    @Override
+    public boolean holdsText(KRLVariable variable) {
+      return variable.holdsText();
     }
 
     @Override

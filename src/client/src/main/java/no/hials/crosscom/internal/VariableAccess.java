@@ -32,12 +32,20 @@ public abstract class VariableAccess {
   }
 
   /**
-   * Gives the encoded read request of a variable, which is made once.
+   * Gives the encoded read request of a variable, function 0, which is made once.
    *
    * @param variable the variable
-   * @return the frame, with any id; not to be changed
+   * @return the frame, with any id, not to be changed; null if the name is not ISO 8859-1
    */
-  public abstract byte[] readFrame(KRLVariable variable);
+  public abstract byte @Nullable [] readFrame(KRLVariable variable);
+
+  /**
+   * Says whether a variable's value can have characters that function 0 of C3 Bridge does not give.
+   *
+   * @param variable the variable
+   * @return true for texts, and for what can have them as a part
+   */
+  public abstract boolean holdsText(KRLVariable variable);
 
   /**
    * Sets a variable from text in place, all or nothing.

@@ -1,0 +1,472 @@
+package no.hials.crosscom.mock;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
+
+import java.io.IOException;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import no.hials.crosscom.protocol.AccessResult;
+import no.hials.crosscom.protocol.Assignment;
+import no.hials.crosscom.protocol.BeginReadRequest;
+import no.hials.crosscom.protocol.BeginWriteRequest;
+import no.hials.crosscom.protocol.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.BenchmarkResponse;
+import no.hials.crosscom.protocol.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.Bytes;
+import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.ContentRequest;
+import no.hials.crosscom.protocol.ContentSizeResponse;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.FeaturesResponse;
+import no.hials.crosscom.protocol.FileNameRequest;
+import no.hials.crosscom.protocol.FilePropertiesRequest;
+import no.hials.crosscom.protocol.FilePropertiesResponse;
+import no.hials.crosscom.protocol.InformationResponse;
+import no.hials.crosscom.protocol.ListDirectoryRequest;
+import no.hials.crosscom.protocol.ListDirectoryResponse;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.MotionRequest;
+import no.hials.crosscom.protocol.MultipleResponse;
+import no.hials.crosscom.protocol.PendantKeyRequest;
+import no.hials.crosscom.protocol.PlainRequest;
+import no.hials.crosscom.protocol.PlainResponse;
+import no.hials.crosscom.protocol.ProgramControlRequest;
+import no.hials.crosscom.protocol.ReadDataRequest;
+import no.hials.crosscom.protocol.ReadDataResponse;
+import no.hials.crosscom.protocol.ReadMultipleRequest;
+import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.ReadResponse;
+import no.hials.crosscom.protocol.ReadUtf16Request;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TextResponse;
+import no.hials.crosscom.protocol.TypedResponse;
+import no.hials.crosscom.protocol.Version;
+import no.hials.crosscom.protocol.WriteDataRequest;
+import no.hials.crosscom.protocol.WriteDataResponse;
+import no.hials.crosscom.protocol.WriteMultipleRequest;
+import no.hials.crosscom.protocol.WriteRequest;
+import no.hials.crosscom.protocol.WriteResponse;
+import no.hials.crosscom.protocol.WriteUtf16Request;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.ContentOperation;
+import no.hials.crosscom.protocol.code.CopyFlag;
+import no.hials.crosscom.protocol.code.FileProperty;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.protocol.code.ItemType;
+import no.hials.crosscom.protocol.code.ListFlag;
+import no.hials.crosscom.protocol.code.MotionType;
+import no.hials.crosscom.protocol.code.PendantKey;
+import no.hials.crosscom.protocol.code.ProgramCommand;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What a server in the part of C3 Bridge does beyond the measured rows. */
+final class C3BridgeTest {
+  private MockServer server;
+  private RawClient client;
+
+  @BeforeEach
+  void start() throws IOException {
+    start(cfg -> {});
+  }
+
+  private void start(Consumer<MockServerConfig.Builder> changes) throws IOException {
+    server = MockServer.start(cfg -> changes.accept(cfg.server(ServerType.C3_BRIDGE)));
+    client = new RawClient(server);
+  }
+
+  private void restart(Consumer<MockServerConfig.Builder> changes) throws IOException {
+    stop();
+    start(changes);
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    client.close();
+    server.close();
+  }
+
+  private TextResponse text(Request request) throws IOException {
+    return (TextResponse) client.exchange(request);
+  }
+
+  private MultipleResponse several(Request request) throws IOException {
+    return (MultipleResponse) client.exchange(request);
+  }
+
+  private static AccessResult result(ErrorCode code, String value) {
+    return new AccessResult(Code.of(code), value);
+  }
+
+  // variables
+
+  @Test
+  void readsSeveralVariablesInOneRequestEachWithItsCode() throws IOException {
+    assertThat(several(new ReadMultipleRequest(1, List.of("$OV_PRO", "NOPE", "", "PING"))))
+        .isEqualTo(
+            new MultipleResponse(
+                1,
+                MessageType.READ_MULTIPLE,
+                List.of(
+                    result(ErrorCode.SUCCESS, server.variables().get("$OV_PRO")),
+                    result(ErrorCode.GENERAL, ""),
+                    result(ErrorCode.ARGUMENT, ""),
+                    result(ErrorCode.SUCCESS, "PONG")),
+                Tail.FAILURE_ZERO));
+    assertThat(server.requests())
+        .singleElement()
+        .satisfies(
+            request -> {
+              assertThat(request.names()).containsExactly("$OV_PRO", "NOPE", "", "PING");
+              assertThat(request.name()).isEmpty();
+              assertThat(request.isWrite()).isFalse();
+              assertThat(request.refusal()).isEqualTo(Refusal.UNKNOWN_VARIABLE);
+            });
+  }
+
+  @Test
+  void readsNoVariablesInOneRequestToo() throws IOException {
+    assertThat(several(new ReadMultipleRequest(1, List.of())))
+        .isEqualTo(new MultipleResponse(1, MessageType.READ_MULTIPLE, List.of(), Tail.SUCCESS));
+  }
+
+  @Test
+  void givesBackWhatTheControllerHasAfterAWriteOfSeveral() throws IOException {
+    MultipleResponse answer =
+        several(
+            new WriteMultipleRequest(
+                1,
+                List.of(
+                    new Assignment("MYPOS", "{X 5}"),
+                    new Assignment("$POS_ACT", "{X 5}"),
+                    new Assignment("MYPOS", "{X 5" + " ".repeat(255) + "}"))));
+    assertThat(answer.results())
+        .containsExactly(
+            result(ErrorCode.SUCCESS, server.variables().get("MYPOS")),
+            result(ErrorCode.ACCESS, "{X 5}"),
+            result(ErrorCode.GENERAL, "{X 5" + " ".repeat(255) + "}"));
+    assertThat(answer.tail()).isEqualTo(Tail.FAILURE_ZERO);
+    assertThat(server.variables().get("MYPOS.X")).isEqualTo("5.00000");
+    assertThat(server.requests().get(0).isWrite()).isTrue();
+    assertThat(server.requests().get(0).names()).containsExactly("MYPOS", "$POS_ACT", "MYPOS");
+  }
+
+  @Test
+  void echoesInASingleWriteWhatWasSent() throws IOException {
+    assertThat(text(new WriteUtf16Request(1, "MYPOS", "{X 5}")))
+        .isEqualTo(new TextResponse(1, MessageType.WRITE_UTF16, "{X 5}", Tail.SUCCESS));
+    assertThat(client.write("MYPOS", "{X 6}"))
+        .isEqualTo(new WriteResponse(8, "{X 6}", Tail.SUCCESS));
+    assertThat(server.requests())
+        .extracting(RecordedRequest::name, RecordedRequest::value, RecordedRequest::isWrite)
+        .containsExactly(tuple("MYPOS", "{X 5}", true), tuple("MYPOS", "{X 6}", true));
+  }
+
+  @Test
+  void staysWrittenWhenTheAnswerIsTooLong() throws IOException {
+    server.variables().declareStruc("LONGTYPE", "INT N; CHAR TEXT[40000]");
+    server.variables().declare("LONG", "LONGTYPE", "{N 1,TEXT[] \"" + "x".repeat(40_000) + "\"}");
+    assertThat(several(new WriteMultipleRequest(1, List.of(new Assignment("LONG", "{N 2}")))))
+        .isEqualTo(new MultipleResponse(1, MessageType.WRITE_MULTIPLE, List.of(), new Tail(10, 0)));
+    assertThat(server.variables().get("LONG.N")).isEqualTo("2");
+    assertThat(server.requests().get(0).refusal()).isEqualTo(Refusal.TOO_LONG);
+  }
+
+  @Test
+  void closesTheConnectionInsteadOfAnAnswerThatIsTooLong() throws IOException {
+    server.variables().declareStruc("LONGTYPE", "CHAR TEXT[40000]");
+    server.variables().declare("LONG", "LONGTYPE", "{TEXT[] \"" + "x".repeat(40_000) + "\"}");
+    assertThat(client.read("LONG").tail()).isEqualTo(Tail.SUCCESS);
+    assertThatThrownBy(() -> client.exchange(new ReadUtf16Request(1, "LONG")))
+        .hasMessage("the server closed the connection");
+    assertThat(server.requests().get(1).refusal()).isEqualTo(Refusal.TOO_LONG);
+  }
+
+  @Test
+  void hasACharacterOfTheCodePageInAByte() throws IOException {
+    server.variables().declare("MYTEXT[3]", "CHAR", "\"x\"");
+    assertThat(text(new WriteUtf16Request(1, "MYTEXT[]", "\"\u20AC\u00C4\"")).tail())
+        .isEqualTo(Tail.SUCCESS);
+    assertThat(text(new ReadUtf16Request(2, "MYTEXT[]")).text()).isEqualTo("\"\u20AC\u00C4\"");
+    assertThat(client.read("MYTEXT[]").value()).isEqualTo("\"\u0080\u00C4\"");
+    assertThat(text(new WriteUtf16Request(3, "MYTEXT[]", "\"\u03A9\"")))
+        .isEqualTo(new TextResponse(3, MessageType.WRITE_UTF16, "", Tail.FAILURE_ZERO));
+  }
+
+  @Test
+  void ignoresBytesBehindTheFields() throws IOException {
+    client.send("00 01 00 09 00 00 04 50 49 4E 47 AA BB");
+    assertThat(client.response()).isEqualTo(new ReadResponse(1, "PONG", Tail.SUCCESS));
+  }
+
+  // internal variables
+
+  @Test
+  void saysWhatItIs() throws IOException {
+    assertThat(client.read("@PROXY_TYPE").value()).isEqualTo("C3 BRIDGE INTERFACE");
+    assertThat(client.read("@proxy_type").value()).isEqualTo("C3 BRIDGE INTERFACE");
+    assertThat(client.read("@PROXY_HOSTNAME").value()).isEqualTo("KRC4");
+    assertThat(client.read("@PROXY_ENABLED").value()).isEqualTo("TRUE");
+    assertThat(Instant.parse(client.read("@PROXY_TIME").value()))
+        .isBetween(Instant.now().minusSeconds(60), Instant.now());
+    assertThat(text(new WriteUtf16Request(1, "@PROXY_TYPE", "X")).tail())
+        .isEqualTo(Tail.FAILURE_ZERO);
+  }
+
+  @Test
+  void asksTheControllerFirst() throws IOException {
+    server.variables().declare("PING", "INT", "3");
+    assertThat(client.read("PING").value()).isEqualTo("3");
+  }
+
+  @Test
+  void hasNoPingIfToldSo() throws IOException {
+    restart(cfg -> cfg.ping(false).trimValues(true));
+    assertThat(client.read("PING")).isEqualTo(new ReadResponse(7, "", Tail.FAILURE_ZERO));
+    assertThat(client.read("@PROXY_TYPE").tail()).isEqualTo(Tail.SUCCESS);
+    assertThat(client.read("$TORQUE_AXIS_ACT[]").value()).doesNotEndWith(" ");
+  }
+
+  @Test
+  void givesItsVersionAndTheTime() throws IOException {
+    InformationResponse answer =
+        (InformationResponse) client.exchange(new PlainRequest(1, MessageType.INFORMATION));
+    assertThat(answer.information().version()).isEqualTo(new Version(1, 4, 0));
+    assertThat(answer.information().time().instant().orElseThrow())
+        .isBetween(Instant.now().minusSeconds(60), Instant.now());
+  }
+
+  // older versions
+
+  @Test
+  void doesNotKnowInAnOlderVersionWhatCameLater() throws IOException {
+    restart(cfg -> cfg.version(new Version(1, 1, 0)));
+    assertThat(client.read("@PROXY_VERSION").value()).isEqualTo("1.1 (OPEN SOURCE)");
+    FeaturesResponse features =
+        (FeaturesResponse) client.exchange(new PlainRequest(1, MessageType.FEATURES));
+    assertThat(features.features().types())
+        .containsExactly(0, 1, 4, 5, 6, 7, 10, 11, 12, 13, 14, 63);
+    assertThatThrownBy(() -> client.exchange(new BenchmarkReadRequest(2, 1, List.of("PING"))))
+        .hasMessage("the server closed the connection");
+    try (RawClient other = new RawClient(server)) {
+      // a malformed one of type 20
+      other.send("00 01 00 01 14");
+      assertThat(other.receiveAll()).isEmpty();
+    }
+    assertThat(server.requests()).last().satisfies(r -> assertThat(r.request()).isNull());
+  }
+
+  @Test
+  void hasInAnOlderVersionTheMessagesForSeveralVariablesWithMistakes() throws IOException {
+    restart(cfg -> cfg.version(new Version(1, 2, 0)));
+    assertThat(several(new ReadMultipleRequest(1, List.of("PING"))).tail()).isEqualTo(Tail.SUCCESS);
+    assertThat(several(new WriteMultipleRequest(2, List.of(new Assignment("MYINT", "7")))))
+        .isEqualTo(new MultipleResponse(2, MessageType.WRITE_MULTIPLE, List.of(), new Tail(7, 0)));
+    assertThat(server.variables().get("MYINT")).isEqualTo("0");
+    restart(cfg -> cfg.version(new Version(1, 1, 2)));
+    assertThat(several(new ReadMultipleRequest(1, List.of("PING"))))
+        .isEqualTo(new MultipleResponse(1, MessageType.READ_MULTIPLE, List.of(), new Tail(7, 0)));
+    assertThat(client.exchange(new FileNameRequest(3, MessageType.FULL_NAME, "/R1")))
+        .isInstanceOf(TextResponse.class);
+  }
+
+  // benchmark
+
+  @Test
+  void reallyAccessesTheVariablesOfABenchmark() throws IOException {
+    List<String> names = new ArrayList<>(Collections.nCopies(10, "MYINT"));
+    // more than 10 are not used
+    names.add("NOPE");
+    BenchmarkResponse read =
+        (BenchmarkResponse) client.exchange(new BenchmarkReadRequest(1, 3, names));
+    assertThat(read.tail()).isEqualTo(Tail.SUCCESS);
+    assertThat(read.count()).isEqualTo(11);
+    assertThat(read.iterations()).isEqualTo(3);
+    assertThat(read.differenceMillis()).isEqualTo(read.stopMillis() - read.startMillis());
+
+    BenchmarkResponse write =
+        (BenchmarkResponse)
+            client.exchange(new BenchmarkWriteRequest(2, 2, List.of(new Assignment("MYINT", "8"))));
+    assertThat(write.write()).isTrue();
+    assertThat(server.variables().get("MYINT")).isEqualTo("8");
+    assertThat(server.requests()).extracting(r -> r.names().size()).containsExactly(11, 1);
+    assertThat(server.requests()).extracting(RecordedRequest::isWrite).containsExactly(false, true);
+  }
+
+  @Test
+  void endsABenchmarkAtTheFirstAccessThatIsRefused() throws IOException {
+    List<Assignment> items = List.of(new Assignment("NOPE", "1"), new Assignment("MYINT", "8"));
+    BenchmarkResponse answer =
+        (BenchmarkResponse) client.exchange(new BenchmarkWriteRequest(1, 0xFFFF_FFFFL, items));
+    assertThat(answer.tail()).isEqualTo(Tail.FAILURE_ZERO);
+    assertThat(server.variables().get("MYINT")).isEqualTo("0");
+    BenchmarkResponse none =
+        (BenchmarkResponse) client.exchange(new BenchmarkReadRequest(1, 0xFFFF_FFFFL, List.of()));
+    assertThat(none.tail()).isEqualTo(Tail.SUCCESS);
+  }
+
+  @Test
+  void endsABenchmarkWhenItIsClosed() throws Exception {
+    CountDownLatch begun = new CountDownLatch(1);
+    server.fault(
+        request -> {
+          begun.countDown();
+          return false;
+        },
+        Fault.none());
+    client.send(Codec.encode(new BenchmarkReadRequest(1, 0xFFFF_FFFFL, List.of("$OV_PRO"))));
+    begun.await();
+    server.close();
+    assertThat(server.clientCount()).isZero();
+  }
+
+  // files
+
+  @Test
+  void hasABufferForFilesOfEachConnection() throws IOException {
+    assertThat(client.exchange(new BeginWriteRequest(1, 100)))
+        .isInstanceOfSatisfying(
+            ContentSizeResponse.class, r -> assertThat(r.size()).isEqualTo(100));
+    ContentRequest size =
+        new ContentRequest(2, MessageType.WRITE_CONTENT, Code.of(ContentOperation.SIZE));
+    try (RawClient other = new RawClient(server)) {
+      assertThat(((ContentSizeResponse) other.exchange(size)).size()).isZero();
+    }
+    assertThat(((ContentSizeResponse) client.exchange(size)).size()).isEqualTo(100);
+  }
+
+  @Test
+  void servesTheFilesItWasGiven() throws IOException {
+    FileTree files = FileTree.inMemory();
+    restart(cfg -> cfg.files(files));
+    files.put("KRC:\\R1\\Program\\x.txt", "abc");
+    assertThat(server.files()).isSameAs(files);
+    assertThat(text(new FileNameRequest(1, MessageType.FULL_NAME, "/R1/X.TXT")).tail())
+        .isEqualTo(Tail.SUCCESS);
+  }
+
+  // faults
+
+  private static final Tail TAIL = new Tail(3, 0);
+
+  static Stream<Request> requests() {
+    return Stream.of(
+        new ReadRequest(1, "A"),
+        new WriteRequest(1, "A", "1"),
+        new ReadUtf16Request(1, "A"),
+        new WriteUtf16Request(1, "A", "1"),
+        new ReadMultipleRequest(1, List.of("A", "B")),
+        new WriteMultipleRequest(1, List.of(new Assignment("A", "1"))),
+        new ProgramControlRequest(1, Code.of(ProgramCommand.START), Code.of(Interpreter.ROBOT)),
+        new MotionRequest(1, Code.of(MotionType.LIN), "{X 1}"),
+        new PendantKeyRequest(1, Code.of(PendantKey.STOP), 1, 0, false, false),
+        new PlainRequest(1, MessageType.INFORMATION),
+        new PlainRequest(1, MessageType.FEATURES),
+        new PlainRequest(1, MessageType.CONFIRM_ALL),
+        new BenchmarkReadRequest(1, 5, List.of("A")),
+        new BenchmarkWriteRequest(1, 5, List.of(new Assignment("A", "1"))),
+        new ListDirectoryRequest(
+            1, Flags.none(ItemType.class), Flags.none(ListFlag.class), "KRC:\\"),
+        new FilePropertiesRequest(1, Flags.none(FileProperty.class), "KRC:\\"),
+        new FileNameRequest(1, MessageType.KRC_NAME, "X"),
+        new BeginWriteRequest(1, 9),
+        new WriteDataRequest(1, 6, Bytes.of(new byte[3])),
+        new BeginReadRequest(1, Flags.none(CopyFlag.class), "X"),
+        new ReadDataRequest(1, 6, 3),
+        new ContentRequest(1, MessageType.READ_CONTENT, Code.of(ContentOperation.END)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("requests")
+  void answersAnyRequestAsScripted(Request request) throws IOException {
+    server.enqueue(Fault.answer("1", TAIL), Fault.answer("1", Tail.SUCCESS));
+    for (Tail tail : List.of(TAIL, Tail.SUCCESS)) {
+      Response answer = client.exchange(request);
+      assertThat(answer)
+          .isInstanceOfSatisfying(
+              TypedResponse.class,
+              typed -> {
+                assertThat(typed.id()).isEqualTo(1);
+                assertThat(typed.type()).isEqualTo(request.type());
+                assertThat(typed.tail()).isEqualTo(tail);
+              });
+    }
+  }
+
+  private Response scripted(Request request, String value) throws IOException {
+    server.enqueue(Fault.answer(value, Tail.SUCCESS));
+    return client.exchange(request);
+  }
+
+  @Test
+  void putsTheScriptedValueWhereAnAnswerHasATextForIt() throws IOException {
+    assertThat(scripted(new ReadMultipleRequest(1, List.of("A", "B")), "5"))
+        .isInstanceOfSatisfying(
+            MultipleResponse.class,
+            r -> assertThat(r.results()).containsOnly(result(ErrorCode.SUCCESS, "5")).hasSize(2));
+    assertThat(scripted(new PlainRequest(1, MessageType.FEATURES), "10001"))
+        .isInstanceOfSatisfying(
+            FeaturesResponse.class, r -> assertThat(r.features().types()).containsExactly(0, 4));
+    assertThat(scripted(new PlainRequest(1, MessageType.INFORMATION), "HOST"))
+        .isInstanceOfSatisfying(
+            InformationResponse.class,
+            r -> assertThat(r.information().computerName()).isEqualTo("HOST"));
+    Request list =
+        new ListDirectoryRequest(
+            1, Flags.none(ItemType.class), Flags.none(ListFlag.class), "KRC:\\");
+    assertThat(scripted(list, "a\nb"))
+        .isInstanceOfSatisfying(
+            ListDirectoryResponse.class, r -> assertThat(r.items()).containsExactly("a", "b"));
+    assertThat(scripted(new BenchmarkReadRequest(1, 5, List.of("A")), ""))
+        .isEqualTo(new BenchmarkResponse(1, false, 1, 5, 0, 0, 0, Tail.SUCCESS));
+    assertThat(scripted(new WriteDataRequest(1, 6, Bytes.of(new byte[3])), ""))
+        .isEqualTo(new WriteDataResponse(1, 6, 0, Tail.SUCCESS));
+    assertThat(scripted(new ReadDataRequest(1, 6, 3), ""))
+        .isEqualTo(new ReadDataResponse(1, 6, Bytes.of(new byte[0]), Tail.SUCCESS));
+    assertThat(scripted(new PlainRequest(1, MessageType.CONFIRM_ALL), "x"))
+        .isEqualTo(new PlainResponse(1, MessageType.CONFIRM_ALL, Tail.SUCCESS));
+    assertThat(scripted(new FilePropertiesRequest(1, Flags.none(FileProperty.class), "X"), "x"))
+        .isInstanceOf(FilePropertiesResponse.class);
+  }
+
+  @ParameterizedTest
+  @MethodSource("requests")
+  void cutsAScriptedValueToWhatTheAnswerHolds(Request request) throws IOException {
+    server.enqueue(Fault.answer("1".repeat(60_000), TAIL));
+    assertThat(((TypedResponse) client.exchange(request)).tail()).isEqualTo(TAIL);
+  }
+
+  @Test
+  void findsAVariableForAFaultAmongSeveral() throws IOException {
+    server.faults(FaultRule.of(Fault.answer("9", TAIL)).onVariable("MYPOS"));
+    assertThat(several(new ReadMultipleRequest(1, List.of("PING", "MYPOS.X"))).tail())
+        .isEqualTo(TAIL);
+    assertThat(several(new ReadMultipleRequest(1, List.of("PING", "MYINT"))).tail())
+        .isEqualTo(Tail.SUCCESS);
+  }
+
+  @Test
+  void doesNotExecuteAMalformedBatchThatIsDropped() throws IOException {
+    server.enqueue(Fault.drop());
+    // MYINT = 9 of two announced
+    client.send(
+        "01 42 00 12 07 02 00 05 4D 00 59 00 49 00 4E 00 54 00 00 01 39 00 00 01 00 07 00 00 04 50"
+            + " 49 4E 47");
+    client.receive(14);
+    assertThat(server.variables().get("MYINT")).isEqualTo("0");
+  }
+}

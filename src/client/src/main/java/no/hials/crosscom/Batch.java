@@ -1,0 +1,329 @@
+package no.hials.crosscom;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.CrossComAccessException.Operation;
+import no.hials.crosscom.CrossComClient.Exchanged;
+import no.hials.crosscom.KRL.KRLArray;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.protocol.AccessResult;
+import no.hials.crosscom.protocol.Assignment;
+import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.MultipleResponse;
+import no.hials.crosscom.protocol.ReadMultipleRequest;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.WriteMultipleRequest;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One reading or writing of several variables: in as few messages as they fit into if the server
+ * has messages for several (c3-bridge.md, types 6 and 7), else one by one.
+ */
+abstract class Batch {
+  /** How many variables a message may name. */
+  private static final int MAX_COUNT = 255;
+
+  /** How many bytes the names, or names and values, of a message may have. */
+  private static final int ROOM = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 2;
+
+  final CrossComClient client;
+  private final Messages messages;
+  private final MessageType type;
+  private final String noun;
+  private final String done;
+  private final List<Item> items = new ArrayList<>();
+  private @Nullable CrossComException broken;
+
+  private Batch(
+      CrossComClient client,
+      Messages messages,
+      List<? extends KRLVariable> variables,
+      MessageType type,
+      String noun,
+      String done) {
+    this.client = client;
+    this.messages = messages;
+    this.type = type;
+    this.noun = noun;
+    this.done = done;
+    variables.forEach(variable -> items.add(new Item(variable)));
+  }
+
+  /** Reads variables; gives what came of each. */
+  static List<VariableResult> read(
+      CrossComClient client, Messages messages, List<? extends KRLVariable> variables) {
+    return new Reading(client, messages, variables).run();
+  }
+
+  /** Writes variables, all of which have a value; gives what came of each. */
+  static List<VariableResult> write(
+      CrossComClient client, Messages messages, List<? extends KRLVariable> variables) {
+    return new Writing(client, messages, variables).run();
+  }
+
+  /** A variable and what came of it. */
+  static final class Item {
+    final KRLVariable variable;
+
+    /** What a write sends. */
+    String text = "";
+
+    @Nullable CrossComException failure;
+
+    Item(KRLVariable variable) {
+      this.variable = variable;
+    }
+
+    String name() {
+      return variable.getName();
+    }
+  }
+
+  final List<VariableResult> run() {
+    if (canSendSeveral()) {
+      runTogether();
+    } else {
+      oneByOne(items);
+    }
+    return items.stream().map(item -> new VariableResult(item.variable, item.failure)).toList();
+  }
+
+  /** Asks the server; if that fails, nothing was tried. */
+  private boolean canSendSeveral() {
+    if (items.size() < 2) {
+      return false;
+    }
+    try {
+      return messages.find(what(items), server -> server.hasRight(type));
+    } catch (CrossComException e) {
+      fail(items.subList(0, 1), e);
+      return false;
+    }
+  }
+
+  private void runTogether() {
+    List<Item> waiting = new ArrayList<>();
+    long length = 0;
+    for (Item item : items) {
+      long itemLength = length(item);
+      if (item.failure != null) {
+        continue;
+      }
+      if (waiting.size() == MAX_COUNT || length + itemLength > ROOM) {
+        send(waiting);
+        waiting.clear();
+        length = 0;
+      }
+      if (itemLength < 0 || itemLength > ROOM) {
+        send(waiting); // what goes alone keeps its place in the order
+        waiting.clear();
+        length = 0;
+        oneByOne(List.of(item));
+      } else {
+        waiting.add(item);
+        length += itemLength;
+      }
+    }
+    send(waiting);
+  }
+
+  final void oneByOne(List<Item> some) {
+    for (Item item : some) {
+      if (item.failure != null) {
+        continue;
+      }
+      if (broken != null) {
+        item.failure = notTried(item, broken);
+        continue;
+      }
+      try {
+        alone(item.variable);
+      } catch (CrossComAccessException | CrossComValueException e) {
+        item.failure = e;
+      } catch (CrossComException e) {
+        fail(List.of(item), e);
+      } catch (IOException e) {
+        throw new AssertionError("the client throws only its own exceptions", e);
+      }
+    }
+  }
+
+  /** Notes that an exchange failed, which ends all. */
+  final void fail(List<Item> some, CrossComException e) {
+    some.forEach(item -> item.failure = e);
+    broken = e;
+  }
+
+  private CrossComException notTried(Item item, CrossComException why) {
+    String message =
+        item.name()
+            + " was not "
+            + done
+            + ", since an exchange before it failed: "
+            + why.getMessage();
+    return why instanceof CrossComClosedException
+        ? new CrossComClosedException(message, why, false)
+        : new CrossComConnectionLostException(message, why, false);
+  }
+
+  final void send(List<Item> some) {
+    if (some.size() < 2 || broken != null) {
+      oneByOne(some);
+      return;
+    }
+    String what = what(some);
+    Messages.Answered answered;
+    try {
+      answered = messages.exchange(request(some), MultipleResponse.class, what);
+    } catch (CrossComUnsupportedException e) {
+      oneByOne(some); // it was made anew, to another server
+      return;
+    } catch (CrossComException e) {
+      fail(some, e);
+      return;
+    }
+    List<AccessResult> results =
+        answered.response() instanceof MultipleResponse several ? several.results() : List.of();
+    if (results.size() != some.size()) {
+      notEach(some, results.size(), answered.response().tail());
+      return;
+    }
+    for (int i = 0; i < some.size(); i++) {
+      Item item = some.get(i);
+      try {
+        take(item, results.get(i), answered.nanos());
+      } catch (CrossComException e) {
+        item.failure = e;
+      }
+    }
+  }
+
+  final String what(List<Item> some) {
+    String first = noun + " of " + some.get(0).name();
+    return some.size() == 1 ? first : first + " and " + (some.size() - 1) + " more";
+  }
+
+  /** Gives how many bytes an item needs in a message; -1 if it cannot be in one with others. */
+  abstract long length(Item item);
+
+  abstract Request request(List<Item> some);
+
+  abstract void alone(KRLVariable variable) throws IOException;
+
+  abstract void take(Item item, AccessResult result, long nanos) throws CrossComException;
+
+  /** Deals with an answer that has not a result for each item. */
+  abstract void notEach(List<Item> some, int count, Tail tail);
+
+  /** Gives the bytes of a WSTRING. */
+  private static long wide(String text) {
+    return 2 + 2L * text.length();
+  }
+
+  private static final class Reading extends Batch {
+    Reading(CrossComClient client, Messages messages, List<? extends KRLVariable> variables) {
+      super(client, messages, variables, MessageType.READ_MULTIPLE, "read", "read");
+    }
+
+    @Override
+    long length(Item item) {
+      return wide(item.name());
+    }
+
+    @Override
+    Request request(List<Item> some) {
+      return new ReadMultipleRequest(0, some.stream().map(Item::name).toList());
+    }
+
+    @Override
+    void alone(KRLVariable variable) throws IOException {
+      client.readVariable(variable);
+    }
+
+    @Override
+    void take(Item item, AccessResult result, long nanos) throws CrossComException {
+      if (result.success() && !result.value().isEmpty()) {
+        CrossComClient.take(item.variable, new Exchanged(result.value(), nanos), false);
+      } else if (item.variable instanceof KRLArray array && array.getDeclaredLength() > 0) {
+        oneByOne(List.of(item));
+      } else {
+        throw new CrossComAccessException(
+            item.name(), Operation.READ, result.success(), result.code().number());
+      }
+    }
+
+    /** The answer may not fit into a message, while parts of it would (c3-bridge.md, code 10). */
+    @Override
+    void notEach(List<Item> some, int count, Tail tail) {
+      if (tail.code() == ErrorCode.LONG_ANSWER.code()) {
+        int half = some.size() / 2;
+        send(some.subList(0, half));
+        send(some.subList(half, some.size()));
+      } else {
+        oneByOne(some);
+      }
+    }
+  }
+
+  private static final class Writing extends Batch {
+    Writing(CrossComClient client, Messages messages, List<? extends KRLVariable> variables) {
+      super(client, messages, variables, MessageType.WRITE_MULTIPLE, "write", "written");
+    }
+
+    @Override
+    long length(Item item) {
+      if (item.variable instanceof KRLArray) {
+        return -1; // goes element by element (krl.md 1.4)
+      }
+      item.text = item.variable.getStringValue();
+      try {
+        client.checkAggregate(item.name(), item.text);
+      } catch (CrossComValueException e) {
+        item.failure = e;
+      }
+      return wide(item.name()) + wide(item.text);
+    }
+
+    @Override
+    Request request(List<Item> some) {
+      return new WriteMultipleRequest(
+          0, some.stream().map(item -> new Assignment(item.name(), item.text)).toList());
+    }
+
+    @Override
+    void alone(KRLVariable variable) throws IOException {
+      client.writeVariable(variable);
+    }
+
+    @Override
+    void take(Item item, AccessResult result, long nanos) throws CrossComException {
+      if (!result.success()) {
+        throw new CrossComAccessException(
+            item.name(), Operation.WRITE, false, result.code().number());
+      }
+      CrossComClient.takeEcho(item.variable, new Exchanged(result.value(), nanos));
+    }
+
+    /** Some may be done, and nothing says which. */
+    @Override
+    void notEach(List<Item> some, int count, Tail tail) {
+      CrossComException unknown =
+          new CrossComProtocolException(
+              "the answer to the "
+                  + what(some)
+                  + " must have "
+                  + some.size()
+                  + " results, has "
+                  + count
+                  + ", code "
+                  + tail.code(),
+              null,
+              true);
+      fail(some, unknown);
+    }
+  }
+}

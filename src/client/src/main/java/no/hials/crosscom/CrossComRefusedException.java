@@ -1,0 +1,69 @@
+package no.hials.crosscom;
+
+import java.util.Optional;
+import no.hials.crosscom.protocol.ErrorCode;
+
+/**
+ * Says that C3 Bridge Interface refused a command other than the access to a variable, for which
+ * there is {@link CrossComAccessException}. The connection can be used.
+ */
+public final class CrossComRefusedException extends CrossComException {
+  private static final long serialVersionUID = 1L;
+
+  private final String command;
+  private final int code;
+
+  CrossComRefusedException(String command, int code) {
+    super("the server refused the " + command + ": code " + code + describe(code), null, false);
+    this.command = command;
+    this.code = code;
+  }
+
+  /** Says in words what a code means (c3-bridge.md, "codes"). */
+  private static String describe(int code) {
+    return ErrorCode.from(code).map(known -> " (" + known + ": " + words(known) + ")").orElse("");
+  }
+
+  private static String words(ErrorCode code) {
+    return switch (code) {
+      case GENERAL -> "no reason given";
+      case SUCCESS -> "failure with the code of success";
+      case ACCESS -> "access denied";
+      case ARGUMENT -> "invalid argument";
+      case MEMORY -> "out of memory";
+      case POINTER -> "null pointer";
+      case UNEXPECTED -> "unexpected failure";
+      case NOT_IMPLEMENTED -> "not implemented";
+      case NO_INTERFACE -> "no interface";
+      case PROTOCOL -> "the message's content is malformed";
+      case LONG_ANSWER -> "the answer does not fit into one message";
+    };
+  }
+
+  /**
+   * Gives what was refused.
+   *
+   * @return such as {@code selection of program /R1/MAIN}
+   */
+  public String getCommand() {
+    return command;
+  }
+
+  /**
+   * Gives the code in the answer's tail.
+   *
+   * @return 0 to 65535
+   */
+  public int getCode() {
+    return code;
+  }
+
+  /**
+   * Gives the name of the code.
+   *
+   * @return the name, or nothing if the code is unknown
+   */
+  public Optional<ErrorCode> getErrorCode() {
+    return ErrorCode.from(code);
+  }
+}

@@ -1,0 +1,64 @@
+package no.hials.crosscom;
+
+import java.util.Optional;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.Version;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Says that the server cannot do what was asked for, as KUKAVARPROXY has no programs, motions and
+ * files. It was not sent; the connection can be used.
+ */
+public final class CrossComUnsupportedException extends CrossComException {
+  private static final long serialVersionUID = 1L;
+
+  private final MessageType needed;
+  private final ServerType server;
+
+  CrossComUnsupportedException(
+      String what, MessageType needed, ServerType server, @Nullable Version version) {
+    super(
+        "this server cannot do the "
+            + what
+            + ": it needs C3 Bridge Interface"
+            + needed.since().map(since -> " " + since + " or later").orElse("")
+            + " (message "
+            + needed.code()
+            + "), the server is "
+            + (server == ServerType.KUKAVARPROXY ? "KUKAVARPROXY" : "C3 Bridge Interface")
+            + (version == null ? "" : " " + version),
+        null,
+        false);
+    this.needed = needed;
+    this.server = server;
+  }
+
+  /**
+   * Gives the message that the server would have to know.
+   *
+   * @return its type
+   */
+  public MessageType getNeededMessage() {
+    return needed;
+  }
+
+  /**
+   * Gives the version that the server would have to have.
+   *
+   * @return the first version of C3 Bridge Interface with the message (c3-bridge.md, "Minimum
+   *     server versions")
+   */
+  public Optional<Version> getNeededVersion() {
+    return needed.since();
+  }
+
+  /**
+   * Gives the server that there is.
+   *
+   * @return its type
+   */
+  public ServerType getServer() {
+    return server;
+  }
+}

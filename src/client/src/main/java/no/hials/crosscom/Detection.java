@@ -1,0 +1,127 @@
+package no.hials.crosscom;
+
+import java.util.stream.Collectors;
+import no.hials.crosscom.internal.Versions;
+import no.hials.crosscom.protocol.AnswerFrame;
+import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.Features;
+import no.hials.crosscom.protocol.FeaturesResponse;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.PlainRequest;
+import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.TypedResponse;
+import no.hials.crosscom.protocol.Version;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds out which server there is, once a connection and only what is asked for: a new connection
+ * may lead to another one. All methods may send, on the connection that there is; the lock of the
+ * link is held.
+ */
+final class Detection {
+  /** What C3 Bridge answers to {@code @PROXY_TYPE} (c3-bridge.md). */
+  private static final String C3_BRIDGE = "C3 BRIDGE INTERFACE";
+
+  /** The first version of C3 Bridge; what it has needs no further question. */
+  private static final Version FIRST = new Version(1, 0, 0);
+
+  private static final Features KUKAVARPROXY =
+      new Features(
+          ServerType.KUKAVARPROXY.types().stream()
+              .map(MessageType::code)
+              .collect(Collectors.toSet()));
+
+  private final Link link;
+  private final byte[] askType = Codec.encode(new ReadRequest(0, "@PROXY_TYPE"));
+  private final byte[] askVersion = Codec.encode(new ReadRequest(0, "@PROXY_VERSION"));
+  private final byte[] askFeatures = Codec.encode(new PlainRequest(0, MessageType.FEATURES));
+
+  /** The connection of which the rest is known. */
+  private @Nullable Connection of;
+
+  private @Nullable ServerType type;
+  private @Nullable Version version;
+  private boolean versionAsked;
+  private @Nullable Features features;
+
+  Detection(Link link) {
+    this.link = link;
+  }
+
+  ServerType type() throws CrossComException {
+    if (of != link.connection()) {
+      of = link.connection();
+      type = null;
+      version = null;
+      versionAsked = false;
+      features = null;
+    }
+    if (type == null) {
+      // KUKAVARPROXY answers empty or failure (c3-bridge.md)
+      type =
+          C3_BRIDGE.equalsIgnoreCase(read(askType, "@PROXY_TYPE"))
+              ? ServerType.C3_BRIDGE
+              : ServerType.KUKAVARPROXY;
+    }
+    return type;
+  }
+
+  private String read(byte[] frame, String name) throws CrossComException {
+    link.send(frame, MessageType.READ, Effect.READ, name);
+    AnswerFrame answer = link.answer();
+    return answer.success() ? answer.toString().strip() : "";
+  }
+
+  @Nullable Version version() throws CrossComException {
+    if (type() == ServerType.C3_BRIDGE && !versionAsked) {
+      version = Versions.parse(read(askVersion, "@PROXY_VERSION"));
+      versionAsked = true;
+    }
+    return version;
+  }
+
+  Features features() throws CrossComException {
+    if (type() == ServerType.KUKAVARPROXY) {
+      return KUKAVARPROXY;
+    }
+    if (features == null) {
+      String what = "request for the server's features";
+      link.send(askFeatures, MessageType.FEATURES, Effect.READ, what);
+      TypedResponse response = link.decoded(FeaturesResponse.class, Effect.READ, what);
+      if (!(response instanceof FeaturesResponse known) || !response.tail().success()) {
+        throw new CrossComRefusedException(what, response.tail().code());
+      }
+      features = known.features();
+    }
+    return features;
+  }
+
+  Server server() throws CrossComException {
+    return new Server(type(), version(), features());
+  }
+
+  /** Says whether the server has a message, and has it right. */
+  boolean hasRight(MessageType message) throws CrossComException {
+    if (type() == ServerType.KUKAVARPROXY) {
+      return message.isKnownTo(ServerType.KUKAVARPROXY);
+    }
+    Version since = message.since().orElse(null);
+    if (since == null || since.equals(FIRST)) {
+      return since != null;
+    }
+    Version own = version();
+    return own != null && own.compareTo(since) >= 0;
+  }
+
+  /** Throws if the server does not know a message. */
+  MessageType require(MessageType message, String what) throws CrossComException {
+    ServerType server = type();
+    boolean known =
+        server == ServerType.C3_BRIDGE && (hasRight(message) || features().has(message));
+    if (!known) {
+      throw new CrossComUnsupportedException(what, message, server, version());
+    }
+    return message;
+  }
+}

@@ -1,0 +1,38 @@
+package no.hials.crosscom;
+
+import no.hials.crosscom.protocol.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.EndWriteRequest;
+import no.hials.crosscom.protocol.Request;
+
+/** What a request does to the controller, which decides what a lost connection means. */
+enum Effect {
+  /** It only reads: it can be repeated. */
+  READ,
+  /**
+   * It changes nothing of the controller, but depends on what the server remembers of the
+   * connection or takes long: it is not repeated.
+   */
+  NONE,
+  /** It can change something: it is never repeated, and its outcome can be unknown. */
+  CHANGE;
+
+  static Effect of(Request request) {
+    return switch (request.type()) {
+      case READ,
+          READ_UTF16,
+          READ_MULTIPLE,
+          INFORMATION,
+          FEATURES,
+          LIST_DIRECTORY,
+          FILE_PROPERTIES,
+          FULL_NAME,
+          KRC_NAME ->
+          READ;
+      case READ_CONTENT -> NONE;
+      // before its end, a transfer only fills a buffer of the server (c3-bridge.md, type 29)
+      case WRITE_CONTENT -> request instanceof EndWriteRequest ? CHANGE : NONE;
+      case BENCHMARK -> request instanceof BenchmarkReadRequest ? NONE : CHANGE;
+      default -> CHANGE;
+    };
+  }
+}

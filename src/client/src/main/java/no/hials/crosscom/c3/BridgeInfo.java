@@ -1,0 +1,18 @@
+package no.hials.crosscom.c3;
+
+import java.time.Instant;
+import no.hials.crosscom.protocol.Version;
+import no.hials.crosscom.protocol.code.BuildType;
+import no.hials.crosscom.protocol.code.Code;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What C3 Bridge Interface says about itself (c3-bridge.md, type 13).
+ *
+ * @param version its version; the third number is always 0
+ * @param build how it was built; the number is kept if it is unknown
+ * @param clock the controller's clock when it answered, to the ms; null if what it sent is no time
+ * @param host the controller's computer name
+ */
+public record BridgeInfo(
+    Version version, Code<BuildType> build, @Nullable Instant clock, String host) {}

@@ -1,0 +1,246 @@
+package no.hials.crosscom.c3;
+
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.StandardProtocolFamily;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.DatagramChannel;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import no.hials.crosscom.internal.Versions;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.Version;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Finds servers by UDP (c3-bridge.md, "Discovery"; kukavarproxy.md). It asks only whom the {@link
+ * DiscoveryConfig} names.
+ *
+ * <p>In legacy mode a server answers to a fixed port of this machine, which no other program may
+ * have. The answers name no question, so they are known by their form.
+ */
+public final class Discovery {
+  private static final Logger LOG = LoggerFactory.getLogger(Discovery.class);
+
+  private static final String PRESENCE = "WHEREAREYOU?";
+  private static final List<String> DETAILS =
+      List.of("@PROXY_TYPE", "@PROXY_VERSION", "@PROXY_PORT");
+
+  /** How often the question is put, since a datagram may get lost. */
+  private static final int ROUNDS = 2;
+
+  private final DiscoveryConfig config;
+  private final Map<InetAddress, Answers> found = new LinkedHashMap<>();
+  private final ByteBuffer buffer = ByteBuffer.allocate(1024);
+
+  private Discovery(DiscoveryConfig config) {
+    this.config = config;
+  }
+
+  /** A way to ask. */
+  private record Mode(DatagramChannel channel, int port) {}
+
+  /** What one server has answered so far. */
+  private static final class Answers {
+    final InetAddress address;
+    @Nullable String presence;
+    boolean bridge;
+    @Nullable Version version;
+    int port = 7000;
+
+    Answers(InetAddress address) {
+      this.address = address;
+    }
+
+    void take(String text) {
+      if (text.startsWith("KUKA|")) {
+        presence = text;
+      } else if (text.equalsIgnoreCase("C3 BRIDGE INTERFACE")) {
+        bridge = true;
+      } else if (text.matches("[0-9]{1,5}") && Integer.parseInt(text) <= 65_535) {
+        port = Integer.parseInt(text);
+      } else if (Versions.parse(text) != null) {
+        version = Versions.parse(text);
+      }
+    }
+
+    FoundServer server(String known) {
+      String[] fields = known.split("\\|", -1);
+      return new FoundServer(
+          address,
+          port,
+          unquoted(fields[1]),
+          fields.length > 2 ? unquoted(fields[2]) : "",
+          bridge ? ServerType.C3_BRIDGE : ServerType.KUKAVARPROXY,
+          version);
+    }
+
+    /** Takes off the quotes of a KRL text (c3-vectors.tsv, "presence again"). */
+    private static String unquoted(String text) {
+      boolean quoted = text.length() > 1 && text.startsWith("\"") && text.endsWith("\"");
+      return quoted ? text.substring(1, text.length() - 1) : text;
+    }
+  }
+
+  /**
+   * Finds servers, in the calling thread. It takes as long as the time-out.
+   *
+   * @param config whom to ask, and how
+   * @return what answered, in the order of the answers
+   * @throws InterruptedIOException if the thread was interrupted
+   * @throws IOException if nothing could be sent, or the port for the answers is taken
+   */
+  public static List<FoundServer> find(DiscoveryConfig config) throws IOException {
+    return new Discovery(config).run();
+  }
+
+  /**
+   * Does what {@link #find} does, in a daemon thread of its own, {@code crosscom-discovery}.
+   *
+   * @param config whom to ask, and how
+   * @return the result to come; cancelling it does not end the search
+   */
+  public static CompletableFuture<List<FoundServer>> findAsync(DiscoveryConfig config) {
+    CompletableFuture<List<FoundServer>> result = new CompletableFuture<>();
+    Thread thread =
+        new Thread(
+            () -> {
+              try {
+                result.complete(find(config));
+              } catch (IOException | RuntimeException | Error e) {
+                result.completeExceptionally(e);
+              }
+            },
+            "crosscom-discovery");
+    thread.setDaemon(true);
+    thread.start();
+    return result;
+  }
+
+  private List<FoundServer> run() throws IOException {
+    List<Mode> modes = new ArrayList<>();
+    try (Selector selector = Selector.open()) {
+      try {
+        if (config.standard()) {
+          modes.add(open(selector, 0, config.standardPort()));
+        }
+        if (config.legacy()) {
+          modes.add(open(selector, config.legacyReplyPort(), config.legacyPort()));
+        }
+        search(selector, modes);
+      } finally {
+        for (Mode mode : modes) {
+          mode.channel.close();
+        }
+      }
+    }
+    List<FoundServer> servers = new ArrayList<>();
+    for (Answers answers : found.values()) {
+      if (answers.presence != null) {
+        servers.add(answers.server(answers.presence));
+      }
+    }
+    return List.copyOf(servers);
+  }
+
+  private Mode open(Selector selector, int localPort, int port) throws IOException {
+    DatagramChannel channel = DatagramChannel.open(StandardProtocolFamily.INET);
+    InetAddress local = config.localAddress();
+    try {
+      channel.setOption(StandardSocketOptions.SO_BROADCAST, true);
+      channel.bind(
+          local == null
+              ? new InetSocketAddress(localPort)
+              : new InetSocketAddress(local, localPort));
+      channel.configureBlocking(false);
+      Mode mode = new Mode(channel, port);
+      channel.register(selector, SelectionKey.OP_READ, mode);
+      return mode;
+    } catch (IOException e) {
+      channel.close();
+      throw new IOException(
+          "cannot listen on UDP port "
+              + localPort
+              + " for the answers"
+              + (localPort == 0 ? "" : " of the legacy mode, which may be left out")
+              + ": "
+              + e.getMessage(),
+          e);
+    }
+  }
+
+  private void search(Selector selector, List<Mode> modes) throws IOException {
+    long start = System.nanoTime();
+    long timeout = config.timeout().toNanos();
+    for (int round = 1; round <= ROUNDS; round++) {
+      askAll(modes);
+      long until = start + timeout / ROUNDS * round;
+      for (long left = until - System.nanoTime(); left > 0; left = until - System.nanoTime()) {
+        selector.select(left / 1_000_000 + 1);
+        if (Thread.currentThread().isInterrupted()) {
+          throw new InterruptedIOException("the thread was interrupted while it searched");
+        }
+        for (SelectionKey key : selector.selectedKeys()) {
+          receive((Mode) key.attachment());
+        }
+        selector.selectedKeys().clear();
+      }
+    }
+  }
+
+  /** Asks every target; that one cannot be reached does not keep the others from being asked. */
+  private void askAll(List<Mode> modes) throws IOException {
+    int sent = 0;
+    for (Mode mode : modes) {
+      for (InetAddress target : config.targets()) {
+        sent += send(mode, PRESENCE, target) ? 1 : 0;
+      }
+    }
+    if (sent == 0) {
+      throw new IOException("none of these could be asked: " + config.targets());
+    }
+  }
+
+  /** Says whether a question could be sent. */
+  private static boolean send(Mode mode, String question, InetAddress target) {
+    byte[] bytes = question.getBytes(StandardCharsets.ISO_8859_1);
+    try {
+      mode.channel.send(ByteBuffer.wrap(bytes), new InetSocketAddress(target, mode.port));
+      return true;
+    } catch (IOException e) {
+      LOG.debug("cannot ask {}: {}", target, e.getMessage());
+      return false;
+    }
+  }
+
+  private void receive(Mode mode) throws IOException {
+    while (true) {
+      buffer.clear();
+      InetSocketAddress from = (InetSocketAddress) mode.channel.receive(buffer);
+      if (from == null) {
+        return;
+      }
+      String text =
+          new String(buffer.array(), 0, buffer.position(), StandardCharsets.ISO_8859_1).strip();
+      LOG.debug("{} answered {}", from, text);
+      InetAddress address = from.getAddress();
+      found.computeIfAbsent(address, Answers::new).take(text);
+      if (text.startsWith("KUKA|")) {
+        for (String question : DETAILS) {
+          send(mode, question, address);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,124 @@
+package no.hials.crosscom.c3;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.Arrays;
+import java.util.Objects;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.internal.Cancellation;
+import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.protocol.BeginReadRequest;
+import no.hials.crosscom.protocol.ContentRequest;
+import no.hials.crosscom.protocol.ContentResponse;
+import no.hials.crosscom.protocol.ContentSizeResponse;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.ReadDataRequest;
+import no.hials.crosscom.protocol.ReadDataResponse;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.ContentOperation;
+import no.hials.crosscom.protocol.code.CopyFlag;
+import no.hials.crosscom.protocol.code.Flags;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Fetches a file. The server reads all of it into a buffer of the connection at the beginning
+ * (c3-bridge.md, type 30), so that it cannot change on the way.
+ */
+final class Download extends Transfer {
+  private static final Logger LOG = LoggerFactory.getLogger(Download.class);
+
+  private final long limit;
+
+  /**
+   * Makes a download.
+   *
+   * @param limit how many bytes the file may have
+   */
+  Download(
+      MessageLink link, String name, long limit, TransferConfig config, Cancellation cancellation) {
+    super(link, "download", name, config, cancellation);
+    this.limit = limit;
+  }
+
+  /** Fetches a file, and once more to compare if that is to be done. */
+  void run(OutputStream target) throws IOException {
+    fetch(target);
+    if (digest != null && !Arrays.equals(digest.digest(), digest(link, name, config))) {
+      throw failed("what came a second time to compare is something else");
+    }
+  }
+
+  /** Fetches a file for its digest only. */
+  static byte[] digest(MessageLink link, String name, TransferConfig config) throws IOException {
+    TransferConfig quiet =
+        TransferConfig.create(
+            cfg ->
+                cfg.flags(config.flags().toArray(CopyFlag[]::new))
+                    .verification(Verification.CONTENT));
+    Download download = new Download(link, name, MAX_SIZE, quiet, Cancellation.NEVER);
+    download.fetch(OutputStream.nullOutputStream());
+    return Objects.requireNonNull(download.digest).digest();
+  }
+
+  private void fetch(OutputStream target) throws IOException {
+    MessageLink one = link.onOneConnection();
+    try {
+      ContentSizeResponse begun =
+          one.ask(
+              new BeginReadRequest(0, Flags.of(CopyFlag.class, config.flags()), name),
+              ContentSizeResponse.class,
+              what);
+      check(begun, ContentOperation.BEGIN);
+      long size = begun.size();
+      if (size > limit) {
+        throw failed("the file must have at most " + limit + " bytes, has " + size);
+      }
+      fetchParts(size, target, one);
+      checkSize(
+          one.ask(request(ContentOperation.SIZE), ContentSizeResponse.class, what),
+          ContentOperation.SIZE,
+          size);
+    } finally {
+      release(one);
+    }
+  }
+
+  private static ContentRequest request(ContentOperation operation) {
+    return new ContentRequest(0, MessageType.READ_CONTENT, Code.of(operation));
+  }
+
+  private void fetchParts(long size, OutputStream target, MessageLink one) throws IOException {
+    tell(size);
+    while (bytes < size) {
+      long most = Math.min(PART, size - bytes);
+      ReadDataResponse answer =
+          one.ask(new ReadDataRequest(0, bytes, most), ReadDataResponse.class, what);
+      int length = answer.data().size();
+      if (answer.offset() != bytes || length == 0 || length > most) {
+        throw failed(
+            "the server must give 1 to "
+                + most
+                + " bytes at "
+                + bytes
+                + ", gave "
+                + length
+                + " at "
+                + answer.offset());
+      }
+      byte[] part = answer.data().toByteArray();
+      target.write(part);
+      count(part, length);
+      tell(size);
+    }
+  }
+
+  /** Empties the server's buffer, if the connection is still there. */
+  private static void release(MessageLink one) {
+    try {
+      one.ask(request(ContentOperation.END), ContentResponse.class, "end of the download");
+    } catch (CrossComException e) {
+      LOG.debug("the buffer of the download was not emptied: {}", e.getMessage());
+    }
+  }
+}

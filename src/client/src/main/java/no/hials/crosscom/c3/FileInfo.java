@@ -1,0 +1,63 @@
+package no.hials.crosscom.c3;
+
+import java.time.Instant;
+import java.util.Optional;
+import no.hials.crosscom.protocol.FileProperties;
+import no.hials.crosscom.protocol.ItemTime;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.EditMode;
+import no.hials.crosscom.protocol.code.FileAttribute;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.code.ItemType;
+
+/**
+ * The properties of a file or directory on the controller.
+ *
+ * @param name the name, without the directory
+ * @param type what it is, known or not
+ * @param size in bytes, 0 or more
+ * @param attributes what it is marked with; {@link Flags#known} gives the set of the known ones
+ * @param created when it was created; nothing if the controller does not know
+ * @param accessed when it was last used; nothing if the controller does not know
+ * @param modified when it was last changed; nothing if the controller does not know
+ * @param editMode how it may be edited on the controller, known or not
+ */
+public record FileInfo(
+    String name,
+    Code<ItemType> type,
+    long size,
+    Flags<FileAttribute> attributes,
+    Optional<Instant> created,
+    Optional<Instant> accessed,
+    Optional<Instant> modified,
+    Code<EditMode> editMode) {
+
+  static FileInfo of(FileProperties properties) {
+    return new FileInfo(
+        properties.name(),
+        properties.itemType(),
+        properties.size(),
+        properties.attributes(),
+        time(properties.created()),
+        time(properties.accessed()),
+        time(properties.modified()),
+        properties.editMode());
+  }
+
+  private static Optional<Instant> time(ItemTime time) {
+    return time.ticks() == 0 ? Optional.empty() : Optional.of(time.instant());
+  }
+
+  static boolean isDirectory(Code<ItemType> type) {
+    return type.is(ItemType.DIRECTORY) || type.is(ItemType.VIRTUAL_DIRECTORY);
+  }
+
+  /**
+   * Says whether it is a directory, real or virtual.
+   *
+   * @return true if so
+   */
+  public boolean isDirectory() {
+    return isDirectory(type);
+  }
+}

@@ -1,0 +1,198 @@
+package no.hials.crosscom.c3;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.CrossComUnsupportedException;
+import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.protocol.Assignment;
+import no.hials.crosscom.protocol.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.BenchmarkResponse;
+import no.hials.crosscom.protocol.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.Features;
+import no.hials.crosscom.protocol.FeaturesResponse;
+import no.hials.crosscom.protocol.InformationResponse;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.PlainRequest;
+import no.hials.crosscom.protocol.PlainResponse;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.ServerInformation;
+
+/**
+ * Asks C3 Bridge Interface about itself, and confirms the messages of the controller (c3-bridge.md,
+ * types 13, 14, 17 and 63).
+ *
+ * <p>For several threads. All methods block for the request time-out at most, and throw: {@link
+ * CrossComUnsupportedException} on KUKAVARPROXY and on older versions without the message; {@link
+ * CrossComRefusedException} with the server's code if it refused; another {@link CrossComException}
+ * if the exchange failed.
+ */
+public final class Information {
+  /** How many variables the server uses of a benchmark (c3-bridge.md, type 17). */
+  private static final int MAX_BENCHMARK = 10;
+
+  private final MessageLink link;
+
+  /**
+   * Makes the object of a client. For the client; programs get it from {@link
+   * no.hials.crosscom.CrossComClient#information}.
+   *
+   * @param link sends the messages
+   */
+  public Information(MessageLink link) {
+    this.link = link;
+  }
+
+  /**
+   * Asks for version, build, clock and host.
+   *
+   * @return the answer
+   * @throws CrossComException if the server cannot, refused, or the exchange failed
+   */
+  public BridgeInfo get() throws CrossComException {
+    ServerInformation information =
+        link.ask(
+                new PlainRequest(0, MessageType.INFORMATION),
+                InformationResponse.class,
+                "request for the server's information")
+            .information();
+    return new BridgeInfo(
+        information.version(),
+        information.build(),
+        information.time().instant().orElse(null),
+        information.computerName());
+  }
+
+  /**
+   * Asks for the messages that the server knows. {@link no.hials.crosscom.CrossComClient#getServer}
+   * gives them without asking again.
+   *
+   * @return the answer
+   * @throws CrossComException if the server cannot, refused, or the exchange failed
+   */
+  public Features features() throws CrossComException {
+    return link.ask(
+            new PlainRequest(0, MessageType.FEATURES),
+            FeaturesResponse.class,
+            "request for the server's features")
+        .features();
+  }
+
+  /**
+   * Confirms all messages of the controller that can be confirmed.
+   *
+   * @throws CrossComException if the server cannot, refused, or the exchange failed
+   */
+  public void confirmAll() throws CrossComException {
+    link.ask(
+        new PlainRequest(0, MessageType.CONFIRM_ALL),
+        PlainResponse.class,
+        "confirmation of all messages");
+  }
+
+  /**
+   * Lets the server read variables again and again, and measure the time. It must end within the
+   * request time-out of the client.
+   *
+   * @param iterations how often, 0 to 4294967295
+   * @param names the variables, 1 to 10
+   * @return how long it took
+   * @throws CrossComException if the server cannot, refused, or the exchange failed
+   */
+  public BenchmarkResult benchmarkRead(long iterations, List<String> names)
+      throws CrossComException {
+    checkCount(names.size());
+    return benchmark(
+        new BenchmarkReadRequest(0, iterations, names), "benchmark of reading " + names);
+  }
+
+  /**
+   * Lets the server write variables again and again, and measure the time. It must end within the
+   * request time-out of the client. <b>A write can move a machine.</b>
+   *
+   * @param iterations how often, 0 to 4294967295
+   * @param values KRL texts by the variables' names, 1 to 10
+   * @return how long it took
+   * @throws CrossComException if the server cannot, refused, or the exchange failed; its outcome
+   *     can be unknown
+   */
+  public BenchmarkResult benchmarkWrite(long iterations, Map<String, String> values)
+      throws CrossComException {
+    checkCount(values.size());
+    List<Assignment> assignments = new ArrayList<>();
+    values.forEach((name, value) -> assignments.add(new Assignment(name, value)));
+    return benchmark(
+        new BenchmarkWriteRequest(0, iterations, assignments),
+        "benchmark of writing " + values.keySet());
+  }
+
+  private BenchmarkResult benchmark(Request request, String what) throws CrossComException {
+    BenchmarkResponse response = link.ask(request, BenchmarkResponse.class, what);
+    return new BenchmarkResult(
+        response.count(), response.iterations(), Duration.ofMillis(response.differenceMillis()));
+  }
+
+  private static void checkCount(int count) {
+    if (count < 1 || count > MAX_BENCHMARK) {
+      throw new IllegalArgumentException(
+          "a benchmark must have 1 to " + MAX_BENCHMARK + " variables, has " + count);
+    }
+  }
+
+  // --- the same in another thread
+
+  /**
+   * Does what {@link #get} does, in another thread.
+   *
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<BridgeInfo> getAsync() {
+    return link.async(this::get);
+  }
+
+  /**
+   * Does what {@link #features} does, in another thread.
+   *
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<Features> featuresAsync() {
+    return link.async(this::features);
+  }
+
+  /**
+   * Does what {@link #confirmAll} does, in another thread.
+   *
+   * @return the end to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<Void> confirmAllAsync() {
+    return link.asyncRun(this::confirmAll);
+  }
+
+  /**
+   * Does what {@link #benchmarkRead} does, in another thread.
+   *
+   * @param iterations how often, 0 to 4294967295
+   * @param names the variables, 1 to 10
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<BenchmarkResult> benchmarkReadAsync(
+      long iterations, List<String> names) {
+    return link.async(() -> benchmarkRead(iterations, names));
+  }
+
+  /**
+   * Does what {@link #benchmarkWrite} does, in another thread.
+   *
+   * @param iterations how often, 0 to 4294967295
+   * @param values KRL texts by the variables' names, 1 to 10
+   * @return the result to come; cancelling it before it is sent means that it is not sent
+   */
+  public CompletableFuture<BenchmarkResult> benchmarkWriteAsync(
+      long iterations, Map<String, String> values) {
+    return link.async(() -> benchmarkWrite(iterations, values));
+  }
+}

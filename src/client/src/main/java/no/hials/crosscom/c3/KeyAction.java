@@ -1,0 +1,86 @@
+package no.hials.crosscom.c3;
+
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.protocol.code.PendantKey;
+
+/**
+ * A key of the pendant with what it acts on, to be pressed or released (c3-bridge.md, type 12).
+ *
+ * @param key which key
+ * @param number the interpreter's number for start and stop, the axis for jog and mouse
+ * @param keyCode which key of several; 0 for start and stop. Of a jog the reference has one
+ *     example, with 2 (c3-vectors.tsv), and does not say what the number means
+ * @param direction false for forward, as in the example of a start; true for plus, as in that of a
+ *     jog (c3-vectors.tsv). That the other value is the other direction is assumed
+ */
+public record KeyAction(Code<PendantKey> key, int number, int keyCode, boolean direction) {
+
+  /**
+   * Makes the key that starts the program forward.
+   *
+   * @param interpreter whose program
+   * @return the key
+   */
+  public static KeyAction start(Interpreter interpreter) {
+    return new KeyAction(Code.of(PendantKey.START), interpreter.code(), 0, false);
+  }
+
+  /**
+   * Makes the key that starts the program backward.
+   *
+   * @param interpreter whose program
+   * @return the key
+   */
+  public static KeyAction startBackward(Interpreter interpreter) {
+    return new KeyAction(Code.of(PendantKey.START), interpreter.code(), 0, true);
+  }
+
+  /**
+   * Makes the key that stops the program.
+   *
+   * @param interpreter whose program
+   * @return the key
+   */
+  public static KeyAction stop(Interpreter interpreter) {
+    return new KeyAction(Code.of(PendantKey.STOP), interpreter.code(), 0, false);
+  }
+
+  /**
+   * Makes the key that moves one axis.
+   *
+   * @param axis its number, from 1
+   * @param keyCode which key; see {@link #keyCode}
+   * @param plus whether in plus direction
+   * @return the key
+   */
+  public static KeyAction jog(int axis, int keyCode, boolean plus) {
+    return new KeyAction(Code.of(PendantKey.JOG), axis, keyCode, plus);
+  }
+
+  /**
+   * Makes a deflection of the 6D mouse.
+   *
+   * @param axis its number, from 1 (assumed)
+   * @param keyCode which key; see {@link #keyCode}
+   * @param plus whether in plus direction
+   * @return the key
+   */
+  public static KeyAction mouse(int axis, int keyCode, boolean plus) {
+    return new KeyAction(Code.of(PendantKey.MOUSE), axis, keyCode, plus);
+  }
+
+  /** Names the key and what it acts on. */
+  @Override
+  public String toString() {
+    return "key "
+        + key
+        + " (number "
+        + number
+        + ", key code "
+        + keyCode
+        + ", direction "
+        + (direction ? 1 : 0)
+        + ")";
+  }
+}

@@ -1,0 +1,78 @@
+package no.hials.crosscom.c3;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.UUID;
+
+/**
+ * A file of this computer that is there whole or not at all: it is written beside its place, and
+ * moved there at the end.
+ */
+final class LocalFile implements Closeable {
+  private final Path target;
+  private final boolean overwrite;
+  private final Path part;
+  private final FileChannel channel;
+
+  /**
+   * Creates the file beside its place.
+   *
+   * @throws FileAlreadyExistsException if there is something and it may not be replaced
+   */
+  LocalFile(Path target, boolean overwrite) throws IOException {
+    this.target = target;
+    this.overwrite = overwrite;
+    if (!overwrite) {
+      refuseExisting();
+    }
+    this.part = target.resolveSibling(target.getFileName() + "." + UUID.randomUUID() + ".part");
+    this.channel = FileChannel.open(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+  }
+
+  private void refuseExisting() throws FileAlreadyExistsException {
+    if (Files.exists(target, LinkOption.NOFOLLOW_LINKS)) {
+      throw new FileAlreadyExistsException(
+          target.toString(), null, "it is there already, and overwriting was not asked for");
+    }
+  }
+
+  OutputStream output() {
+    return Channels.newOutputStream(channel);
+  }
+
+  /** Writes what the system still keeps back. */
+  void force() throws IOException {
+    channel.force(true);
+    channel.close();
+  }
+
+  /** Moves the file to its place. */
+  void complete() throws IOException {
+    if (!overwrite) {
+      Files.move(part, target);
+      return;
+    }
+    try {
+      Files.move(part, target, StandardCopyOption.ATOMIC_MOVE);
+    } catch (AtomicMoveNotSupportedException e) {
+      Files.move(part, target, StandardCopyOption.REPLACE_EXISTING);
+    }
+  }
+
+  /** Removes what is not complete. */
+  @Override
+  public void close() throws IOException {
+    channel.close();
+    Files.deleteIfExists(part);
+  }
+}

@@ -1,0 +1,105 @@
+package no.hials.crosscom.c3;
+
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Objects;
+import java.util.Set;
+import java.util.function.Consumer;
+import no.hials.crosscom.protocol.code.CopyFlag;
+
+/**
+ * How a file is uploaded or downloaded. Immutable; made by {@link #create}.
+ *
+ * @param overwrite whether a file that is there already, on the side to which is transferred, is
+ *     replaced; default false
+ * @param flags sent as they are, besides {@link CopyFlag#OVERWRITE}, which {@code overwrite} sets;
+ *     default none
+ * @param verification how it is made sure that all arrived; default {@link Verification#SIZE}
+ * @param progress hears how far it has come; default nobody
+ */
+public record TransferConfig(
+    boolean overwrite, Set<CopyFlag> flags, Verification verification, TransferProgress progress) {
+
+  /** Everything as by default. */
+  public static final TransferConfig DEFAULT = create(cfg -> {});
+
+  /** Checks every field. */
+  public TransferConfig {
+    EnumSet<CopyFlag> copy = EnumSet.noneOf(CopyFlag.class);
+    copy.addAll(flags);
+    if (copy.contains(CopyFlag.OVERWRITE)) {
+      throw new IllegalArgumentException("say overwrite(true) instead of the flag OVERWRITE");
+    }
+    flags = Collections.unmodifiableSet(copy);
+    Objects.requireNonNull(verification, "verification");
+    Objects.requireNonNull(progress, "progress");
+  }
+
+  /**
+   * Makes a configuration.
+   *
+   * @param settings sets what is not to have its default
+   * @return the configuration
+   * @throws IllegalArgumentException if a value is out of its range
+   */
+  public static TransferConfig create(Consumer<Builder> settings) {
+    Builder builder = new Builder();
+    settings.accept(builder);
+    return new TransferConfig(
+        builder.overwrite, builder.flags, builder.verification, builder.progress);
+  }
+
+  /** Collects the settings; each method is described at the component of the same name. */
+  public static final class Builder {
+    private boolean overwrite;
+    private Set<CopyFlag> flags = Set.of();
+    private Verification verification = Verification.SIZE;
+    private TransferProgress progress = (bytes, total) -> {};
+
+    private Builder() {}
+
+    /**
+     * Sets whether to replace a file that is there already.
+     *
+     * @param value true to replace it
+     * @return this
+     */
+    public Builder overwrite(boolean value) {
+      overwrite = value;
+      return this;
+    }
+
+    /**
+     * Sets the flags for the controller.
+     *
+     * @param value any but {@link CopyFlag#OVERWRITE}
+     * @return this
+     */
+    public Builder flags(CopyFlag... value) {
+      flags = Set.of(value);
+      return this;
+    }
+
+    /**
+     * Sets how it is made sure that all arrived.
+     *
+     * @param value how
+     * @return this
+     */
+    public Builder verification(Verification value) {
+      verification = value;
+      return this;
+    }
+
+    /**
+     * Sets who hears how far it has come.
+     *
+     * @param value called by the thread that transfers
+     * @return this
+     */
+    public Builder progress(TransferProgress value) {
+      progress = value;
+      return this;
+    }
+  }
+}

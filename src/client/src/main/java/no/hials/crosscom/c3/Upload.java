@@ -1,0 +1,153 @@
+package no.hials.crosscom.c3;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Arrays;
+import java.util.EnumSet;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.internal.Cancellation;
+import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.protocol.BeginWriteRequest;
+import no.hials.crosscom.protocol.Bytes;
+import no.hials.crosscom.protocol.ContentRequest;
+import no.hials.crosscom.protocol.ContentResponse;
+import no.hials.crosscom.protocol.ContentSizeResponse;
+import no.hials.crosscom.protocol.EndWriteRequest;
+import no.hials.crosscom.protocol.FilePropertiesRequest;
+import no.hials.crosscom.protocol.FilePropertiesResponse;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.WriteDataRequest;
+import no.hials.crosscom.protocol.WriteDataResponse;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.ContentOperation;
+import no.hials.crosscom.protocol.code.CopyFlag;
+import no.hials.crosscom.protocol.code.FileProperty;
+import no.hials.crosscom.protocol.code.Flags;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Sends a file. The server collects it in a buffer of the connection and stores it at the end, so
+ * that there is nothing of it before (c3-bridge.md, type 29).
+ */
+final class Upload extends Transfer {
+  private static final Logger LOG = LoggerFactory.getLogger(Upload.class);
+
+  private final long size;
+
+  Upload(
+      MessageLink link, String name, long size, TransferConfig config, Cancellation cancellation) {
+    super(link, "upload", name, config, cancellation);
+    this.size = size;
+  }
+
+  void run(InputStream content) throws IOException {
+    if (size > MAX_SIZE) {
+      throw failed("a file must have at most " + MAX_SIZE + " bytes, has " + size);
+    }
+    if (!config.overwrite() && Files.exists(link, name)) {
+      throw failed("the controller has it already, and overwriting was not asked for");
+    }
+    store(content);
+    verify();
+  }
+
+  private void store(InputStream content) throws IOException {
+    // on another connection the buffer would be empty, and its end would store an empty file
+    MessageLink one = link.onOneConnection();
+    boolean stored = false;
+    try {
+      checkSize(
+          one.ask(new BeginWriteRequest(0, size), ContentSizeResponse.class, what),
+          ContentOperation.BEGIN,
+          size);
+      sendParts(content, one);
+      checkSize(
+          one.ask(sizeRequest(), ContentSizeResponse.class, what), ContentOperation.SIZE, size);
+      cancellation.commit();
+      one.ask(new EndWriteRequest(0, flags(), name), ContentResponse.class, what);
+      stored = true;
+    } finally {
+      if (!stored) {
+        release(one);
+      }
+    }
+  }
+
+  private static ContentRequest sizeRequest() {
+    return new ContentRequest(0, MessageType.WRITE_CONTENT, Code.of(ContentOperation.SIZE));
+  }
+
+  private Flags<CopyFlag> flags() {
+    EnumSet<CopyFlag> flags = EnumSet.noneOf(CopyFlag.class);
+    flags.addAll(config.flags());
+    if (config.overwrite()) {
+      flags.add(CopyFlag.OVERWRITE);
+    }
+    return Flags.of(CopyFlag.class, flags);
+  }
+
+  private void sendParts(InputStream content, MessageLink one) throws IOException {
+    byte[] part = new byte[(int) Math.min(PART, size)];
+    tell(size);
+    while (bytes < size) {
+      int length = content.readNBytes(part, 0, (int) Math.min(part.length, size - bytes));
+      if (length == 0) {
+        throw failed("the content must have " + size + " bytes, has " + bytes);
+      }
+      sendPart(part, length, one);
+      tell(size);
+    }
+    if (content.read() >= 0) {
+      throw failed("the content must have " + size + " bytes, has more");
+    }
+  }
+
+  private void sendPart(byte[] part, int length, MessageLink one) throws CrossComException {
+    WriteDataResponse answer =
+        one.ask(
+            new WriteDataRequest(0, bytes, Bytes.of(part, 0, length)),
+            WriteDataResponse.class,
+            what);
+    if (answer.offset() != bytes || answer.written() != length) {
+      throw failed(
+          "the server must take "
+              + length
+              + " bytes at "
+              + bytes
+              + ", took "
+              + answer.written()
+              + " at "
+              + answer.offset());
+    }
+    count(part, length);
+  }
+
+  /** Empties the server's buffer, if the connection is still there. */
+  private static void release(MessageLink one) {
+    try {
+      one.ask(new BeginWriteRequest(0, 0), ContentSizeResponse.class, "end of the upload");
+    } catch (CrossComException e) {
+      LOG.debug("the buffer of the failed upload was not emptied: {}", e.getMessage());
+    }
+  }
+
+  private void verify() throws IOException {
+    if (config.verification() == Verification.PARTS) {
+      return;
+    }
+    long stored =
+        link.ask(
+                new FilePropertiesRequest(0, Flags.of(FileProperty.SIZE), name),
+                FilePropertiesResponse.class,
+                "check of the size of " + name + " after its upload")
+            .properties()
+            .size();
+    if (stored != size) {
+      throw failed("the file is stored, but has " + stored + " bytes instead of " + size);
+    }
+    if (digest != null && !Arrays.equals(digest.digest(), Download.digest(link, name, config))) {
+      throw failed("the file is stored, but its content is not what was sent");
+    }
+  }
+}

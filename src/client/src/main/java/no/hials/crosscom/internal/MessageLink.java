@@ -1,0 +1,117 @@
+package no.hials.crosscom.internal;
+
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import no.hials.crosscom.CrossComConnectionLostException;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComProtocolException;
+import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.CrossComTransferException;
+import no.hials.crosscom.CrossComUnsupportedException;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.TypedResponse;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Lets the parts of the client send the messages that only C3 Bridge knows. For several threads:
+ * exchanges take place one at a time.
+ */
+public interface MessageLink {
+
+  /**
+   * Sends a request and waits for its answer, for the request time-out at most.
+   *
+   * <p>If the connection breaks, a request that only reads (types 4, 6, 13, 14, 21 and 26 to 28) is
+   * repeated once on a new one. Every other is not, and if it can have changed something, the
+   * exception says that its outcome is unknown.
+   *
+   * @param request the request, whose id does not matter
+   * @param answer the class that its successful answer has
+   * @param what a noun phrase for error messages, to stand behind "the", such as {@code selection
+   *     of program /R1/MAIN}
+   * @param <R> that class
+   * @return the answer; it says success
+   * @throws CrossComUnsupportedException if the server does not know the message; it was not sent
+   * @throws CrossComRefusedException if the answer says failure; it has the code
+   * @throws CrossComProtocolException if what came is not the answer; the connection is closed
+   * @throws CrossComException if the exchange failed
+   */
+  <R extends TypedResponse> R ask(Request request, Class<R> answer, String what)
+      throws CrossComException;
+
+  /**
+   * Makes a link all of whose exchanges take place on one connection, for what the server remembers
+   * from one message to the next, such as the content that messages 29 and 30 transfer. The first
+   * exchange chooses the connection; once it is lost, each further one fails with {@link
+   * CrossComConnectionLostException} before anything is sent. Nothing is repeated, and other
+   * threads' exchanges may come in between. For one thread.
+   *
+   * @return the link
+   */
+  MessageLink onOneConnection();
+
+  /**
+   * Makes sure that the server knows a message, without sending it.
+   *
+   * @param type the message
+   * @param what as for {@link #ask}
+   * @throws CrossComUnsupportedException if it does not
+   * @throws CrossComException if asking the server failed
+   */
+  void require(MessageType type, String what) throws CrossComException;
+
+  /**
+   * Does an operation in the client's thread for such.
+   *
+   * @param operation what to do; its exchanges by this link
+   * @param <T> what it gives
+   * @return the result to come; cancelling it before its first exchange means that nothing is sent
+   */
+  <T extends @Nullable Object> CompletableFuture<T> async(Callable<T> operation);
+
+  /**
+   * Does an operation without a result in the client's thread for such.
+   *
+   * @param operation what to do; its exchanges by this link
+   * @return the end to come; cancelling it before its first exchange means that nothing is sent
+   */
+  default CompletableFuture<Void> asyncRun(Action operation) {
+    return this.<@Nullable Void>async(
+        () -> {
+          operation.run();
+          return null;
+        });
+  }
+
+  /**
+   * Does an operation of many exchanges in the client's thread for such, one after the other.
+   *
+   * @param operation what to do; its exchanges by this link
+   * @param <T> what it gives
+   * @return the result to come; it can be cancelled until the operation commits itself
+   */
+  <T> CompletableFuture<T> asyncTransfer(CancellableOperation<T> operation);
+
+  /**
+   * Makes the exception for a transfer that failed although the exchanges went well.
+   *
+   * @param what as for {@link #ask}
+   * @param file the file on the controller
+   * @param bytes how many bytes were transferred
+   * @param why the rule that broke, expected and actual
+   * @return the exception
+   */
+  CrossComTransferException transferFailed(String what, String file, long bytes, String why);
+
+  /** An operation without a result. */
+  @FunctionalInterface
+  interface Action {
+    /**
+     * Does it.
+     *
+     * @throws CrossComException if it failed
+     */
+    void run() throws CrossComException;
+  }
+}

@@ -1,0 +1,32 @@
+package no.hials.crosscom.internal;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import no.hials.crosscom.protocol.Version;
+import org.jspecify.annotations.Nullable;
+
+/** Reads what C3 Bridge answers to {@code @PROXY_VERSION} (c3-bridge.md). */
+public final class Versions {
+  private static final Pattern FORM =
+      Pattern.compile("(\\d{1,5})\\.(\\d{1,5})(?:\\.(\\d{1,5}))?(?:\\s.*)?");
+
+  private Versions() {}
+
+  /**
+   * Reads a version.
+   *
+   * @param text such as {@code 1.4 (OPEN SOURCE)}
+   * @return the version, or null if the text is none
+   */
+  public static @Nullable Version parse(String text) {
+    Matcher matcher = FORM.matcher(text);
+    if (!matcher.matches()) {
+      return null;
+    }
+    String patch = matcher.group(3);
+    return new Version(
+        Integer.parseInt(matcher.group(1)),
+        Integer.parseInt(matcher.group(2)),
+        patch == null ? 0 : Integer.parseInt(patch));
+  }
+}

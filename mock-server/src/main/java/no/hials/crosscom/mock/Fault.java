@@ -51,6 +51,12 @@ public sealed interface Fault {
   /**
    * Answers id and function of the request with this value and tail. Not executed.
    *
+   * <p>In an answer that only C3 Bridge gives, the value is its text; the value of every item, each
+   * with the tail's code, of a batch; the names of a directory, one a line; the computer name of
+   * type 13; the features of type 14 as {@code @PROXY_FEATURES} has them. In UTF-16 it is cut to
+   * what the answer holds. Other answers leave it out, and have nothing but what they repeat of the
+   * request, and the tail.
+   *
    * @param value the value; for an array of 16-bit numbers their decimal text
    * @param tail the tail
    * @return the fault

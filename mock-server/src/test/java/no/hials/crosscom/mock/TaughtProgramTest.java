@@ -106,4 +106,38 @@ class TaughtProgramTest {
       assertThat(server.variables().get("$T1")).isEqualTo("FALSE");
     }
   }
+
+  @Test
+  void showsThePositionInTheBaseAndToolOfTheMotionUnderWay() throws Exception {
+    String source =
+        """
+        DEF FRAMES ( )
+        BAS(#INITMOV,0)
+        PTP {A1 10}
+        $BASE={X 100,Y 0,Z 0,A 0,B 0,C 0}
+        $TOOL={X 0,Y 0,Z 200,A 0,B 0,C 0}
+        PTP {A1 20}
+        WAIT SEC 0
+        END
+        """;
+    try (MockServer server = MockServer.start(cfg -> cfg.clock(Clock.stepped()))) {
+      Controller controller = server.controller();
+      VariableTable variables = server.variables();
+      controller.load("frames.src", source);
+      controller.setMode(OperatingMode.AUT);
+      controller.robot().select("FRAMES");
+      controller.robot().start();
+      controller.step(Duration.ofMillis(72));
+
+      assertThat(variables.get("$BASE.X")).as("the advance run").isEqualTo("100.000");
+      assertThat(variables.get("$BASE_C.X")).isEqualTo("0.0");
+      assertThat(variables.get("$TOOL_C.Z")).isEqualTo("0.0");
+      assertThat(Double.parseDouble(variables.get("$POS_ACT.X"))).isGreaterThan(515);
+
+      controller.stepUntil(() -> controller.axes().a1() > 12, Duration.ofMinutes(1));
+
+      assertThat(variables.get("$BASE_C.X")).isEqualTo("100.000");
+      assertThat(variables.get("$TOOL_C.Z")).isEqualTo("200.000");
+    }
+  }
 }

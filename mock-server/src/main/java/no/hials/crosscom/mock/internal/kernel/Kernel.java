@@ -690,8 +690,8 @@ public final class Kernel {
     }
 
     @Override
-    public void started(Axes from, Axes to) {
-      variables.started(from, to);
+    public void started(Axes from, Axes to, Frame base, Frame tool) {
+      variables.started(from, to, base, tool);
     }
 
     @Override

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.mock.internal.data.Path;
 import no.hials.crosscom.mock.internal.motion.Motion;
@@ -34,8 +35,8 @@ final class Motions {
     /** Learns that the robot cannot move as the program says. */
     void failed(int number, String text);
 
-    /** Learns that a motion has begun. */
-    void started(Axes from, Axes to);
+    /** Learns that a motion has begun, and in which base (in the robot's root) and tool. */
+    void started(Axes from, Axes to, Frame base, Frame tool);
 
     /** Learns where the robot leaves its path for an interrupt. */
     void leftPath(Axes axes);
@@ -63,6 +64,9 @@ final class Motions {
 
   /** Motions that were handed over and have not ended. */
   private Map<Long, MotionOrder> orders = new HashMap<>();
+
+  /** The bases in which motions were planned. */
+  private final Map<Long, Frame> bases = new HashMap<>();
 
   /** The plans that interrupts have put aside, the last one first. */
   private final Deque<Aside> aside = new ArrayDeque<>();
@@ -148,6 +152,7 @@ final class Motions {
     }
     planner.startAt(motion.plannedEnd());
     orders.put(planned.id(), order);
+    bases.put(planned.id(), planner.base());
     triggers.add(planned, order.triggers());
   }
 
@@ -241,7 +246,7 @@ final class Motions {
   void place(Axes axes) {
     motion = new MotionSystem(model, axes);
     discardAll();
-    listener.started(axes, axes);
+    listener.started(axes, axes, planner.base(), planner.tool());
   }
 
   /**
@@ -285,7 +290,11 @@ final class Motions {
     for (MotionEvent event : motion.cycle(override, released, speedLimit)) {
       Motion of = event.motion();
       if (event instanceof MotionEvent.Started) {
-        listener.started(motion.currentStart(), motion.currentEnd());
+        listener.started(
+            motion.currentStart(),
+            motion.currentEnd(),
+            bases.getOrDefault(of.id(), planner.base()),
+            of.tool());
         triggers.started(of, time);
       } else if (event instanceof MotionEvent.Passed) {
         triggers.passed(of, time);
@@ -293,6 +302,9 @@ final class Motions {
       } else if (event instanceof MotionEvent.Faulted fault) {
         fault(fault);
       }
+    }
+    if (idle()) {
+      bases.clear();
     }
     triggers.cycle(
         time,

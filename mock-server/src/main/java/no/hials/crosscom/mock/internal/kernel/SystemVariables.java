@@ -23,6 +23,7 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shows the state of the simulation in the system variables of krl.md 2. What is a number or a text
@@ -130,6 +131,11 @@ final class SystemVariables {
   /** Where an interrupt has put the motions aside. */
   private volatile Axes left;
 
+  /** The base and the tool of the motion under way; null if there is none. */
+  private volatile @Nullable Frame mainBase;
+
+  private volatile @Nullable Frame mainTool;
+
   private boolean inInterrupt;
 
   SystemVariables(
@@ -193,6 +199,8 @@ final class SystemVariables {
     bind("$POS_FOR", () -> position(target));
     bind("$POS_BACK", () -> position(origin));
     bind("$POS_INT", () -> position(interrupted));
+    bind("$BASE_C", () -> Values.frame(machine.frame(robroot).times(baseOfMainRun())));
+    bind("$TOOL_C", () -> Values.frame(toolOfMainRun()));
     bind("$POS_RET", () -> position(left));
   }
 
@@ -209,11 +217,21 @@ final class SystemVariables {
     }
   }
 
-  /** The base and the tool of the advance run stand for those of the main run (assumed). */
+  /** krl.md 2.1: in the base and with the tool of the main run. */
   private KrlStruct position(Axes axes) {
-    Frame world = machine.frame(robroot).times(robot.forward(axes)).times(machine.frame(tool));
-    Frame tcp = machine.frame(base).inverse().times(world);
+    Frame tcp = baseOfMainRun().inverse().times(robot.forward(axes)).times(toolOfMainRun());
     return Values.e6Pos(tcp, robot.status(axes), robot.turn(axes));
+  }
+
+  /** In the robot's root. Without a motion it is that of the advance run (assumed). */
+  private Frame baseOfMainRun() {
+    Frame of = mainBase;
+    return of == null ? machine.frame(robroot).inverse().times(machine.frame(base)) : of;
+  }
+
+  private Frame toolOfMainRun() {
+    Frame of = mainTool;
+    return of == null ? machine.frame(tool) : of;
   }
 
   /** krl.md 2.1: in % of the highest speed. */
@@ -289,9 +307,11 @@ final class SystemVariables {
 
   // told by the kernel
 
-  void started(Axes from, Axes to) {
+  void started(Axes from, Axes to, Frame inBase, Frame withTool) {
     origin = from;
     target = to;
+    mainBase = inBase;
+    mainTool = withTool;
   }
 
   void leftPath(Axes axes) {
@@ -319,6 +339,10 @@ final class SystemVariables {
 
   void publish(State newState) {
     state = newState;
+    if (newState.idle()) {
+      mainBase = null;
+      mainTool = null;
+    }
     robotPointer = pointer(robotInterpreter, robotPointer);
     submitPointer = pointer(submitInterpreter, submitPointer);
     boolean interrupt =

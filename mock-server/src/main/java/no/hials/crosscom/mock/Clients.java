@@ -7,6 +7,7 @@ import java.net.Socket;
 import java.time.Duration;
 import java.util.HashSet;
 import java.util.Set;
+import no.hials.crosscom.mock.internal.kernel.Threads;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -85,7 +86,7 @@ final class Clients {
       ending = accepting;
     }
     if (ending != null) {
-      ServerThreads.join(ending);
+      Threads.join(ending);
     }
   }
 

@@ -2,6 +2,7 @@ package no.hials.crosscom.mock;
 
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.mock.internal.kernel.Threads;
 
 /** The threads of a server: all daemons. Safe for use by several threads. */
 final class ServerThreads {
@@ -37,22 +38,7 @@ final class ServerThreads {
     synchronized (this) {
       ending = List.copyOf(threads);
     }
-    ending.forEach(ServerThreads::join);
-  }
-
-  /** Waits without giving up, since these threads end soon: their sockets are closed. */
-  static void join(Thread thread) {
-    boolean interrupted = false;
-    // a thread of the server itself may close it, from a user's predicate
-    while (thread != Thread.currentThread() && thread.isAlive()) {
-      try {
-        thread.join();
-      } catch (InterruptedException e) {
-        interrupted = true;
-      }
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
-    }
+    // they end soon: their sockets are closed
+    ending.forEach(Threads::join);
   }
 }

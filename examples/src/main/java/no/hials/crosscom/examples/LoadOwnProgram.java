@@ -10,8 +10,8 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.ProgramState;
 
 /**
- * Runs a data list and a program of one's own, first one with a mistake. It needs the simulation: a
- * real controller takes no programs over the network.
+ * Runs a data list and a program of one's own, first one with a mistake. It needs the simulation,
+ * which loads them itself; {@link RunKrlProgram} brings a program over the network.
  */
 public final class LoadOwnProgram {
   private static final String CONFIG =

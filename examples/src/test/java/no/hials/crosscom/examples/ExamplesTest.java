@@ -118,6 +118,16 @@ class ExamplesTest {
   }
 
   @Test
+  void runKrlProgramBringsAProgramToTheControllerMovesTheRobotAndGetsItBack() {
+    assertThat(run(() -> RunKrlProgram.main(new String[0])).lines())
+        .containsExactly(
+            "started: #P_ACTIVE",
+            "moved up by 40 mm or more",
+            "stopped: #P_STOP",
+            "the same bytes: true");
+  }
+
+  @Test
   void followAPathComesBackToWhereItBegan() {
     assertThat(run(() -> FollowAPath.main(new String[0])))
         .contains("planning point 24, A1 0.0" + System.lineSeparator() + "JOV_RESULT = 1");
@@ -128,6 +138,19 @@ class ExamplesTest {
     assertThat(run(() -> MeasureTheSimulation.main(new String[] {"1"})).lines())
         .hasSize(4)
         .allMatch(line -> line.matches(".+: 60 s in .+ s, .+ cycles a second"));
+  }
+
+  @Test
+  void transferFilesPrintsHowFarItHasComeAndWhatTheControllerHas() {
+    assertThat(run(() -> TransferFiles.main(new String[0])).lines())
+        .startsWith("0 of 1398", "1398 of 1398", "ACTUATOR.SRC, 1398 bytes")
+        .hasSize(4);
+  }
+
+  @Test
+  void runAProgramPrintsEachState() {
+    assertThat(run(() -> RunAProgram.main(new String[0])).lines())
+        .containsExactly("not selected, code 0", "#P_RESET", "#P_ACTIVE", "#P_STOP", "#P_FREE");
   }
 
   private interface Main {

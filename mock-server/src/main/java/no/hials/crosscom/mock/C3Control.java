@@ -28,7 +28,6 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
-import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -54,27 +53,22 @@ final class C3Control {
   private static final int FIRST_ANGLE = 3;
 
   private final Supplier<Controller> controller;
-  private final FileTree files;
-  private @Nullable TreePrograms programs;
+  private final Supplier<TreePrograms> programs;
 
-  C3Control(Supplier<Controller> controller, FileTree files) {
+  /**
+   * Makes what serves all connections.
+   *
+   * @param programs gives the programs among the files; from the first time on, changes of files
+   *     are seen
+   */
+  C3Control(Supplier<Controller> controller, Supplier<TreePrograms> programs) {
     this.controller = controller;
-    this.files = files;
+    this.programs = programs;
   }
 
-  /** Gives the programs among the files; from the first time on, changes of files are seen. */
-  private TreePrograms programs() {
-    TreePrograms known = programs;
-    if (known == null) {
-      known = new TreePrograms(files, controller.get());
-      programs = known;
-    }
-    return known;
-  }
-
-  /** Prepares for a change of the files. */
-  void watchFiles() {
-    programs();
+  /** Prepares for a change of the files, and gives the programs among them. */
+  TreePrograms watchFiles() {
+    return programs.get();
   }
 
   /** Something that a controller can refuse. */
@@ -167,7 +161,7 @@ final class C3Control {
     if (request.force() && robot.state() == ProgramState.ACTIVE) {
       robot.stop();
     }
-    robot.select(programs().prepare(request.name()), parameters);
+    robot.select(watchFiles().prepare(request.name()), parameters);
     if (request.command().is(ProgramCommand.RUN)) {
       robot.start();
     }

@@ -64,6 +64,9 @@ public final class Controller {
   private final ProgramControl submit;
   private final @Nullable Pacemaker pacemaker;
 
+  /** Hears of what is loaded, after it is; C3 Bridge shows it as a file. */
+  private volatile LoadListener listener = (module, ending, text) -> {};
+
   /** Data lists of modules, by name in upper case; guarded by the kernel. */
   private final Map<String, DataList> dataLists = new HashMap<>();
 
@@ -92,6 +95,23 @@ public final class Controller {
 
   // files
 
+  /** Hears of the files of modules; nothing of the controller is locked meanwhile. */
+  @FunctionalInterface
+  interface LoadListener {
+    /**
+     * Hears that a file was loaded.
+     *
+     * @param module the module's name
+     * @param ending src, sub or dat
+     * @param text the contents
+     */
+    void loaded(String module, String ending, String text);
+  }
+
+  void onLoad(LoadListener newListener) {
+    listener = newListener;
+  }
+
   /**
    * Loads a data list or a program. For a {@code .src} or {@code .sub} file the {@code .dat} file
    * of the same name beside it is loaded, too, if there is one.
@@ -108,8 +128,12 @@ public final class Controller {
     if (beside == null) {
       return load(name, text);
     }
-    ParseResult data = KrlParser.parse(String.valueOf(beside.getFileName()), text(beside));
-    return take(name, KrlParser.parse(name, text), data);
+    String listText = text(beside);
+    ParseResult data = KrlParser.parse(String.valueOf(beside.getFileName()), listText);
+    KrlFile module = take(name, KrlParser.parse(name, text), data);
+    listener.loaded(module.name(), "dat", listText);
+    tell(module, name, text);
+    return module.name();
   }
 
   private static String text(Path file) throws IOException {
@@ -148,10 +172,23 @@ public final class Controller {
    * @throws KrlFileException if something is wrong in it; then nothing has changed
    */
   public String load(String fileName, String text) throws KrlFileException {
-    return take(fileName, KrlParser.parse(fileName, text), null);
+    KrlFile file = take(fileName, KrlParser.parse(fileName, text), null);
+    tell(file, fileName, text);
+    return file.name();
   }
 
-  private String take(String fileName, ParseResult parsed, @Nullable ParseResult beside)
+  /** Does what {@link #load(String, String)} does with a file that is known already. */
+  String take(String fileName, String text) throws KrlFileException {
+    return take(fileName, KrlParser.parse(fileName, text), null).name();
+  }
+
+  private void tell(KrlFile file, String fileName, String text) {
+    boolean submit = fileName.toLowerCase(Locale.ROOT).endsWith(".sub");
+    String ending = submit ? "sub" : "src";
+    listener.loaded(file.name(), file instanceof DataList ? "dat" : ending, text);
+  }
+
+  private KrlFile take(String fileName, ParseResult parsed, @Nullable ParseResult beside)
       throws KrlFileException {
     List<KrlError> errors = new ArrayList<>(parsed.errors());
     if (beside != null) {
@@ -166,7 +203,7 @@ public final class Controller {
     } else {
       takeData(fileName, (DataList) file, parsed);
     }
-    return file.name();
+    return file;
   }
 
   private void takeSource(SourceFile source, @Nullable ParseResult beside) throws KrlFileException {
@@ -242,6 +279,20 @@ public final class Controller {
    */
   public ProgramControl submit() {
     return submit;
+  }
+
+  /**
+   * Starts the robot's program in the way that the mode allows: as {@link #externalStart} in EXT,
+   * else by the start key.
+   *
+   * @throws IllegalStateException if it cannot be started now
+   */
+  public void start() {
+    if (mode() == OperatingMode.EXT) {
+      externalStart();
+    } else {
+      robot.start();
+    }
   }
 
   /** Starts the robot's program as a higher-level controller does; in mode EXT only. */

@@ -25,9 +25,11 @@ public final class FileTree {
   public static final long DEFAULT_CAPACITY = 64L << 20;
 
   private final Tree tree;
+  private final boolean inMemory;
 
-  private FileTree(Tree tree) {
+  private FileTree(Tree tree, boolean inMemory) {
     this.tree = tree;
+    this.inMemory = inMemory;
   }
 
   /**
@@ -49,7 +51,7 @@ public final class FileTree {
    * @return the tree
    */
   public static FileTree inMemory(java.time.Clock clock, long capacity) {
-    FileTree files = new FileTree(Tree.inMemory(clock, checked(capacity)));
+    FileTree files = new FileTree(Tree.inMemory(clock, checked(capacity)), true);
     try {
       files.put("KRC:\\R1\\Mada\\$machine.dat", BuiltInTable.text("$MACHINE.DAT"));
       files.put("KRC:\\R1\\System\\$config.dat", BuiltInTable.text("$CONFIG.DAT"));
@@ -86,7 +88,7 @@ public final class FileTree {
   public static FileTree over(Path folder, java.time.Clock clock, long capacity)
       throws IOException {
     Objects.requireNonNull(clock, "clock");
-    return new FileTree(Tree.over(folder, clock, checked(capacity)));
+    return new FileTree(Tree.over(folder, clock, checked(capacity)), false);
   }
 
   private static long checked(long capacity) {
@@ -98,6 +100,11 @@ public final class FileTree {
 
   Tree tree() {
     return tree;
+  }
+
+  /** Says whether it is no folder of this machine. */
+  boolean isInMemory() {
+    return inMemory;
   }
 
   /**

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
@@ -56,6 +57,9 @@ public final class MockServer implements AutoCloseable {
   /** Made when it is asked for; guarded by {@link #variables}. */
   private @Nullable Controller controller;
 
+  /** Made with the controller, for C3 Bridge only; guarded by {@link #variables}. */
+  private @Nullable TreePrograms treePrograms;
+
   /** Guarded by {@link #variables}. */
   private boolean closed;
 
@@ -78,7 +82,7 @@ public final class MockServer implements AutoCloseable {
       return () -> handler;
     }
     C3Variables access = new C3Variables(variables, bridge, config);
-    C3Control control = new C3Control(this::controller, files);
+    C3Control control = new C3Control(this::controller, this::treePrograms);
     return () -> new C3Handler(bridge, access, control, new FileMessages(files, this::isSelected));
   }
 
@@ -220,7 +224,10 @@ public final class MockServer implements AutoCloseable {
 
   /**
    * Gives the files of the simulated controller, which clients of C3 Bridge reach. A program among
-   * them can be selected by a client; {@link Controller#load(java.nio.file.Path)} needs none.
+   * them can be selected by a client. What {@link Controller#load(java.nio.file.Path)} loads is
+   * there, too, in {@code KRC:\R1\Program}, if the server is C3 Bridge and the tree in memory: a
+   * folder of this machine is left to clients, and a list of the controller, such as {@code
+   * $config.dat}, stays as it is.
    *
    * @return the tree
    */
@@ -243,8 +250,19 @@ public final class MockServer implements AutoCloseable {
         controller =
             new Controller(
                 variables, config.clock(), config.robot(), "mock-server-" + port() + "-clock");
+        if (config.server() == ServerType.C3_BRIDGE) {
+          treePrograms = new TreePrograms(files, controller);
+          controller.onLoad(treePrograms::show);
+        }
       }
       return controller;
+    }
+  }
+
+  private TreePrograms treePrograms() {
+    controller();
+    synchronized (variables) {
+      return Objects.requireNonNull(treePrograms);
     }
   }
 

@@ -15,6 +15,8 @@ import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.mock.internal.files.Item;
 import no.hials.crosscom.mock.internal.files.Tree;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Brings the programs and data lists of the file tree into the controller when one of them is to be
@@ -27,6 +29,8 @@ import no.hials.crosscom.mock.internal.files.Tree;
  * <p>Thread-safe.
  */
 final class TreePrograms {
+  private static final Logger log = LoggerFactory.getLogger(TreePrograms.class);
+
   /** So that a text that is no program cannot fill the memory; assumed. */
   private static final int MAX_LENGTH = 4 << 20;
 
@@ -109,6 +113,38 @@ final class TreePrograms {
     return module.name;
   }
 
+  /**
+   * Shows the file of a module that somebody else has loaded; it need not be loaded any more.
+   *
+   * @param name the module's name
+   * @param ending src, sub or dat
+   * @param text the contents
+   */
+  synchronized void show(String name, String ending, String text) {
+    if (!files.isInMemory() || name.startsWith("$")) {
+      return;
+    }
+    byte[] content = text.getBytes(StandardCharsets.ISO_8859_1);
+    String file = name + "." + ending;
+    try {
+      files.put("/R1/" + file, content);
+    } catch (IOException e) {
+      log.debug("{} is not shown as a file: {}", file, e.getMessage());
+      return;
+    }
+    // another part that a client has changed is still to be loaded, so it stays as it was known
+    Module module = new Module();
+    Module old = loaded.get(key(file));
+    if (old != null) {
+      module.parts.putAll(old.parts);
+      module.names.putAll(old.names);
+    }
+    module.name = name;
+    module.parts.put(ending, content);
+    module.names.put(ending, file);
+    loaded.put(key(file), module);
+  }
+
   private static KrlFileException error(String file, String message) {
     return new KrlFileException(List.of(new KrlError(new Position(file, 1, 1), message)));
   }
@@ -164,7 +200,7 @@ final class TreePrograms {
           }
           String text = new String(content, StandardCharsets.ISO_8859_1);
           try {
-            module.name = controller.load(file, text);
+            module.name = controller.take(file, text);
           } catch (KrlFileException e) {
             // a new list of a program that is loaded is taken, but refused until that is, too
             boolean followed = program && end.equals("dat");

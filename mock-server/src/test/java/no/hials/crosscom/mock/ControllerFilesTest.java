@@ -44,6 +44,15 @@ class ControllerFilesTest {
     return cell.get("MYINT");
   }
 
+  @Test
+  void takesFilesThatAnEditorHasMarkedAsUtf8() throws Exception {
+    file("part.dat", "\u00EF\u00BB\u00BF" + DATA);
+
+    controller.load(file("part.src", "\u00EF\u00BB\u00BF" + SOURCE));
+
+    assertThat(runPart()).isEqualTo("5");
+  }
+
   // order
 
   @Test

@@ -10,31 +10,28 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
-import java.util.stream.Stream;
 import no.hials.crosscom.protocol.BeginReadRequest;
 import no.hials.crosscom.protocol.Bytes;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.CopyFileRequest;
 import no.hials.crosscom.protocol.ItemTime;
-import no.hials.crosscom.protocol.MalformedFrameException;
-import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.SetAttributesRequest;
-import no.hials.crosscom.protocol.Strictness;
-import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.WriteDataRequest;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Flags;
-import org.junit.jupiter.api.DynamicTest;
+import org.assertj.core.api.SoftAssertions;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestFactory;
 
 /**
- * Sends the measured requests of the types 20 to 30 (c3-vectors.tsv) in their order to a tree with
- * the files that the measured server had, and expects the measured answers byte for byte.
+ * Sends the measured requests of the types 20 to 30 (c3-vectors.tsv) in their order, on one
+ * connection, to a server with the files that the measured one had, and expects the measured
+ * answers byte for byte.
  */
 final class FileVectorsTest {
   private static final Path FILE =
@@ -44,8 +41,25 @@ final class FileVectorsTest {
 
   private record Row(String name, String request, String answer) {}
 
-  private final FileTree tree = tree();
-  private final FileMessages messages = new FileMessages(tree, name -> false);
+  private MockServer server;
+  private RawClient client;
+
+  @BeforeEach
+  void start() throws IOException {
+    server =
+        MockServer.start(
+            cfg ->
+                cfg.server(ServerType.C3_BRIDGE)
+                    .files(tree())
+                    .clock(no.hials.crosscom.mock.Clock.stepped()));
+    client = new RawClient(server);
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    client.close();
+    server.close();
+  }
 
   /** Makes what the lists and properties of the measured server show. */
   private static FileTree tree() {
@@ -91,33 +105,21 @@ final class FileVectorsTest {
     assertThat(rows().stream().map(row -> row.name().substring(0, 2)).distinct()).hasSize(11);
   }
 
-  @TestFactory
-  Stream<DynamicTest> aMeasuredRequestHasTheMeasuredAnswer() throws IOException {
-    return rows().stream()
-        .map(
-            row ->
-                DynamicTest.dynamicTest(
-                    row.name(),
-                    () -> {
-                      doWhatIsLeftOutBefore(row.name());
-                      assertThat(
-                              HexFormat.of()
-                                  .formatHex(answer(HexFormat.of().parseHex(row.request()))))
-                          .isEqualTo(row.answer());
-                    }));
-  }
-
-  private byte[] answer(byte[] frame) throws MalformedFrameException {
-    try {
-      Request request = Codec.decodeRequest(frame, ServerType.C3_BRIDGE, Strictness.LENIENT);
-      return Codec.encode(messages.handle(request));
-    } catch (MalformedRequestException e) {
-      return Codec.encode(messages.malformed(e));
+  @Test
+  void everyMeasuredRequestHasTheMeasuredAnswer() throws IOException {
+    SoftAssertions soft = new SoftAssertions();
+    for (Row row : rows()) {
+      doWhatIsLeftOutBefore(row.name());
+      client.send(HexFormat.of().parseHex(row.request()));
+      soft.assertThat(HexFormat.of().formatHex(client.receiveFrame()))
+          .as(row.name())
+          .isEqualTo(row.answer());
     }
+    soft.assertAll();
   }
 
   /** The file has not all rows that ran ("rows in between are left out"). */
-  private void doWhatIsLeftOutBefore(String row) {
+  private void doWhatIsLeftOutBefore(String row) throws IOException {
     switch (row) {
       case "25 move missing source" ->
           send(
@@ -140,8 +142,8 @@ final class FileVectorsTest {
     }
   }
 
-  private void send(Request request) {
-    TypedResponse response = messages.handle(request);
-    assertThat(response.tail().success()).isTrue();
+  private void send(Request request) throws IOException {
+    client.send(Codec.encode(request));
+    assertThat(client.receiveFrame()).as("the flag of success").endsWith((byte) 1);
   }
 }

@@ -71,6 +71,11 @@ public final class RawClient implements AutoCloseable {
 
   /** Receives one frame. Not to be mixed with the methods that receive bytes. */
   Response response() throws IOException {
+    return Codec.decodeResponse(receiveFrame(), type);
+  }
+
+  /** Receives the bytes of one frame. Not to be mixed with the other methods that receive bytes. */
+  byte[] receiveFrame() throws IOException {
     if (frames == null) {
       frames = new FrameReader(in);
     }
@@ -78,8 +83,7 @@ public final class RawClient implements AutoCloseable {
     if (length < 0) {
       throw new IOException("the server closed the connection");
     }
-    byte[] frame = Arrays.copyOf(frames.buffer(), length);
-    return Codec.decodeResponse(frame, type);
+    return Arrays.copyOf(frames.buffer(), length);
   }
 
   public ReadResponse read(String name) throws IOException {

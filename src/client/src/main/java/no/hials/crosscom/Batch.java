@@ -146,6 +146,12 @@ abstract class Batch {
         item.failure = e;
       } catch (CrossComException e) {
         fail(List.of(item), e);
+      } catch (IllegalArgumentException e) {
+        // a name that this server cannot be asked for: no reason to lose what came of the others
+        if (!(e.getCause() instanceof CrossComUnsupportedException unsupported)) {
+          throw e;
+        }
+        item.failure = unsupported;
       } catch (IOException e) {
         throw new AssertionError("the client throws only its own exceptions", e);
       }

@@ -913,18 +913,28 @@ public final class CrossComClient implements Closeable {
       return null;
     }
     Exchanged first = exchanged();
-    String what = "read of " + name;
-    return messages.find(what, Detection::type) == ServerType.C3_BRIDGE ? readUtf16(name) : first;
+    try {
+      String what = "read of " + name;
+      return messages.find(what, Detection::type) == ServerType.C3_BRIDGE
+          ? readUtf16Only(name)
+          : first;
+    } catch (CrossComUnsupportedException e) {
+      return first; // the connection was made anew meanwhile, to another server
+    }
   }
 
+  /** Reads a variable whose name function 0 cannot carry. */
   private Exchanged readUtf16(String name) throws CrossComException {
-    Messages.Answered answered;
     try {
-      answered =
-          messages.exchange(new ReadUtf16Request(0, name), TextResponse.class, "read of " + name);
+      return readUtf16Only(name);
     } catch (CrossComUnsupportedException e) {
       throw new IllegalArgumentException("a variable's name " + Latin1.violation(name), e);
     }
+  }
+
+  private Exchanged readUtf16Only(String name) throws CrossComException {
+    Messages.Answered answered =
+        messages.exchange(new ReadUtf16Request(0, name), TextResponse.class, "read of " + name);
     Tail tail = answered.response().tail();
     String text = text(answered.response());
     if (!tail.success() || text.isEmpty()) {

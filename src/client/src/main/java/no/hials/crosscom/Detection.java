@@ -114,14 +114,23 @@ final class Detection {
     return own != null && own.compareTo(since) >= 0;
   }
 
-  /** Throws if the server does not know a message. */
+  /**
+   * Throws if the server does not know a message, or is said to have it wrong: of types 6 and 7 the
+   * features say nothing, since versions before those that have them right have them, too
+   * (c3-bridge.md, "Minimum server versions").
+   */
   MessageType require(MessageType message, String what) throws CrossComException {
     ServerType server = type();
     boolean known =
-        server == ServerType.C3_BRIDGE && (hasRight(message) || features().has(message));
+        server == ServerType.C3_BRIDGE
+            && (hasRight(message) || (!hasWrongVersions(message) && features().has(message)));
     if (!known) {
       throw new CrossComUnsupportedException(what, message, server, version());
     }
     return message;
+  }
+
+  private static boolean hasWrongVersions(MessageType message) {
+    return message == MessageType.READ_MULTIPLE || message == MessageType.WRITE_MULTIPLE;
   }
 }

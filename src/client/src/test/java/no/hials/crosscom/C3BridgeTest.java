@@ -276,9 +276,13 @@ class C3BridgeTest {
     assertThat(types().subList(2, 3)).containsExactly(MessageType.READ_MULTIPLE);
     assertThat(types().subList(3, 6)).containsOnly(MessageType.WRITE);
 
-    restart(cfg -> cfg.version(new Version(1, 1, 2)));
-    assertThat(client.readVariables(ints(3))).allMatch(VariableResult::isOk);
-    assertThat(types()).containsOnly(MessageType.READ);
+    for (Version old : List.of(new Version(1, 0, 0), new Version(1, 1, 0), new Version(1, 1, 2))) {
+      restart(cfg -> cfg.version(old));
+      List<KRLVariable> several = ints(3);
+      assertThat(client.readVariables(several)).allMatch(VariableResult::isOk);
+      assertThat(client.writeVariables(several)).allMatch(VariableResult::isOk);
+      assertThat(types()).containsOnly(MessageType.READ, MessageType.WRITE);
+    }
   }
 
   @Test

@@ -53,6 +53,44 @@ class SeveralVariablesTest extends RobotTest {
   }
 
   @Test
+  void tenVariablesTakeOneRoundTripOnC3BridgeAndTenOnKukavarproxy() throws Exception {
+    client.getServer();
+    robot.clearRequests();
+    List<KRLInt> variables = new ArrayList<>();
+    for (int i = 1; i <= 10; i++) {
+      variables.add(new KRLInt("MYINTS[" + i + "]"));
+    }
+
+    assertThat(client.readVariables(variables)).allMatch(VariableResult::isOk);
+    assertThat(robot.requests()).hasSize(server == ServerType.C3_BRIDGE ? 1 : 10);
+
+    robot.clearRequests();
+    assertThat(client.writeVariables(variables)).allMatch(VariableResult::isOk);
+    assertThat(robot.requests()).hasSize(server == ServerType.C3_BRIDGE ? 1 : 10);
+  }
+
+  @Test
+  void aNameThatTheServerCannotBeAskedForDoesNotHideWhatCameOfTheOthers() {
+    KRLInt good = new KRLInt("MYINT");
+    KRLInt strange = new KRLInt("Ω");
+    KRLInt last = new KRLInt("MYINTS[1]");
+    List.of(good, strange, last).forEach(v -> v.setValue(5));
+
+    List<VariableResult> written = client.writeVariables(good, strange, last);
+    List<VariableResult> read = client.readVariables(good, strange, last);
+
+    for (List<VariableResult> results : List.of(written, read)) {
+      assertThat(results).extracting(VariableResult::isOk).containsExactly(true, false, true);
+      assertThat(results.get(1).failure())
+          .isInstanceOf(
+              server == ServerType.C3_BRIDGE
+                  ? CrossComAccessException.class
+                  : CrossComUnsupportedException.class);
+    }
+    assertThat(robot.variables().get("MYINTS[1]")).isEqualTo("5");
+  }
+
+  @Test
   void writesAreDoneInOrderAndARefusedOneDoesNotKeepTheOthers() {
     KRLInt good = new KRLInt("MYINT");
     good.setValue(1);

@@ -173,11 +173,7 @@ final class MockServerExtension
     }
     if (!settings.start().isEmpty()) {
       controller.robot().select(settings.start());
-      if (settings.mode() == OperatingMode.EXT) {
-        controller.externalStart();
-      } else {
-        controller.robot().start();
-      }
+      controller.start();
     }
   }
 

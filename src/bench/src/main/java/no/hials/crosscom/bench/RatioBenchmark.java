@@ -8,7 +8,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.KRL.KRLInt;
+import no.hials.crosscom.VariableResult;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.ServerType;
 
 /**
  * Compares the client with a bare socket that sends the same bytes to the same server, in turns, so
@@ -20,6 +25,7 @@ import no.hials.crosscom.CrossComClient;
  */
 public final class RatioBenchmark {
   private static final int BLOCK = 25;
+  private static final int SEVERAL = 10;
   private static final int WARM_UP_ROUNDS = 600;
 
   private final PrintStream out;
@@ -74,6 +80,53 @@ public final class RatioBenchmark {
     }
     // what the method itself makes of two that are equal
     measure("socket twice", Operation.READ_INT, true);
+    measureSeveral();
+  }
+
+  /** Compares one reading of several variables with readings of each, on C3 Bridge. */
+  private void measureSeveral() throws IOException {
+    List<KRLInt> variables =
+        IntStream.rangeClosed(1, SEVERAL).mapToObj(i -> new KRLInt("MYINTS[" + i + "]")).toList();
+    List<double[]> ones = new ArrayList<>();
+    List<double[]> others = new ArrayList<>();
+    try (MockServer robot = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
+      for (int trial = 0; trial < trials; trial++) {
+        try (CrossComClient client = new CrossComClient(robot.host(), robot.port());
+            CrossComClient other = new CrossComClient(robot.host(), robot.port())) {
+          Exchange together =
+              () -> {
+                for (VariableResult result : client.readVariables(variables)) {
+                  result.orThrow();
+                }
+                return SEVERAL;
+              };
+          Exchange singly =
+              () -> {
+                for (KRLInt variable : variables) {
+                  other.readVariable(variable);
+                }
+                return SEVERAL;
+              };
+          int warmUp = Math.min(rounds, trial == 0 ? WARM_UP_ROUNDS : WARM_UP_ROUNDS / 10);
+          compare(together, singly, new double[2 * warmUp], new double[2 * warmUp]);
+          double[] oneTimes = new double[2 * rounds];
+          double[] otherTimes = new double[2 * rounds];
+          compare(together, singly, oneTimes, otherTimes);
+          ones.add(oneTimes);
+          others.add(otherTimes);
+        }
+      }
+    }
+    Result result = evaluate(ones, others);
+    out.printf(
+        Locale.ROOT,
+        "C3 Bridge, %d INT: together %.3f us, singly %.3f us, ratio %.3f (%.3f-%.3f)%n",
+        SEVERAL,
+        result.one() / 1000,
+        result.other() / 1000,
+        result.ratio(),
+        result.least(),
+        result.most());
   }
 
   private void measure(String title, Operation operation, boolean control) throws IOException {

@@ -83,11 +83,12 @@ class ComparisonTest {
   void theComparisonReportsEachOperationAndTheControl() throws IOException {
     new RatioBenchmark(out, 1, 2).run();
 
-    assertThat(printed()).hasSize(2 + Operation.values().length + 1);
+    assertThat(printed()).hasSize(2 + Operation.values().length + 2);
     for (Operation operation : Operation.values()) {
       assertThat(printed()).anyMatch(line -> line.startsWith(operation.name() + " "));
     }
     assertThat(printed()).anyMatch(line -> line.startsWith("socket twice "));
+    assertThat(printed()).anyMatch(line -> line.startsWith("C3 Bridge, 10 INT: together "));
   }
 
   @Test

@@ -34,11 +34,18 @@ public final class Discovery {
   private static final Logger LOG = LoggerFactory.getLogger(Discovery.class);
 
   private static final String PRESENCE = "WHEREAREYOU?";
+
+  /** How an answer to that begins. */
+  private static final String PRESENT = "KUKA|";
+
   private static final List<String> DETAILS =
       List.of("@PROXY_TYPE", "@PROXY_VERSION", "@PROXY_PORT");
 
   /** How often the question is put, since a datagram may get lost. */
   private static final int ROUNDS = 2;
+
+  /** So that made-up senders cannot fill the memory. */
+  private static final int MAX_FOUND = 1000;
 
   private final DiscoveryConfig config;
   private final Map<InetAddress, Answers> found = new LinkedHashMap<>();
@@ -59,16 +66,19 @@ public final class Discovery {
     @Nullable Version version;
     int port = 7000;
 
+    /** The last round in which it was asked for details. */
+    int askedIn;
+
     Answers(InetAddress address) {
       this.address = address;
     }
 
     void take(String text) {
-      if (text.startsWith("KUKA|")) {
+      if (text.startsWith(PRESENT)) {
         presence = text;
       } else if (text.equalsIgnoreCase("C3 BRIDGE INTERFACE")) {
         bridge = true;
-      } else if (text.matches("[0-9]{1,5}") && Integer.parseInt(text) <= 65_535) {
+      } else if (text.matches("[1-9][0-9]{0,4}") && Integer.parseInt(text) <= 65_535) {
         port = Integer.parseInt(text);
       } else if (Versions.parse(text) != null) {
         version = Versions.parse(text);
@@ -192,7 +202,7 @@ public final class Discovery {
           throw new InterruptedIOException("the thread was interrupted while it searched");
         }
         for (SelectionKey key : selector.selectedKeys()) {
-          receive((Mode) key.attachment());
+          receive((Mode) key.attachment(), round, until);
         }
         selector.selectedKeys().clear();
       }
@@ -224,8 +234,9 @@ public final class Discovery {
     }
   }
 
-  private void receive(Mode mode) throws IOException {
-    while (true) {
+  /** Takes what has come, but not for longer than the round lasts, however much it is. */
+  private void receive(Mode mode, int round, long until) throws IOException {
+    while (until - System.nanoTime() > 0) {
       buffer.clear();
       InetSocketAddress from = (InetSocketAddress) mode.channel.receive(buffer);
       if (from == null) {
@@ -235,8 +246,14 @@ public final class Discovery {
           new String(buffer.array(), 0, buffer.position(), StandardCharsets.ISO_8859_1).strip();
       LOG.debug("{} answered {}", from, text);
       InetAddress address = from.getAddress();
-      found.computeIfAbsent(address, Answers::new).take(text);
-      if (text.startsWith("KUKA|")) {
+      if (found.size() == MAX_FOUND && !found.containsKey(address)) {
+        continue;
+      }
+      Answers answers = found.computeIfAbsent(address, Answers::new);
+      answers.take(text);
+      // once a round: one that answers to all that it is somewhere would be asked without end
+      if (text.startsWith(PRESENT) && answers.askedIn < round) {
+        answers.askedIn = round;
         for (String question : DETAILS) {
           send(mode, question, address);
         }

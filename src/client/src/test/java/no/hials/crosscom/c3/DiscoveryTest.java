@@ -12,7 +12,10 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
@@ -87,7 +90,7 @@ class DiscoveryTest {
                 try {
                   DatagramPacket question = new DatagramPacket(new byte[64], 64);
                   server.receive(question);
-                  for (String text : List.of("nonsense", "99999", "1.x", "KUKA||")) {
+                  for (String text : List.of("nonsense", "99999", "0", "1.x", "KUKA||")) {
                     byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
                     server.send(
                         new DatagramPacket(bytes, bytes.length, question.getSocketAddress()));
@@ -103,6 +106,69 @@ class DiscoveryTest {
 
       assertThat(found)
           .containsExactly(new FoundServer(LOOPBACK, 7000, "", "", ServerType.KUKAVARPROXY, null));
+    }
+  }
+
+  @Test
+  void aServerThatAnswersEverythingWithWhereItIsIsAskedOnceARoundAndFoundOnce() throws Exception {
+    List<String> questions = Collections.synchronizedList(new ArrayList<>());
+    DatagramSocket server = new DatagramSocket(new InetSocketAddress(LOOPBACK, 0));
+    Thread answering = new Thread(() -> answerAll(server, questions));
+    answering.start();
+    try {
+      List<FoundServer> found =
+          Discovery.find(config(cfg -> cfg.legacy(false).standardPort(server.getLocalPort())));
+
+      assertThat(found).hasSize(1);
+      assertThat(found.get(0).model()).matches("x{1,1024}");
+      assertThat(questions).contains("@PROXY_TYPE").hasSizeLessThanOrEqualTo(8);
+    } finally {
+      server.close();
+      answering.join();
+    }
+  }
+
+  private static void answerAll(DatagramSocket server, List<String> questions) {
+    byte[] answer = ("KUKA|" + "x".repeat(2000)).getBytes(StandardCharsets.US_ASCII);
+    DatagramPacket question = new DatagramPacket(new byte[64], 64);
+    try {
+      while (questions.size() < 1000) {
+        server.receive(question);
+        questions.add(
+            new String(question.getData(), 0, question.getLength(), StandardCharsets.US_ASCII));
+        server.send(new DatagramPacket(answer, answer.length, question.getSocketAddress()));
+      }
+    } catch (java.io.IOException e) {
+      assertThat(server.isClosed()).isTrue();
+    }
+  }
+
+  @Test
+  void aServerThatNeverStopsAnsweringDoesNotStretchTheSearch() throws Exception {
+    AtomicBoolean over = new AtomicBoolean();
+    try (DatagramSocket server = new DatagramSocket(new InetSocketAddress(LOOPBACK, 0))) {
+      Thread flooding =
+          new Thread(
+              () -> {
+                try {
+                  DatagramPacket question = new DatagramPacket(new byte[64], 64);
+                  server.receive(question);
+                  byte[] bytes = "KUKA|A|1".getBytes(StandardCharsets.US_ASCII);
+                  while (!over.get()) {
+                    server.send(
+                        new DatagramPacket(bytes, bytes.length, question.getSocketAddress()));
+                  }
+                } catch (java.io.IOException e) {
+                  throw new AssertionError(e);
+                }
+              });
+      flooding.start();
+      List<FoundServer> found =
+          Discovery.find(config(cfg -> cfg.legacy(false).standardPort(server.getLocalPort())));
+      over.set(true);
+      flooding.join();
+
+      assertThat(found).extracting(FoundServer::model).containsExactly("A");
     }
   }
 

@@ -29,7 +29,9 @@ import no.hials.crosscom.protocol.ListDirectoryRequest;
 import no.hials.crosscom.protocol.ListDirectoryResponse;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.PlainResponse;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.Version;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.EditMode;
@@ -358,6 +360,42 @@ class FilesTest extends FilesRobotTest {
     assertThat(robot.requests())
         .filteredOn(r -> r.request() != null && r.request().type() == type)
         .hasSize(1);
+  }
+
+  @Test
+  void aVersionWithoutFilesIsNamedWithTheOneThatWouldHaveThem() throws Exception {
+    for (Version old : List.of(new Version(1, 0, 0), new Version(1, 1, 1))) {
+      try (MockServer older =
+              MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).version(old));
+          CrossComClient other = new CrossComClient(older.host(), older.port())) {
+        for (Action action :
+            List.<Action>of(
+                () -> other.files().list(PROGRAM),
+                () -> other.files().upload(bytes(9), FILE),
+                () -> other.files().download(FILE))) {
+          assertThatExceptionOfType(CrossComUnsupportedException.class)
+              .isThrownBy(action::run)
+              .withMessageContaining("it needs C3 Bridge Interface 1.1.2 or later (message ")
+              .withMessageContaining("the server is C3 Bridge Interface 1.")
+              .satisfies(e -> assertThat(e.getServer()).isEqualTo(ServerType.C3_BRIDGE));
+        }
+        assertThat(older.requests())
+            .extracting(r -> r.request().type())
+            .containsOnly(MessageType.READ, MessageType.FEATURES);
+      }
+    }
+  }
+
+  @Test
+  void theFirstVersionWithFilesTransfersAndChecksThem() throws Exception {
+    try (MockServer older =
+            MockServer.start(
+                cfg -> cfg.server(ServerType.C3_BRIDGE).version(new Version(1, 1, 2)));
+        CrossComClient other = new CrossComClient(older.host(), older.port())) {
+      other.files().upload(bytes(70_000), FILE);
+
+      assertThat(other.files().download(FILE)).isEqualTo(bytes(70_000));
+    }
   }
 
   @Test

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 
 /**
  * Parses files of KRL.
@@ -13,7 +14,8 @@ import java.nio.file.Path;
  * same; bad KRL never throws. Thread-safe: it keeps nothing.
  */
 public final class KrlParser {
-  private static final String UTF_8_MARK = "\u00EF\u00BB\u00BF";
+  /** A byte order mark, and what is left of its bytes in UTF-8 where they were read as latin-1. */
+  private static final List<String> MARKS = List.of("\uFEFF", "\u00EF\u00BB\u00BF");
 
   private KrlParser() {}
 
@@ -26,9 +28,7 @@ public final class KrlParser {
    * @throws IOException if it cannot be read
    */
   public static ParseResult parse(Path file) throws IOException {
-    String text = Files.readString(file, StandardCharsets.ISO_8859_1);
-    return parse(
-        file.toString(), text.startsWith(UTF_8_MARK) ? text.substring(UTF_8_MARK.length()) : text);
+    return parse(file.toString(), Files.readString(file, StandardCharsets.ISO_8859_1));
   }
 
   /**
@@ -36,10 +36,17 @@ public final class KrlParser {
    *
    * @param fileName what the positions call it
    * @param text the contents of a {@code .src}, {@code .sub} or {@code .dat} file, with either kind
-   *     of line end; a byte order mark at its beginning is skipped
+   *     of line end; a byte order mark at its beginning is skipped, also one of UTF-8 that was read
+   *     as ISO 8859-1
    * @return the tree and what is wrong
    */
   public static ParseResult parse(String fileName, String text) {
-    return new FileBuilder(fileName, text.startsWith("\uFEFF") ? text.substring(1) : text).build();
+    String bare = text;
+    for (String mark : MARKS) {
+      if (text.startsWith(mark)) {
+        bare = text.substring(mark.length());
+      }
+    }
+    return new FileBuilder(fileName, bare).build();
   }
 }

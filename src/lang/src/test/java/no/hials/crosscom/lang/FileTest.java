@@ -125,9 +125,10 @@ class FileTest {
         .containsExactly("4:3 expected a value, found )");
   }
 
-  @Test
-  void skipsAByteOrderMark() {
-    assertThat(errors(parse("\uFEFFDEF A() B\nEND")))
+  @ParameterizedTest
+  @ValueSource(strings = {"\uFEFF", "\u00EF\u00BB\u00BF"})
+  void skipsAByteOrderMark(String mark) {
+    assertThat(errors(parse(mark + "DEF A() B\nEND")))
         .containsExactly("1:9 expected the end of the line, found B");
   }
 

@@ -1,0 +1,42 @@
+package no.hials.crosscom.control;
+
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.RobotModel;
+
+/**
+ * The range of each axis.
+ *
+ * @param minimum the smallest angles, degrees
+ * @param maximum the largest angles, degrees
+ */
+public record AxisLimits(Axes minimum, Axes maximum) {
+  /** Checks that each minimum is below its maximum. */
+  public AxisLimits {
+    for (int i = 0; i < 6; i++) {
+      Checks.holds(
+          minimum.get(i) < maximum.get(i),
+          "the limits of A"
+              + (i + 1)
+              + " must be a minimum below a maximum, are "
+              + minimum.get(i)
+              + " and "
+              + maximum.get(i));
+    }
+  }
+
+  /**
+   * Takes the software limits of a model.
+   *
+   * @param model the robot
+   * @return its limits
+   */
+  public static AxisLimits of(RobotModel model) {
+    double[] minimum = new double[6];
+    double[] maximum = new double[6];
+    for (int i = 0; i < 6; i++) {
+      minimum[i] = model.minimum(i);
+      maximum[i] = model.maximum(i);
+    }
+    return new AxisLimits(Axes.of(minimum), Axes.of(maximum));
+  }
+}

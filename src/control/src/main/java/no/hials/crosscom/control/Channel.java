@@ -1,0 +1,172 @@
+package no.hials.crosscom.control;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.KRL.KRLEnum;
+import no.hials.crosscom.KRL.KRLInt;
+import no.hials.crosscom.KRL.KRLRealArray;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.KRL.structs.KRLE6Axis;
+import no.hials.crosscom.KRL.structs.KRLE6Pos;
+import no.hials.crosscom.VariableResult;
+import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a loop reads and writes. Several variables go as one message to C3 Bridge, and one after the
+ * other to KUKAVARPROXY.
+ */
+final class Channel {
+  private static final String MODE = "$MODE_OP";
+  private static final String PROGRAM = "$PRO_STATE1";
+  private static final String RUNNING = "#P_ACTIVE";
+
+  final KRLE6Pos position = KRLVariable.POS_ACT();
+  final KRLE6Axis axes = KRLVariable.AXIS_ACT();
+  final KRLEnum mode = new KRLEnum(MODE);
+  final KRLEnum program = new KRLEnum(PROGRAM);
+  private final CrossComClient client;
+
+  Channel(CrossComClient client) {
+    this.client = client;
+  }
+
+  void read(KRLVariable variable) throws ControlRefusedException {
+    try {
+      client.readVariable(variable);
+    } catch (IOException e) {
+      throw failed(e);
+    }
+  }
+
+  /** Reads one or two variables. */
+  void read(KRLVariable variable, @Nullable KRLVariable other) throws ControlRefusedException {
+    if (other == null) {
+      read(variable);
+    } else {
+      require(client.readVariables(List.of(variable, other)));
+    }
+  }
+
+  void write(KRLVariable variable) throws ControlRefusedException {
+    try {
+      client.writeVariable(variable);
+    } catch (IOException e) {
+      throw failed(e);
+    }
+  }
+
+  /** Writes one or two variables, in this order. */
+  void write(KRLVariable variable, @Nullable KRLVariable other) throws ControlRefusedException {
+    if (other == null) {
+      write(variable);
+    } else {
+      require(client.writeVariables(List.of(variable, other)));
+    }
+  }
+
+  private static void require(List<VariableResult> results) throws ControlRefusedException {
+    for (VariableResult result : results) {
+      if (result.failure() != null) {
+        throw failed(result.failure());
+      }
+    }
+  }
+
+  private static ControlRefusedException failed(IOException e) {
+    return new ControlRefusedException(
+        new StopReason(Kind.ACCESS, Objects.requireNonNull(e.getMessage()), e));
+  }
+
+  int readInt(String name) throws ControlRefusedException {
+    KRLInt variable = new KRLInt(name);
+    read(variable);
+    return variable.intValue();
+  }
+
+  void writeInt(String name, int value) throws ControlRefusedException {
+    KRLInt variable = new KRLInt(name);
+    variable.setValue(value);
+    write(variable);
+  }
+
+  /** Gives the position that was read last. */
+  Frame frame() throws ControlRefusedException {
+    try {
+      return new Frame(
+          position.getX(),
+          position.getY(),
+          position.getZ(),
+          position.getA(),
+          position.getB(),
+          position.getC());
+    } catch (IllegalStateException e) {
+      throw incomplete(e);
+    }
+  }
+
+  /** Gives the axes that were read last. */
+  Axes joints() throws ControlRefusedException {
+    try {
+      return Axes.of(axes.asArrayA1ToA6());
+    } catch (IllegalStateException e) {
+      throw incomplete(e);
+    }
+  }
+
+  private static ControlRefusedException incomplete(IllegalStateException e) {
+    return new ControlRefusedException(
+        new StopReason(Kind.ACCESS, Objects.requireNonNull(e.getMessage()), e));
+  }
+
+  /** Reads the ranges that the controller keeps its axes in. */
+  AxisLimits readAxisLimits() throws ControlRefusedException {
+    Axes minimum = readSix("$SOFTN_END[]");
+    Axes maximum = readSix("$SOFTP_END[]");
+    try {
+      return new AxisLimits(minimum, maximum);
+    } catch (IllegalArgumentException e) {
+      throw new ControlRefusedException(
+          Kind.ACCESS, "$SOFTN_END and $SOFTP_END: " + e.getMessage());
+    }
+  }
+
+  private Axes readSix(String name) throws ControlRefusedException {
+    KRLRealArray array = new KRLRealArray(name);
+    read(array);
+    double[] values = array.getValue();
+    if (values == null || values.length < 6) {
+      throw new ControlRefusedException(
+          Kind.ACCESS,
+          name + " must have at least 6 elements, has " + (values == null ? 0 : values.length));
+    }
+    return new Axes(values[0], values[1], values[2], values[3], values[4], values[5]);
+  }
+
+  /** Refuses a mode, as it was read last, that is not allowed. */
+  void checkMode(Safety safety) throws ControlRefusedException {
+    String found = mode.stringValue();
+    for (OperatingMode allowed : safety.modes()) {
+      if (found.substring(1).toUpperCase(Locale.ROOT).equals(allowed.name())) {
+        return;
+      }
+    }
+    throw new ControlRefusedException(
+        Kind.MODE,
+        MODE + " must be one of " + safety.modes().stream().sorted().toList() + ", is " + found);
+  }
+
+  /** Refuses a robot program, as it was read last, that does not run. */
+  void checkProgram() throws ControlRefusedException {
+    String found = program.stringValue();
+    if (!found.equalsIgnoreCase(RUNNING)) {
+      throw new ControlRefusedException(
+          Kind.PROGRAM, PROGRAM + " must be " + RUNNING + ", is " + found);
+    }
+  }
+}

@@ -1,0 +1,39 @@
+package no.hials.crosscom.control;
+
+import java.time.Duration;
+
+/** The checks of the records' constructors. */
+final class Checks {
+  private Checks() {}
+
+  static void finite(String field, double value) {
+    if (!Double.isFinite(value)) {
+      throw new IllegalArgumentException(field + " must be finite, is " + value);
+    }
+  }
+
+  static void positive(String field, double value) {
+    if (!(value > 0 && Double.isFinite(value))) {
+      throw new IllegalArgumentException(field + " must be more than 0, is " + value);
+    }
+  }
+
+  static void notNegative(String field, double value) {
+    if (!(value >= 0 && Double.isFinite(value))) {
+      throw new IllegalArgumentException(field + " must be 0 or more, is " + value);
+    }
+  }
+
+  static void between(String field, Duration value, Duration least, Duration most) {
+    if (value.compareTo(least) < 0 || value.compareTo(most) > 0) {
+      throw new IllegalArgumentException(
+          field + " must be " + least + " to " + most + ", is " + value);
+    }
+  }
+
+  static void holds(boolean rule, String message) {
+    if (!rule) {
+      throw new IllegalArgumentException(message);
+    }
+  }
+}

@@ -1,0 +1,95 @@
+package no.hials.crosscom.control;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import org.jspecify.annotations.Nullable;
+
+/** The limits of where the robot may be, and the words of every refusal. */
+final class Guard {
+  private static final String XYZ = "XYZ";
+  private static final int SHOWN_DIGITS = 3;
+
+  private final Safety safety;
+  private final AxisLimits axisLimits;
+  private final @Nullable Workspace workspace;
+
+  Guard(Safety safety, AxisLimits axisLimits, @Nullable Workspace workspace) {
+    this.safety = safety;
+    this.axisLimits = axisLimits;
+    this.workspace = workspace;
+  }
+
+  /** Refuses axes that do not keep the margin, or are outside the limits if they are actual. */
+  void check(Axes axes, boolean actual) throws ControlRefusedException {
+    double margin = actual ? 0 : safety.axisMargin();
+    for (int i = 0; i < 6; i++) {
+      double least = axisLimits.minimum().get(i) + margin;
+      double most = axisLimits.maximum().get(i) - margin;
+      double angle = axes.get(i);
+      if (angle < least || angle > most) {
+        throw outside(
+            Kind.AXIS_LIMIT, "A" + (i + 1), "degrees", least, most, margin, angle, actual);
+      }
+    }
+  }
+
+  /** Refuses a position that does not keep the margin, or is outside if it is actual. */
+  void check(Frame position, boolean actual) throws ControlRefusedException {
+    if (workspace == null) {
+      return;
+    }
+    double margin = actual ? 0 : safety.workspaceMargin();
+    for (int i = 0; i < XYZ.length(); i++) {
+      double least = workspace.min(i) + margin;
+      double most = workspace.max(i) - margin;
+      double place = i == 0 ? position.x() : i == 1 ? position.y() : position.z();
+      if (place < least || place > most) {
+        String name = XYZ.substring(i, i + 1) + " of the workspace";
+        throw outside(Kind.WORKSPACE, name, "mm", least, most, margin, place, actual);
+      }
+    }
+  }
+
+  private static ControlRefusedException outside(
+      Kind kind,
+      String name,
+      String unit,
+      double least,
+      double most,
+      double margin,
+      double value,
+      boolean actual) {
+    return new ControlRefusedException(
+        kind,
+        name
+            + " must be "
+            + number(least)
+            + " to "
+            + number(most)
+            + " "
+            + unit
+            + (margin > 0 ? " (a margin of " + number(margin) + " kept)" : "")
+            + (actual ? ", is " : ", would be ")
+            + number(value));
+  }
+
+  /** Refuses what is more than a limit. */
+  static void most(Kind kind, String what, String unit, double limit, double value)
+      throws ControlRefusedException {
+    // a value that was computed to be at the limit may come out a little above
+    if (value > limit * (1 + 1e-9)) {
+      throw new ControlRefusedException(
+          kind, what + " must be at most " + number(limit) + " " + unit + ", is " + number(value));
+    }
+  }
+
+  static String number(double value) {
+    return BigDecimal.valueOf(value)
+        .setScale(SHOWN_DIGITS, RoundingMode.HALF_UP)
+        .stripTrailingZeros()
+        .toPlainString();
+  }
+}

@@ -1,0 +1,174 @@
+package no.hials.crosscom.control;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.KRL.KRLInt;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.KRL.structs.KRLAxis;
+import no.hials.crosscom.KRL.structs.KRLPos;
+import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+
+/**
+ * Writes a path into an array of the controller and has {@code krl/play_path.src} drive it.
+ *
+ * <p><b>It moves a machine</b>, at the speed that {@code JOV_SPEED} says; the way to the first
+ * point is a PTP motion from where the robot stands. Every point passes the limits of {@link
+ * Safety} for where the axes and the tool may be, and the mode, the program and the watchdog are
+ * checked before the motion is asked for; the limits of speed and step are the program's matter.
+ * The heartbeat goes out while this waits for the end, so that the robot stops if the connection is
+ * lost.
+ *
+ * <p>For one thread at a time. It starts no thread.
+ */
+public final class PathPlayer {
+  /** How many points the arrays of {@code krl/config.dat} have. */
+  public static final int MAX_POINTS = 50;
+
+  private static final int AXES = 1;
+  private static final int POSITIONS = 2;
+  private static final int BUSY = 0;
+  private static final int DONE = 1;
+  private static final int REFUSED = 2;
+  private static final Duration READY_TIME = Duration.ofSeconds(5);
+  private static final long PAUSE = Duration.ofMillis(20).toNanos();
+
+  private final Channel channel;
+  private final Safety safety;
+  private final LoopTime time;
+
+  /**
+   * Makes a player.
+   *
+   * @param client the connection to the controller in which {@code PLAY_PATH} runs
+   * @param safety the limits
+   */
+  public PathPlayer(CrossComClient client, Safety safety) {
+    this(client, safety, LoopTime.REAL);
+  }
+
+  PathPlayer(CrossComClient client, Safety safety, LoopTime time) {
+    this.channel = new Channel(client);
+    this.safety = safety;
+    this.time = time;
+  }
+
+  /**
+   * Plays a path in the space of the axes (PTP, approximated), and waits for its end.
+   *
+   * @param points 1 to 50 points, degrees
+   * @param limit how long the motion may take; after that the heartbeat ends, and the watchdog
+   *     stops the robot
+   * @throws ControlRefusedException if a limit is broken, in which case nothing was written that
+   *     moves the robot, or if the motion did not come to its end
+   * @throws InterruptedException if the waiting was interrupted; the watchdog stops the robot
+   */
+  public void playAxes(List<Axes> points, Duration limit)
+      throws ControlRefusedException, InterruptedException {
+    checkCount(points);
+    Guard guard = Preflight.check(channel, safety, false);
+    List<KRLVariable> variables = new ArrayList<>();
+    for (Axes point : points) {
+      guard.check(point, false);
+      KRLAxis variable = new KRLAxis("JOV_PATH_AXIS[" + (variables.size() + 1) + "]");
+      variables.add(variable.setA1ToA6(point.toArray()));
+    }
+    play(AXES, variables, limit);
+  }
+
+  /**
+   * Plays a path of the tool (straight lines, approximated), and waits for its end. The arm comes
+   * to the first point with the Status and Turn that it has.
+   *
+   * @param points 1 to 50 points in {@code $BASE}
+   * @param limit how long the motion may take; after that the heartbeat ends, and the watchdog
+   *     stops the robot
+   * @throws ControlRefusedException if a limit is broken, in which case nothing was written that
+   *     moves the robot, or if the motion did not come to its end
+   * @throws InterruptedException if the waiting was interrupted; the watchdog stops the robot
+   */
+  public void playPositions(List<Frame> points, Duration limit)
+      throws ControlRefusedException, InterruptedException {
+    checkCount(points);
+    Guard guard = Preflight.check(channel, safety, true);
+    List<KRLVariable> variables = new ArrayList<>();
+    for (Frame point : points) {
+      guard.check(point, false);
+      KRLPos variable = new KRLPos("JOV_PATH_POS[" + (variables.size() + 1) + "]");
+      variable.setXToZ(point.x(), point.y(), point.z()).setAToC(point.a(), point.b(), point.c());
+      variables.add(variable.setS(channel.position.getS()).setT(channel.position.getT()));
+    }
+    play(POSITIONS, variables, limit);
+  }
+
+  private static void checkCount(List<?> points) {
+    Checks.holds(
+        !points.isEmpty() && points.size() <= MAX_POINTS,
+        "a path must have 1 to " + MAX_POINTS + " points, has " + points.size());
+  }
+
+  private void play(int command, List<KRLVariable> points, Duration limit)
+      throws ControlRefusedException, InterruptedException {
+    Heartbeat heartbeat = new Heartbeat(channel, time, safety.watchdog());
+    heartbeat.start();
+    boolean done = false;
+    try {
+      await(heartbeat, READY_TIME, "PLAY_PATH must be ready");
+      for (KRLVariable point : points) {
+        beat(heartbeat);
+        channel.write(point);
+      }
+      channel.writeInt("JOV_COUNT", points.size());
+      channel.writeInt("JOV_RESULT", BUSY);
+      channel.writeInt("JOV_COMMAND", command); // last, since it starts the motion
+      int result = await(heartbeat, limit, "the path must end");
+      done = result == DONE;
+      if (!done) {
+        throw new ControlRefusedException(
+            Kind.PROGRAM,
+            "PLAY_PATH must say "
+                + DONE
+                + " (done), said "
+                + result
+                + (result == REFUSED ? " (refused)" : ""));
+      }
+    } finally {
+      if (done) {
+        heartbeat.end();
+      }
+    }
+  }
+
+  private void beat(Heartbeat heartbeat) throws ControlRefusedException {
+    if (heartbeat.isDue()) {
+      channel.write(heartbeat.next());
+    }
+  }
+
+  /** Waits for a result of the program. */
+  private int await(Heartbeat heartbeat, Duration limit, String what)
+      throws ControlRefusedException, InterruptedException {
+    KRLInt result = new KRLInt("JOV_RESULT");
+    long end = time.nanoTime() + limit.toNanos();
+    while (true) {
+      beat(heartbeat);
+      channel.read(result, channel.program);
+      channel.checkProgram();
+      if (result.intValue() != BUSY) {
+        return result.intValue();
+      }
+      long now = time.nanoTime();
+      if (now > end) {
+        throw new ControlRefusedException(
+            Kind.PROGRAM, what + " within " + limit + ", JOV_RESULT is still " + BUSY);
+      }
+      if (Thread.interrupted()) {
+        throw new InterruptedException("interrupted while waiting: " + what);
+      }
+      time.awaitUntil(now + PAUSE);
+    }
+  }
+}

@@ -1,0 +1,302 @@
+package no.hials.crosscom.control;
+
+import java.io.IOException;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.control.Space.Quantity;
+import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.input.Input;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The cycles of a loop; all on one thread.
+ *
+ * @param <P> the position that the law works with
+ */
+final class Runner<P> {
+  /** How many things are looked at in turn, one in a cycle. */
+  private static final int CHECKS = 3;
+
+  private static final double[] ZEROS = new double[6];
+
+  private final LoopConfig config;
+  private final Safety safety;
+  private final Target target;
+  private final Channel channel;
+  private final Space<P> space;
+  private final Guard guard;
+  private final Heartbeat heartbeat;
+  private final LoopTime time;
+  private final Meter meter;
+  private final Trace trace;
+  private final Feedback<P> feedback;
+  private final long period;
+  private final double[] differences;
+
+  private volatile boolean stopAsked;
+  private volatile boolean holding;
+
+  private long start;
+  private long nextCheck;
+  private int check;
+  private long lastBegin;
+  private boolean begun;
+
+  /** The periods in which the robot was under the law. */
+  private long lawPeriods;
+
+  /** Where the law wanted the robot to be in the cycle before; null if it was not asked. */
+  private @Nullable P previous;
+
+  /** Where an absolute target holds the robot; null while it moves. */
+  private double @Nullable [] held;
+
+  // of the cycle under way
+  private long readNanos;
+  private long writeNanos;
+
+  Runner(
+      LoopConfig config,
+      Target target,
+      Channel channel,
+      Space<P> space,
+      Guard guard,
+      Heartbeat heartbeat,
+      LoopTime time) {
+    this.config = config;
+    this.safety = config.safety();
+    this.target = target;
+    this.channel = channel;
+    this.space = space;
+    this.guard = guard;
+    this.heartbeat = heartbeat;
+    this.time = time;
+    this.period = config.period().toNanos();
+    this.meter = new Meter(space.quantities);
+    this.trace = new Trace(space.names, config.traceLength());
+    this.feedback = new Feedback<>(space, safety, meter);
+    this.differences = new double[space.quantities.size()];
+  }
+
+  Meter meter() {
+    return meter;
+  }
+
+  Trace trace() {
+    return trace;
+  }
+
+  boolean isHolding() {
+    return holding;
+  }
+
+  void askToStop() {
+    stopAsked = true;
+  }
+
+  /** Runs until there is a reason to stop. */
+  StopReason run() {
+    try {
+      return cycles();
+    } catch (ControlRefusedException e) {
+      return e.reason();
+    } catch (RuntimeException | Error e) {
+      return new StopReason(Kind.ERROR, "the loop failed: " + e, e);
+    }
+  }
+
+  private StopReason cycles() throws ControlRefusedException {
+    start = time.nanoTime();
+    nextCheck = start;
+    long next = start;
+    long elapsed = 1;
+    while (!stopAsked) {
+      long now = time.nanoTime();
+      if (now < next) {
+        time.awaitUntil(next);
+        continue;
+      }
+      if (!config.duration().isZero() && now - start >= config.duration().toNanos()) {
+        return new StopReason(Kind.TIME_OVER, "the time of " + config.duration() + " is over");
+      }
+      cycle(now, now - next, elapsed);
+      long end = time.nanoTime();
+      // never in a rush: a cycle whose time has come already is left out
+      long missed = Math.max(0, (end - next) / period);
+      if (missed > 0) {
+        meter.missed(missed, readNanos + writeNanos >= period);
+      }
+      elapsed = missed + 1;
+      next += elapsed * period;
+    }
+    return new StopReason(Kind.ASKED, "the loop was asked to stop");
+  }
+
+  private void cycle(long begin, long late, long elapsed) throws ControlRefusedException {
+    long sinceLast = begun ? begin - lastBegin : 0;
+    lastBegin = begin;
+    begun = true;
+    meter.began(sinceLast, late);
+    boolean beat = heartbeat.isDue();
+    read(!beat && begin - nextCheck >= 0, begin);
+    long readEnd = time.nanoTime();
+    readNanos = readEnd - begin;
+    P actual = space.actual();
+    space.check(guard, actual, true);
+    feedback.check(actual, readEnd);
+    Input input = input(readEnd);
+    boolean moving = input != null;
+    double[] sent = moving ? move(actual, input, elapsed) : hold(actual);
+    space.setTarget(sent);
+    long writeBegin = time.nanoTime();
+    channel.write(space.target(), beat ? heartbeat.next() : null);
+    long end = time.nanoTime();
+    writeNanos = end - writeBegin;
+    meter.accessed(readNanos, writeNanos, end - begin - readNanos - writeNanos);
+    trace.add(
+        (begin - start) / 1e9,
+        sinceLast / 1e6,
+        readNanos / 1e6,
+        writeNanos / 1e6,
+        moving,
+        space.numbers(previous == null ? actual : previous),
+        sent,
+        space.numbers(actual));
+  }
+
+  private void read(boolean withCheck, long begin) throws ControlRefusedException {
+    if (!withCheck) {
+      channel.read(space.feedback());
+      checkAge(begin);
+      return;
+    }
+    nextCheck = begin + safety.checkInterval().toNanos() / CHECKS;
+    check = (check + 1) % CHECKS;
+    KRLVariable variable =
+        check == 0 ? channel.mode : check == 1 ? channel.program : space.otherFeedback();
+    channel.read(space.feedback(), variable);
+    checkAge(begin);
+    switch (check) {
+      case 0 -> channel.checkMode(safety);
+      case 1 -> channel.checkProgram();
+      default -> space.checkOther(guard);
+    }
+  }
+
+  private void checkAge(long begin) throws ControlRefusedException {
+    Guard.most(
+        Kind.STALE_FEEDBACK,
+        "the time of reading " + space.feedback().getName(),
+        "ms",
+        safety.maxFeedbackAge().toNanos() / 1e6,
+        (time.nanoTime() - begin) / 1e6);
+  }
+
+  /** Gives the input; nothing if the robot has to stand. */
+  private @Nullable Input input(long now) throws ControlRefusedException {
+    if (config.input() == null) {
+      return Input.NONE;
+    }
+    Input input;
+    try {
+      input = config.input().read();
+    } catch (IOException | RuntimeException e) {
+      throw new ControlRefusedException(
+          new StopReason(Kind.INPUT, "the input device failed: " + e, e));
+    }
+    boolean fresh = now - input.nanoTime() <= safety.maxInputAge().toNanos();
+    return input.deadMan() && fresh ? input : null;
+  }
+
+  private double[] move(P actual, Input input, long elapsed) throws ControlRefusedException {
+    boolean first = previous == null;
+    if (!first) {
+      lawPeriods += elapsed;
+    }
+    State state =
+        new State(
+            lawPeriods * period / 1e9, period / 1e9, channel.joints(), channel.frame(), input);
+    P desired = ask(state, actual);
+    P from = first || space.isVelocity() ? actual : previous;
+    checkStep(from, desired, space.isVelocity() || first ? 1 : elapsed);
+    space.check(guard, desired, false);
+    previous = desired;
+    held = null;
+    holding = false;
+    feedback.told(desired);
+    if (!target.increment()) {
+      return space.numbers(desired);
+    }
+    double[] increment = space.increment(actual, desired, config.part(space.isVelocity()));
+    if (space.cut(increment)) {
+      meter.cut();
+    }
+    return increment;
+  }
+
+  private P ask(State state, P actual) throws ControlRefusedException {
+    P desired;
+    try {
+      desired = space.ask(state, actual);
+    } catch (Exception | LinkageError | AssertionError | StackOverflowError e) {
+      throw new ControlRefusedException(new StopReason(Kind.LAW, "the law failed: " + e, e));
+    }
+    if (desired == null) {
+      throw new ControlRefusedException(Kind.LAW, "the law must give a command, gave null");
+    }
+    return desired;
+  }
+
+  private void checkStep(P from, P to, long periods) throws ControlRefusedException {
+    space.differences(from, to, differences);
+    for (int i = 0; i < differences.length; i++) {
+      Quantity quantity = space.quantities.get(i);
+      Guard.most(
+          Kind.STEP,
+          "the step of " + quantity.name() + " in one cycle",
+          quantity.unit(),
+          quantity.limits().step(),
+          differences[i]);
+      Guard.most(
+          Kind.SPEED,
+          "the speed of " + quantity.name(),
+          quantity.unit() + "/s",
+          quantity.limits().speed(),
+          differences[i] / (periods * period / 1e9));
+    }
+  }
+
+  private double[] hold(P actual) {
+    meter.held();
+    holding = true;
+    previous = null;
+    feedback.told(null);
+    if (target.increment()) {
+      return ZEROS;
+    }
+    if (held == null) {
+      held = space.numbers(actual); // once, so that the robot does not creep
+    }
+    return held;
+  }
+
+  /**
+   * Tells the robot to stand, once.
+   *
+   * @return whether it could be told
+   */
+  boolean halt(StopReason reason) throws ControlRefusedException {
+    if (target.increment()) {
+      space.setTarget(ZEROS);
+    } else if (reason.kind() == Kind.STALLED_FEEDBACK) {
+      return false; // where the robot is, is not known; it stops at its last target
+    } else {
+      channel.read(space.feedback());
+      space.setTarget(space.numbers(space.actual()));
+    }
+    channel.write(space.target());
+    if (reason.isPlanned()) {
+      heartbeat.end();
+    }
+    return true;
+  }
+}

@@ -1,0 +1,314 @@
+package no.hials.crosscom.control;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.KRL.structs.KRLAxis;
+import no.hials.crosscom.KRL.structs.KRLFrame;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+
+/**
+ * Positions of one kind, in the space of the tool or in that of the axes, with the quantities that
+ * are limited each by itself.
+ *
+ * @param <P> the position
+ */
+abstract sealed class Space<P> {
+  final Channel channel;
+  final List<Quantity> quantities;
+
+  /** The numbers of a position, as they are in the variables. */
+  final List<String> names;
+
+  /**
+   * What is limited.
+   *
+   * @param name {@code path}, {@code rotation}, or {@code A1} to {@code A6}
+   * @param unit mm or degrees
+   * @param limits its limits
+   */
+  record Quantity(String name, String unit, MotionLimits limits) {}
+
+  private Space(Channel channel, List<Quantity> quantities, List<String> names) {
+    this.channel = channel;
+    this.quantities = quantities;
+    this.names = names;
+  }
+
+  static Space<?> of(Law law, LoopConfig config, Channel channel, String target) {
+    return law instanceof Law.CartesianPosition || law instanceof Law.CartesianVelocity
+        ? new Cartesian(channel, config, law, target)
+        : new Joint(channel, config, law, target);
+  }
+
+  /** Gives the variable that says where the robot is. */
+  abstract KRLVariable feedback();
+
+  /** Gives the variable that says so in the other space. */
+  abstract KRLVariable otherFeedback();
+
+  /** Gives the variable that the program follows. */
+  abstract KRLVariable target();
+
+  abstract P actual() throws ControlRefusedException;
+
+  /** Refuses the place of the other space, as it was read last. */
+  abstract void checkOther(Guard guard) throws ControlRefusedException;
+
+  abstract void check(Guard guard, P place, boolean actual) throws ControlRefusedException;
+
+  /** Says whether the law gives velocities. */
+  abstract boolean isVelocity();
+
+  /** Asks the law where the robot is to be. */
+  abstract P ask(State state, P actual) throws Exception;
+
+  /** Measures how far two positions are apart, for each quantity. */
+  abstract void differences(P from, P to, double[] into);
+
+  /** Gives the numbers of a position. */
+  abstract double[] numbers(P place);
+
+  /** Sets the variable that the program follows. */
+  abstract void setTarget(double[] numbers);
+
+  /** Gives the numbers of an increment that leads a part of the way from one to another. */
+  abstract double[] increment(P from, P to, double part);
+
+  /**
+   * Cuts an increment to the step limits, keeping its direction.
+   *
+   * @return whether it was cut
+   */
+  abstract boolean cut(double[] increment);
+
+  /** Positions of the tool. */
+  static final class Cartesian extends Space<Frame> {
+    private static final int TURN = 3;
+
+    private final Law law;
+    private final double period;
+    private final KRLFrame target;
+
+    Cartesian(Channel channel, LoopConfig config, Law law, String target) {
+      super(
+          channel,
+          List.of(
+              new Quantity("path", "mm", config.safety().path()),
+              new Quantity("rotation", "degrees", config.safety().rotation())),
+          List.of("X", "Y", "Z", "A", "B", "C"));
+      this.law = law;
+      this.period = config.period().toNanos() / 1e9;
+      this.target = new KRLFrame(target);
+    }
+
+    @Override
+    KRLVariable feedback() {
+      return channel.position;
+    }
+
+    @Override
+    KRLVariable otherFeedback() {
+      return channel.axes;
+    }
+
+    @Override
+    KRLVariable target() {
+      return target;
+    }
+
+    @Override
+    Frame actual() throws ControlRefusedException {
+      return channel.frame();
+    }
+
+    @Override
+    void checkOther(Guard guard) throws ControlRefusedException {
+      guard.check(channel.joints(), false); // no target of the axes is known that keeps the margin
+    }
+
+    @Override
+    void check(Guard guard, Frame place, boolean actual) throws ControlRefusedException {
+      guard.check(place, actual);
+    }
+
+    @Override
+    boolean isVelocity() {
+      return law instanceof Law.CartesianVelocity;
+    }
+
+    @Override
+    Frame ask(State state, Frame actual) throws Exception {
+      return law instanceof Law.CartesianVelocity velocity
+          ? velocity.velocity(state).move(actual, period)
+          : ((Law.CartesianPosition) law).position(state);
+    }
+
+    @Override
+    void differences(Frame from, Frame to, double[] into) {
+      into[0] = from.distance(to);
+      into[1] = from.angle(to);
+    }
+
+    @Override
+    double[] numbers(Frame place) {
+      return new double[] {place.x(), place.y(), place.z(), place.a(), place.b(), place.c()};
+    }
+
+    @Override
+    void setTarget(double[] numbers) {
+      target.setXToZ(numbers[0], numbers[1], numbers[2]);
+      target.setAToC(numbers[TURN], numbers[TURN + 1], numbers[TURN + 2]);
+    }
+
+    @Override
+    double[] increment(Frame from, Frame to, double part) {
+      Frame turn = Rotations.part(Rotations.leading(from, to), part);
+      return new double[] {
+        part * (to.x() - from.x()),
+        part * (to.y() - from.y()),
+        part * (to.z() - from.z()),
+        turn.a(),
+        turn.b(),
+        turn.c()
+      };
+    }
+
+    @Override
+    boolean cut(double[] increment) {
+      double way = Math.hypot(Math.hypot(increment[0], increment[1]), increment[2]);
+      double mostWay = quantities.get(0).limits().step();
+      boolean cut = way > mostWay;
+      if (cut) {
+        for (int i = 0; i < TURN; i++) {
+          increment[i] *= mostWay / way;
+        }
+      }
+      Frame turn = new Frame(0, 0, 0, increment[TURN], increment[TURN + 1], increment[TURN + 2]);
+      double angle = Frame.IDENTITY.angle(turn);
+      double mostAngle = quantities.get(1).limits().step();
+      if (angle > mostAngle) {
+        Frame part = Rotations.part(turn, mostAngle / angle);
+        increment[TURN] = part.a();
+        increment[TURN + 1] = part.b();
+        increment[TURN + 2] = part.c();
+        return true;
+      }
+      return cut;
+    }
+  }
+
+  /** Angles of the axes. */
+  static final class Joint extends Space<Axes> {
+    private final Law law;
+    private final double period;
+    private final KRLAxis target;
+
+    Joint(Channel channel, LoopConfig config, Law law, String target) {
+      super(
+          channel, quantities(config.safety().axes()), List.of("A1", "A2", "A3", "A4", "A5", "A6"));
+      this.law = law;
+      this.period = config.period().toNanos() / 1e9;
+      this.target = new KRLAxis(target);
+    }
+
+    private static List<Quantity> quantities(MotionLimits limits) {
+      List<Quantity> axes = new ArrayList<>();
+      for (int i = 1; i <= 6; i++) {
+        axes.add(new Quantity("A" + i, "degrees", limits));
+      }
+      return List.copyOf(axes);
+    }
+
+    @Override
+    KRLVariable feedback() {
+      return channel.axes;
+    }
+
+    @Override
+    KRLVariable otherFeedback() {
+      return channel.position;
+    }
+
+    @Override
+    KRLVariable target() {
+      return target;
+    }
+
+    @Override
+    Axes actual() throws ControlRefusedException {
+      return channel.joints();
+    }
+
+    @Override
+    void checkOther(Guard guard) throws ControlRefusedException {
+      guard.check(channel.frame(), false); // no target of the tool is known that keeps the margin
+    }
+
+    @Override
+    void check(Guard guard, Axes place, boolean actual) throws ControlRefusedException {
+      guard.check(place, actual);
+    }
+
+    @Override
+    boolean isVelocity() {
+      return law instanceof Law.JointVelocity;
+    }
+
+    @Override
+    Axes ask(State state, Axes actual) throws Exception {
+      if (!(law instanceof Law.JointVelocity velocity)) {
+        return ((Law.JointPosition) law).position(state);
+      }
+      Axes speed = velocity.velocity(state);
+      double[] numbers = actual.toArray();
+      for (int i = 0; i < numbers.length; i++) {
+        numbers[i] += speed.get(i) * period;
+      }
+      return Axes.of(numbers);
+    }
+
+    @Override
+    void differences(Axes from, Axes to, double[] into) {
+      for (int i = 0; i < into.length; i++) {
+        into[i] = Math.abs(to.get(i) - from.get(i));
+      }
+    }
+
+    @Override
+    double[] numbers(Axes place) {
+      return place.toArray();
+    }
+
+    @Override
+    void setTarget(double[] numbers) {
+      target.setA1ToA6(numbers);
+    }
+
+    @Override
+    double[] increment(Axes from, Axes to, double part) {
+      double[] increment = to.minus(from).toArray();
+      for (int i = 0; i < increment.length; i++) {
+        increment[i] *= part;
+      }
+      return increment;
+    }
+
+    @Override
+    boolean cut(double[] increment) {
+      double most = 0;
+      for (double part : increment) {
+        most = Math.max(most, Math.abs(part));
+      }
+      double step = quantities.get(0).limits().step();
+      if (most <= step) {
+        return false;
+      }
+      for (int i = 0; i < increment.length; i++) {
+        increment[i] *= step / most;
+      }
+      return true;
+    }
+  }
+}

@@ -1,0 +1,190 @@
+package no.hials.crosscom.control.input;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Receives input as JSON in UDP datagrams, so that a phone or any program can move the robot:
+ *
+ * <pre>{@code
+ * {"axes": [0.5, -1, 0], "buttons": [true, false], "deadMan": true}
+ * }</pre>
+ *
+ * <p>All fields may be left out; without {@code deadMan} nothing moves, and other fields are passed
+ * over. The sender has to send again and again, several times in the greatest age of the input,
+ * since the robot stands when it hears nothing. A datagram that is not as it must be changes
+ * nothing and is counted. <b>Whoever reaches the port moves the robot</b>: it is bound to the
+ * loopback address unless another one is given.
+ *
+ * <p>It runs the daemon thread {@code crosscom-input-PORT} until it is closed.
+ */
+public final class UdpJsonInput implements InputDevice {
+  private static final Logger LOG = LoggerFactory.getLogger(UdpJsonInput.class);
+  private static final int LONGEST = 2048;
+  private static final int MOST_VALUES = 100;
+  private static final JsonFactory JSON =
+      JsonFactory.builder().enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
+
+  private final DatagramSocket socket;
+  private final AtomicLong refused = new AtomicLong();
+  private volatile Input latest = Input.NONE;
+  private volatile @Nullable IOException failure;
+
+  private UdpJsonInput(DatagramSocket socket) {
+    this.socket = socket;
+  }
+
+  /**
+   * Listens on the loopback address.
+   *
+   * @param port the UDP port; 0 for a free one
+   * @return the device, which is to be closed
+   * @throws IOException if the port cannot be used
+   */
+  public static UdpJsonInput listen(int port) throws IOException {
+    return listen(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+  }
+
+  /**
+   * Listens on an address, for senders on other computers.
+   *
+   * @param address the address of this computer and the UDP port
+   * @return the device, which is to be closed
+   * @throws IOException if the address cannot be used
+   */
+  public static UdpJsonInput listen(InetSocketAddress address) throws IOException {
+    UdpJsonInput input = new UdpJsonInput(new DatagramSocket(address));
+    Thread thread = new Thread(input::receive, "crosscom-input-" + input.port());
+    thread.setDaemon(true);
+    thread.start();
+    return input;
+  }
+
+  /**
+   * Gives the port.
+   *
+   * @return the UDP port that it listens on
+   */
+  public int port() {
+    return socket.getLocalPort();
+  }
+
+  /**
+   * Counts the datagrams that were not as they must be.
+   *
+   * @return how many
+   */
+  public long refusedDatagrams() {
+    return refused.get();
+  }
+
+  private void receive() {
+    // one byte more than allowed shows what was cut
+    DatagramPacket packet = new DatagramPacket(new byte[LONGEST + 1], LONGEST + 1);
+    while (!socket.isClosed()) {
+      try {
+        packet.setLength(LONGEST + 1);
+        socket.receive(packet);
+      } catch (IOException e) {
+        if (!socket.isClosed()) {
+          failure = e;
+          socket.close();
+        }
+        return;
+      }
+      try {
+        latest = parse(packet.getData(), packet.getLength());
+      } catch (IOException | IllegalArgumentException e) {
+        refused.incrementAndGet();
+        LOG.debug("a datagram from {} is refused: {}", packet.getAddress(), e.getMessage());
+      }
+    }
+  }
+
+  private static Input parse(byte[] bytes, int length) throws IOException {
+    if (length > LONGEST) {
+      throw new IOException("a datagram must have at most " + LONGEST + " bytes, has more");
+    }
+    List<Double> axes = new ArrayList<>();
+    List<Boolean> buttons = new ArrayList<>();
+    boolean deadMan = false;
+    try (JsonParser json = JSON.createParser(bytes, 0, length)) {
+      expect(json, json.nextToken(), JsonToken.START_OBJECT);
+      while (json.nextToken() != JsonToken.END_OBJECT) {
+        String field = json.currentName();
+        json.nextToken();
+        switch (field) {
+          case "axes" -> readAxes(json, axes);
+          case "buttons" -> readButtons(json, buttons);
+          case "deadMan" -> deadMan = json.getBooleanValue();
+          default -> json.skipChildren();
+        }
+      }
+      if (json.nextToken() != null) {
+        throw new IOException("there must be one object, more follows");
+      }
+    }
+    return new Input(axes, buttons, deadMan, System.nanoTime());
+  }
+
+  private static void readAxes(JsonParser json, List<Double> axes) throws IOException {
+    expect(json, json.currentToken(), JsonToken.START_ARRAY);
+    while (json.nextToken() != JsonToken.END_ARRAY) {
+      axes.add(json.getDoubleValue());
+      atMost(axes);
+    }
+  }
+
+  private static void readButtons(JsonParser json, List<Boolean> buttons) throws IOException {
+    expect(json, json.currentToken(), JsonToken.START_ARRAY);
+    while (json.nextToken() != JsonToken.END_ARRAY) {
+      buttons.add(json.getBooleanValue());
+      atMost(buttons);
+    }
+  }
+
+  private static void atMost(List<?> values) throws IOException {
+    if (values.size() > MOST_VALUES) {
+      throw new IOException("there must be at most " + MOST_VALUES + " values, are more");
+    }
+  }
+
+  private static void expect(JsonParser json, @Nullable JsonToken found, JsonToken wanted)
+      throws IOException {
+    if (found != wanted) {
+      throw new IOException(
+          "expected "
+              + wanted
+              + " at "
+              + json.currentLocation().getColumnNr()
+              + ", found "
+              + found);
+    }
+  }
+
+  @Override
+  public Input read() throws IOException {
+    if (failure != null) {
+      throw failure;
+    }
+    return latest;
+  }
+
+  @Override
+  public void close() {
+    socket.close();
+  }
+}

@@ -1,8 +1,13 @@
 package no.hials.crosscom.cli;
 
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.io.PrintWriter;
+import java.io.Reader;
 import java.io.Writer;
+import java.nio.charset.Charset;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Where a command prints: data to one stream, messages to another. Both are flushed line by line,
@@ -14,11 +19,59 @@ final class Console {
   private final Writer data;
   private final PrintWriter out;
   private final PrintWriter err;
+  private final Map<String, String> environment;
+  private final Reader in;
+  private final @Nullable Questions questions;
 
-  Console(Writer out, Writer err) {
+  /** Asks a person, who is there. */
+  @FunctionalInterface
+  interface Questions {
+    /** Gives what the person types; null if that is nothing, not even a line's end. */
+    @Nullable String ask(String question);
+  }
+
+  /**
+   * Makes a console.
+   *
+   * @param environment the environment variables that the program heeds
+   */
+  Console(Writer out, Writer err, Map<String, String> environment) {
+    this(out, err, environment, new InputStreamReader(System.in, charset()), null);
+  }
+
+  /**
+   * Makes a console that has another stdin.
+   *
+   * @param questions asks the user, not on the terminal itself; null to do it there
+   */
+  Console(
+      Writer out,
+      Writer err,
+      Map<String, String> environment,
+      Reader in,
+      @Nullable Questions questions) {
+    this.environment = Map.copyOf(environment);
     this.data = out;
     this.out = new PrintWriter(out, true);
     this.err = new PrintWriter(err, true);
+    this.in = in;
+    this.questions = questions;
+  }
+
+  /** Gives the same console whose questions are asked in another way, as by a line editor. */
+  Console asking(Questions other) {
+    return new Console(data, err, environment, in, other);
+  }
+
+  private static Charset charset() {
+    // the first one is there since JDK 25
+    return Charset.forName(
+        System.getProperty("stdin.encoding", System.getProperty("native.encoding")));
+  }
+
+  /** Gives stdin. */
+  Reader in() {
+    return in;
   }
 
   /** Gives stdout for texts of picocli. It swallows errors, so data goes through {@link #print}. */
@@ -30,14 +83,53 @@ final class Console {
     return err;
   }
 
+  /** Gives an environment variable, null if it is not set or empty. */
+  @Nullable String environment(String name) {
+    String value = environment.get(name);
+    return value == null || value.isEmpty() ? null : value;
+  }
+
+  /** Says whether a person can be asked. */
+  boolean isInteractive() {
+    return questions != null || Terminal.isTerminal();
+  }
+
+  /** Asks a question; only y and yes are a yes. */
+  boolean confirm(String question) {
+    String answer = answer(question + " [y/N] ");
+    return answer != null && answer.strip().matches("(?i)y(es)?");
+  }
+
+  private @Nullable String answer(String question) {
+    if (questions != null) {
+      return questions.ask(question);
+    }
+    err.print(question);
+    err.flush();
+    String answer = Terminal.readLine();
+    if (answer == null) {
+      err.println(); // the end of input leaves the cursor behind the question
+    }
+    return answer;
+  }
+
   /**
    * Prints a line of data.
    *
    * @throws OutputException if it cannot be written, as into a pipe that nobody reads any more
    */
   void print(String line) {
+    write(line + System.lineSeparator());
+  }
+
+  /**
+   * Prints data that has its own line ends.
+   *
+   * @throws OutputException as {@link #print}
+   */
+  void write(String text) {
     try {
-      data.write(line + System.lineSeparator());
+      data.write(text);
       data.flush();
     } catch (IOException e) {
       throw new OutputException(e);
@@ -51,7 +143,16 @@ final class Console {
 
   /** Prints what an exception says, and where it comes from if that is asked for. */
   void failure(Throwable e, boolean verbose) {
-    error(String.valueOf(e.getMessage()));
+    failure("", e, verbose);
+  }
+
+  /**
+   * Does the same for one of several robots.
+   *
+   * @param label says which, as {@link Target#label}
+   */
+  void failure(String label, Throwable e, boolean verbose) {
+    error(label + e.getMessage());
     if (verbose) {
       e.printStackTrace(err);
     }

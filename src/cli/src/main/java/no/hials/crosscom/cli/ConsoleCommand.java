@@ -20,8 +20,9 @@ import picocli.CommandLine.Spec;
       "2:wrong usage, or a file with errors",
       "3:could not connect, or not listen",
       "4:connection lost, timed out or not this protocol",
+      "5:not sent: for reading only, or not confirmed",
       "70:internal error, please report it",
-      "74:stdout could not be written"
+      "74:stdout or a file could not be written"
     })
 abstract class ConsoleCommand implements Callable<Integer> {
   private final Console console;

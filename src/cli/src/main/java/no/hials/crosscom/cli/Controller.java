@@ -7,12 +7,14 @@ import no.hials.crosscom.mock.MockServer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A connection to the controller that the user chose.
+ * A connection to a controller that the user chose.
  *
+ * @param target which one it is
  * @param client talks to it
  * @param simulation the controller itself if it is a simulated one
  */
-record Controller(CrossComClient client, @Nullable MockServer simulation) implements Closeable {
+record Controller(Target target, CrossComClient client, @Nullable MockServer simulation)
+    implements Closeable {
   @Override
   public void close() throws IOException {
     try {

@@ -1,22 +1,23 @@
 package no.hials.crosscom.cli;
 
-import java.io.IOException;
-import java.net.InetAddress;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
 import no.hials.crosscom.ClientConfig;
-import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.CrossComException;
-import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** The options that say which controller a command talks to. */
 final class ControllerOptions {
+  private static final Pattern ROBOT = Pattern.compile("@\\w[\\w.-]*");
+
   @Option(
       names = "--host",
       order = 1,
       paramLabel = "HOST",
-      description = "Name or address of the controller. Either this or --mock is needed.")
+      description = "Name or address of the controller.")
   private @Nullable String host;
 
   @Option(
@@ -47,55 +48,142 @@ final class ControllerOptions {
       })
   private @Nullable Duration timeout;
 
+  @Option(
+      names = "--server",
+      order = 3,
+      paramLabel = "SERVER",
+      converter = Converters.Server.class,
+      completionCandidates = Converters.Server.class,
+      description = "Which server the simulated controller has: kukavarproxy, or c3 for C3 Bridge.")
+  private @Nullable ServerType server;
+
+  @Option(
+      names = "--robot",
+      order = 1,
+      paramLabel = "NAME",
+      description = {
+        "A robot of the configuration file; @NAME is short for it. If no option names a controller,"
+            + " it is JOPENSHOWVAR_HOST, else the default robot of the file: see 'jopenshowvar"
+            + " --help'."
+      })
+  private List<String> robots = new ArrayList<>();
+
+  /** Makes {@code --robot=NAME} of each argument {@code @NAME} before {@code --}. */
+  static String[] withNamesAsOptions(String... args) {
+    List<String> result = new ArrayList<>();
+    boolean options = true;
+    for (String arg : args) {
+      options &= !arg.equals("--");
+      result.add(options && ROBOT.matcher(arg).matches() ? "--robot=" + arg.substring(1) : arg);
+    }
+    return result.toArray(String[]::new);
+  }
+
+  /** Says whether {@code @NAME} can be written for it. */
+  static boolean isRobotName(String name) {
+    return ROBOT.matcher("@" + name).matches();
+  }
+
   /**
-   * Connects.
+   * Gives the controllers that the user chose, at least one: by these options, else by the
+   * environment, else the default robot of the configuration file. The file is read for a robot of
+   * it only.
    *
    * @param command has these options
-   * @return the connection
-   * @throws CrossComException if no connection could be made
-   * @throws CannotListenException if the mock server could not be started
+   * @param simulated the server that a simulated controller has if the user does not say
+   * @throws FileException if the configuration file has an error, or not such a robot
    */
-  Controller open(ConsoleCommand command) throws IOException {
+  List<Target> targets(ConsoleCommand command, ServerType simulated) throws FileException {
+    Environment environment = Environment.of(command);
+    boolean named = !robots.isEmpty();
+    List<Target> result = new ArrayList<>();
+    for (Target target : chosen(command, environment, simulated)) {
+      Duration own = target.timeout();
+      // the default robot is what is left where nothing else says anything
+      Duration lesser = named ? or(own, environment.timeout()) : or(environment.timeout(), own);
+      result.add(withOptions(command, target, or(timeout, lesser), environment.readOnly()));
+    }
+    return result;
+  }
+
+  /** Gives the one controller that the user chose, as {@link #targets}; several are wrong usage. */
+  Target target(ConsoleCommand command, ServerType simulated) throws FileException {
+    List<Target> targets = targets(command, simulated);
+    if (targets.size() != 1) {
+      throw command.wrongUsage("one robot at a time, " + targets.size() + " are given");
+    }
+    return targets.get(0);
+  }
+
+  private List<Target> chosen(ConsoleCommand command, Environment environment, ServerType simulated)
+      throws FileException {
+    if (host != null && mock) {
+      throw command.wrongUsage("--host and --mock exclude each other");
+    }
+    if (!robots.isEmpty()) {
+      if (host != null || mock) {
+        String other = mock ? "--mock" : "--host";
+        throw command.wrongUsage(other + " and @" + robots.get(0) + " exclude each other");
+      }
+      return named(command, simulated);
+    }
     if (mock) {
-      if (host != null) {
-        throw command.wrongUsage("--host and --mock exclude each other");
+      return List.of(new Target("", null, 0, null, false, simulated));
+    }
+    if (host != null) {
+      if (host.isBlank()) {
+        throw command.wrongUsage("--host must not be blank");
       }
-      if (port != null) {
-        throw command.wrongUsage("--port goes with --host; --mock takes a free port");
-      }
-      return openMock();
+      return List.of(new Target("", host, ClientConfig.DEFAULT_PORT, null, false, simulated));
     }
-    if (host == null) {
-      throw command.wrongUsage("which controller? give --host HOST, or --mock for a simulated one");
+    if (environment.host() != null) {
+      int itsPort = environment.port() == null ? ClientConfig.DEFAULT_PORT : environment.port();
+      return List.of(new Target("", environment.host(), itsPort, null, false, simulated));
     }
-    if (host.isBlank()) {
-      throw command.wrongUsage("--host must not be blank");
+    Profiles profiles = Profiles.read(command.console(), simulated);
+    if (profiles == null || profiles.defaultRobot() == null) {
+      throw command.wrongUsage(
+          "which controller? give --host HOST, or --mock for a simulated one, or @NAME for one of "
+              + Profiles.path(command.console()));
     }
-    int realPort = port == null ? ClientConfig.DEFAULT_PORT : port;
-    return new Controller(connect(host, realPort), null);
+    return List.of(profiles.robot(profiles.defaultRobot()));
   }
 
-  private Controller openMock() throws IOException {
-    MockServer server = MockCommand.listen(InetAddress.getLoopbackAddress(), 0, cfg -> {});
-    try {
-      return new Controller(connect(server.host(), server.port()), server);
-    } catch (IOException | RuntimeException e) {
-      server.close();
-      throw e;
+  private List<Target> named(ConsoleCommand command, ServerType simulated) throws FileException {
+    Profiles profiles = Profiles.read(command.console(), simulated);
+    List<Target> result = new ArrayList<>();
+    for (String name : robots) {
+      if (profiles == null) {
+        throw new FileException(
+            "no robot is named " + name + ": there is no " + Profiles.path(command.console()));
+      }
+      Target robot = profiles.robot(name);
+      if (result.contains(robot)) {
+        throw command.wrongUsage("@" + name + " is given twice");
+      }
+      result.add(robot);
     }
+    return result;
   }
 
-  private CrossComClient connect(String toHost, int toPort) throws CrossComException {
-    Duration limit = timeout;
-    return new CrossComClient(
-        ClientConfig.create(
-            toHost,
-            cfg -> {
-              // one command, one connection: what it tells is what happened
-              cfg.port(toPort).reconnect(false).keepAlive(Duration.ZERO);
-              if (limit != null) {
-                cfg.connectTimeout(limit).requestTimeout(limit);
-              }
-            }));
+  private Target withOptions(
+      ConsoleCommand command, Target target, @Nullable Duration limit, boolean readOnly) {
+    if (target.host() == null && port != null) {
+      throw command.wrongUsage("--port goes with --host; a simulated controller takes a free port");
+    }
+    if (target.host() != null && server != null) {
+      throw command.wrongUsage("--server goes with --mock");
+    }
+    return new Target(
+        target.name(),
+        target.host(),
+        port == null ? target.port() : port,
+        limit,
+        target.readOnly() || readOnly,
+        server == null ? target.server() : server);
+  }
+
+  private static @Nullable Duration or(@Nullable Duration first, @Nullable Duration second) {
+    return first == null ? second : first;
   }
 }

@@ -1,12 +1,15 @@
 package no.hials.crosscom.cli;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import no.hials.crosscom.mock.Controller;
+import no.hials.crosscom.mock.FileTree;
 import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.mock.ProgramControl;
@@ -20,6 +23,8 @@ import no.hials.crosscom.mock.ProgramControl;
  * @param start whether what was selected is started
  */
 record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mode, boolean start) {
+
+  private static final String PROGRAMS = "KRC:\\R1\\Program\\";
 
   /** Says what is wrong with the names of the files, or nothing. */
   Optional<String> mistake() {
@@ -79,6 +84,36 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
   }
 
   /**
+   * Puts the programs and their data lists into the tree, so that clients see them.
+   *
+   * @throws FileException if the tree has another one of the name
+   */
+  void addPrograms(FileTree files) throws FileException {
+    for (Path program : programs) {
+      Path list = LocalFiles.dataListOf(program);
+      if (list != null) {
+        add(files, list);
+      }
+      add(files, program);
+    }
+  }
+
+  private static void add(FileTree files, Path file) throws FileException {
+    String name = PROGRAMS + LocalFiles.name(file);
+    try {
+      byte[] content = Files.readAllBytes(file);
+      if (!files.exists(name)) {
+        files.put(name, content);
+      } else if (!Arrays.equals(files.get(name), content)) {
+        // the folder is the user's: this is not the place to replace what is in it
+        throw new IOException("there is another " + name + " already");
+      }
+    } catch (IOException e) {
+      throw FileException.cannot("use", file, e);
+    }
+  }
+
+  /**
    * A module that was loaded.
    *
    * @param name its name
@@ -92,17 +127,8 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
     } catch (KrlFileException e) {
       throw new FileException(file + " has errors, it was not loaded:\n" + e.getMessage(), e);
     } catch (IOException e) {
-      throw new FileException("cannot read " + file + ": " + reason(e), e);
+      throw FileException.cannot("read", file, e);
     }
-  }
-
-  /** Gives the reason; the message of most of these exceptions is the file's name only. */
-  private static String reason(IOException e) {
-    return switch (e.getClass().getSimpleName()) {
-      case "NoSuchFileException" -> "there is no such file";
-      case "AccessDeniedException" -> "access is denied";
-      default -> String.valueOf(e.getMessage());
-    };
   }
 
   private static void select(ProgramControl interpreter, Module module) throws FileException {
@@ -119,10 +145,8 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
       controller.submit().start();
     }
     try {
-      if (robot && mode == OperatingMode.EXT) {
-        controller.externalStart();
-      } else if (robot) {
-        controller.robot().start();
+      if (robot) {
+        controller.start();
       }
       return List.of();
     } catch (IllegalStateException e) {

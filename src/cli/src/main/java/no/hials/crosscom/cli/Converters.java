@@ -2,11 +2,14 @@ package no.hials.crosscom.cli;
 
 import java.math.BigDecimal;
 import java.time.Duration;
+import java.util.Iterator;
+import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import no.hials.crosscom.mock.Clock;
 import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.protocol.ServerType;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -39,6 +42,35 @@ final class Converters {
     @Override
     public Integer convert(String text) {
       return number(text, 0, 65_535);
+    }
+  }
+
+  /** Yes or no, of the environment. */
+  static final class Flag implements ITypeConverter<Boolean> {
+    @Override
+    public Boolean convert(String text) {
+      return switch (text.toLowerCase(Locale.ROOT)) {
+        case "true", "1" -> true;
+        case "false", "0" -> false;
+        default -> throw new TypeConversionException("must be true or false, is " + text);
+      };
+    }
+  }
+
+  /** The server of a simulated controller. */
+  static final class Server implements ITypeConverter<ServerType>, Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return List.of("kukavarproxy", "c3").iterator();
+    }
+
+    @Override
+    public ServerType convert(String text) {
+      return switch (text.toLowerCase(Locale.ROOT)) {
+        case "kukavarproxy" -> ServerType.KUKAVARPROXY;
+        case "c3" -> ServerType.C3_BRIDGE;
+        default -> throw new TypeConversionException("must be kukavarproxy or c3, is " + text);
+      };
     }
   }
 

@@ -1,8 +1,11 @@
 package no.hials.crosscom.cli;
 
+import java.util.Arrays;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComConnectException;
 import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.CrossComValueException;
 
 /** How a command ended, from the best to the gravest. {@link ConsoleCommand} documents them. */
@@ -12,6 +15,7 @@ enum ExitCode {
   USAGE(2),
   NOT_CONNECTED(3),
   LOST(4),
+  NOT_SENT(5),
   /** As EX_SOFTWARE of sysexits.h. */
   INTERNAL_ERROR(70),
   /** As EX_IOERR of sysexits.h. */
@@ -27,12 +31,19 @@ enum ExitCode {
     return code;
   }
 
+  /** Gives the one with a code, which one of them has. */
+  static ExitCode of(int code) {
+    return Arrays.stream(values()).filter(each -> each.code == code).findFirst().orElseThrow();
+  }
+
   ExitCode orGraver(ExitCode other) {
     return compareTo(other) >= 0 ? this : other;
   }
 
   static ExitCode ofFailedRead(CrossComException e) {
-    if (e instanceof CrossComAccessException) {
+    if (e instanceof CrossComAccessException
+        || e instanceof CrossComRefusedException
+        || e instanceof CrossComUnsupportedException) {
       return REFUSED;
     }
     return e instanceof CrossComConnectException ? NOT_CONNECTED : LOST;

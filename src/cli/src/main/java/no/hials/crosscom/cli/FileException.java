@@ -1,12 +1,36 @@
 package no.hials.crosscom.cli;
 
 import java.io.IOException;
+import java.nio.file.Path;
 
-/** Says that a file that was named in the arguments cannot be used. */
+/** Says that a file that was named in the arguments or for this program cannot be used. */
 final class FileException extends IOException {
   private static final long serialVersionUID = 1L;
 
+  FileException(String message) {
+    super(message);
+  }
+
   FileException(String message, Throwable cause) {
     super(message, cause);
+  }
+
+  /**
+   * Makes one that says what cannot be done to a file.
+   *
+   * @param verb as in {@code cannot read}
+   */
+  static FileException cannot(String verb, Path file, IOException cause) {
+    return new FileException("cannot " + verb + " " + file + ": " + reason(cause), cause);
+  }
+
+  /** Gives the reason; the message of most of these exceptions is the file's name only. */
+  private static String reason(IOException e) {
+    return switch (e.getClass().getSimpleName()) {
+      case "NoSuchFileException" -> "there is no such file";
+      case "AccessDeniedException" -> "access is denied";
+      case "MalformedInputException" -> "it is not in UTF-8";
+      default -> String.valueOf(e.getMessage());
+    };
   }
 }

@@ -28,31 +28,45 @@ final class JsonLine {
 
   private JsonLine() {}
 
+  /** Prints what a controller has, as {@link #of(String, String, String)} of no robot. */
+  static String of(String name, String text) {
+    return of("", name, text);
+  }
+
+  /** Prints a variable, as {@link #of(String, String, KrlValue)} of no robot. */
+  static String of(String name, KrlValue value) {
+    return of("", name, value);
+  }
+
   /**
    * Prints what a controller has.
    *
+   * @param robot whose variable it is; left out if empty
    * @param text its text; one that is no KRL value, such as the {@code PONG} of {@code PING},
    *     becomes a string of the type UNKNOWN
    */
-  static String of(String name, String text) {
+  static String of(String robot, String name, String text) {
     KrlValue value;
     try {
       value = KrlValue.parse(text);
     } catch (KrlSyntaxException e) {
       return line(
+          robot,
           name,
           json -> {
             json.writeStringField("type", "UNKNOWN");
             json.writeStringField("value", text);
           });
     }
-    return of(name, value);
+    return of(robot, name, value);
   }
 
-  static String of(String name, KrlValue value) {
-    boolean whole = name.endsWith("]") && (name.endsWith("[]") || name.endsWith(",]"));
-    KrlValue shown = whole && isElement(value) ? new KrlArray(List.of(value)) : value;
+  /** Prints a variable; {@code robot} is left out if it is empty. */
+  static String of(String robot, String name, KrlValue value) {
+    boolean whole = Leaf.isWholeArray(name);
+    KrlValue shown = whole && Leaf.isElement(value) ? new KrlArray(List.of(value)) : value;
     return line(
+        robot,
         name,
         json -> {
           json.writeStringField("type", type(shown, whole));
@@ -64,34 +78,34 @@ final class JsonLine {
         });
   }
 
-  /** Writes what comes behind the name. */
+  /** Writes the fields of an object. */
   @FunctionalInterface
-  private interface Content {
+  interface Content {
     void write(JsonGenerator json) throws IOException;
   }
 
-  private static String line(String name, Content content) {
+  private static String line(String robot, String name, Content content) {
+    return object(
+        json -> {
+          if (!robot.isEmpty()) {
+            json.writeStringField("robot", robot);
+          }
+          json.writeStringField("name", name);
+          content.write(json);
+        });
+  }
+
+  /** Gives an object on one line. */
+  static String object(Content content) {
     StringWriter text = new StringWriter();
     try (JsonGenerator json = FACTORY.createGenerator(text)) {
       json.writeStartObject();
-      json.writeStringField("name", name);
       content.write(json);
       json.writeEndObject();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
     return text.toString();
-  }
-
-  /**
-   * Says whether a value may be the only one of an array: without the blank behind it, which
-   * KUKAVARPROXY cuts off, the text of such an array is that of a scalar.
-   */
-  private static boolean isElement(KrlValue value) {
-    return value instanceof KrlInt
-        || value instanceof KrlReal
-        || value instanceof KrlBool
-        || value instanceof KrlEnum;
   }
 
   private static String type(KrlValue value, boolean whole) {
@@ -112,7 +126,7 @@ final class JsonLine {
     }
   }
 
-  private static void write(JsonGenerator json, KrlValue value) throws IOException {
+  static void write(JsonGenerator json, KrlValue value) throws IOException {
     if (value instanceof KrlInt number) {
       json.writeNumber(number.value());
     } else if (value instanceof KrlReal number) {

@@ -8,8 +8,11 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import no.hials.crosscom.CrossComException;
 import picocli.CommandLine;
+import picocli.CommandLine.IExecutionExceptionHandler;
+import picocli.CommandLine.IParameterExceptionHandler;
 import picocli.CommandLine.MissingParameterException;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Runs {@code jopenshowvar}, the command line. */
@@ -36,31 +39,44 @@ public final class Main {
    * @return the exit code
    */
   static int run(String[] args, Writer out, Writer err) {
-    Console console = new Console(out, err);
+    return run(args, new Console(out, err, System.getenv()));
+  }
+
+  static int run(String[] args, Console console) {
     try {
-      return commandLine(console).execute(args);
+      return commandLine(console, args).execute(ControllerOptions.withNamesAsOptions(args));
     } catch (Error e) {
       return internalError(console, e, true).code();
     }
   }
 
-  /** Makes the tree of commands. */
-  static CommandLine commandLine(Console console) {
-    return new CommandLine(new MainCommand())
-        .addSubcommand(new ReadCommand(console))
-        .addSubcommand(new WriteCommand(console))
-        .addSubcommand(new MockCommand(console))
+  /** Makes the tree of commands: all of it, or only what the arguments need. */
+  static CommandLine commandLine(Console console, String... args) {
+    CommandLine main = new CommandLine(new MainCommand());
+    Commands.addTo(main, console, args);
+    Handlers handlers = new Handlers(console);
+    return main
         // an argument @NAME is not a file with arguments
         .setExpandAtFiles(false)
         .setOut(console.out())
         .setErr(console.err())
-        .setParameterExceptionHandler((e, args) -> usageError(console, e).code())
-        .setExecutionExceptionHandler(
-            (e, command, parsed) -> {
-              boolean verbose =
-                  command.getCommand() instanceof ConsoleCommand own && own.isVerbose();
-              return failure(console, e, verbose).code();
-            });
+        .setParameterExceptionHandler(handlers)
+        .setExecutionExceptionHandler(handlers);
+  }
+
+  /** Not two lambdas, which a class data archive cannot hold for picocli's old interfaces. */
+  private record Handlers(Console console)
+      implements IParameterExceptionHandler, IExecutionExceptionHandler {
+    @Override
+    public int handleParseException(ParameterException e, String[] args) {
+      return usageError(console, e).code();
+    }
+
+    @Override
+    public int handleExecutionException(Exception e, CommandLine command, ParseResult parsed) {
+      boolean verbose = command.getCommand() instanceof ConsoleCommand own && own.isVerbose();
+      return failure(console, e, verbose).code();
+    }
   }
 
   private static ExitCode usageError(Console console, ParameterException e) {
@@ -77,7 +93,8 @@ public final class Main {
     return ExitCode.USAGE;
   }
 
-  private static String message(ParameterException e) {
+  /** Says what is wrong with the arguments. */
+  static String message(ParameterException e) {
     if (e instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
       String argument = "'" + unmatched.getUnmatched().get(0) + "'";
       return e.getCommandLine().getSubcommands().isEmpty()
@@ -108,6 +125,10 @@ public final class Main {
     if (e instanceof FileException) {
       console.failure(e, verbose);
       return ExitCode.USAGE;
+    }
+    if (e instanceof NotSentException) {
+      console.failure(e, verbose);
+      return ExitCode.NOT_SENT;
     }
     if (e instanceof OutputException lost) {
       // whoever read the output has closed it, as head does: it has what it wants

@@ -1,21 +1,27 @@
 package no.hials.crosscom.cli;
 
 import java.io.IOException;
+import java.net.DatagramSocket;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.mock.Clock;
 import no.hials.crosscom.mock.FaultRule;
+import no.hials.crosscom.mock.FileTree;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -24,8 +30,8 @@ import picocli.CommandLine.Option;
 @Command(
     name = "mock",
     description = {
-      "Simulates a controller with KUKAVARPROXY (KR 6 R900 sixx, KR C4) until Ctrl-C: its variables,"
-          + " its programs and its robot.",
+      "Simulates a controller with KUKAVARPROXY or C3 Bridge (KR 6 R900 sixx, KR C4) until Ctrl-C: its"
+          + " variables, its programs, its files and its robot.",
       "The first line of stdout says on which port, behind the last colon."
     },
     footer = {
@@ -45,11 +51,15 @@ import picocli.CommandLine.Option;
       "  jopenshowvar mock",
       "  jopenshowvar mock --config krl/config.dat --program krl/actuator.src \\",
       "      --start --mode AUT",
+      "  jopenshowvar mock --server c3 --program krl/actuator.src --files build/krc",
       "  jopenshowvar mock --port 0 --latency krc4 --fault drop%%0.01 --seed 7"
     })
 final class MockCommand extends ConsoleCommand {
   /** As KUKAVARPROXY has it. */
   private static final int DISCOVERY_PORT = 6999;
+
+  /** As C3 Bridge has it. */
+  private static final int STANDARD_DISCOVERY_PORT = 7000;
 
   @Option(
       names = "--host",
@@ -80,8 +90,37 @@ final class MockCommand extends ConsoleCommand {
       })
   private @Nullable Integer discovery;
 
+  @Option(
+      names = "--standard-discovery",
+      order = 3,
+      paramLabel = "PORT",
+      converter = Converters.ListeningPort.class,
+      description = {
+        "UDP port on which C3 Bridge answers, to whatever port it was asked from; 0 for a free one. If"
+            + " not given, 7000, and none if that is in use."
+      })
+  private @Nullable Integer standardDiscovery;
+
   @Option(names = "--no-discovery", order = 3, description = "Do not answer WHEREAREYOU?.")
   private boolean noDiscovery;
+
+  @Option(
+      names = "--server",
+      order = 3,
+      paramLabel = "SERVER",
+      converter = Converters.Server.class,
+      description = "Which server it has: kukavarproxy (if not given), or c3 for C3 Bridge.")
+  private ServerType serverType = ServerType.KUKAVARPROXY;
+
+  @Option(
+      names = "--files",
+      order = 3,
+      paramLabel = "FOLDER",
+      description = {
+        "Use this folder as KRC:\\ of C3 Bridge: what clients do happens to its files, and what is"
+            + " missing of R1 and STEU is made. If not given, a tree in memory."
+      })
+  private @Nullable Path files;
 
   @Option(
       names = "--config",
@@ -160,9 +199,7 @@ final class MockCommand extends ConsoleCommand {
     if (host != null && host.isBlank()) {
       throw wrongUsage("--host must not be blank");
     }
-    if (noDiscovery && discovery != null) {
-      throw wrongUsage("--discovery and --no-discovery exclude each other");
-    }
+    checkCombinations();
     ControllerSetup setup = new ControllerSetup(configs, programs, mode, start);
     setup
         .mistake()
@@ -178,14 +215,16 @@ final class MockCommand extends ConsoleCommand {
     InetAddress address = addressOf(host);
     // in this order: a signal behind the first line finds both there
     try (StopSignal stop = new StopSignal();
-        MockServer server = open(address, cfg -> cfg.clock(speed).latency(times))) {
+        MockServer server =
+            listen(address, port, with(address).andThen(cfg -> cfg.clock(speed).latency(times)))) {
       rules.forEach(server::faults);
       List<String> lines = setup.apply(server.controller());
+      if (serverType == ServerType.C3_BRIDGE) {
+        setup.addPrograms(server.files());
+      }
       warning(address).ifPresent(console()::error);
       console().print("listening on " + shown(server.host()) + ":" + server.port());
-      server
-          .discoveryPort()
-          .ifPresent(udp -> console().print("discovery on " + shown(server.host()) + ":" + udp));
+      printDiscovery(server);
       lines.forEach(console()::print);
       // what is logged would come into the line, and a job in the background would write into what
       // its user types
@@ -196,6 +235,19 @@ final class MockCommand extends ConsoleCommand {
         stop.await();
       }
       return ExitCode.DONE;
+    }
+  }
+
+  private void checkCombinations() {
+    if (noDiscovery && (discovery != null || standardDiscovery != null)) {
+      String option = discovery != null ? "--discovery" : "--standard-discovery";
+      throw wrongUsage(option + " and --no-discovery exclude each other");
+    }
+    if (serverType != ServerType.C3_BRIDGE && standardDiscovery != null) {
+      throw wrongUsage("--standard-discovery needs --server c3");
+    }
+    if (serverType != ServerType.C3_BRIDGE && files != null) {
+      throw wrongUsage("--files needs --server c3");
     }
   }
 
@@ -230,22 +282,65 @@ final class MockCommand extends ConsoleCommand {
 
   // the server
 
-  private MockServer open(InetAddress address, Consumer<MockServerConfig.Builder> more)
-      throws CannotListenException {
-    if (noDiscovery) {
-      return listen(address, port, more);
+  /** Sets which server it is, where it answers who looks for it, and its files. */
+  private Consumer<MockServerConfig.Builder> with(InetAddress address) throws FileException {
+    boolean bridge = serverType == ServerType.C3_BRIDGE;
+    OptionalInt legacy = discoveryPort(address, discovery, DISCOVERY_PORT);
+    OptionalInt standard =
+        bridge
+            ? discoveryPort(address, standardDiscovery, STANDARD_DISCOVERY_PORT)
+            : OptionalInt.empty();
+    Optional<FileTree> tree = tree();
+    return cfg -> {
+      cfg.server(serverType);
+      legacy.ifPresent(cfg::discoveryPort);
+      standard.ifPresent(cfg::standardDiscoveryPort);
+      tree.ifPresent(cfg::files);
+    };
+  }
+
+  private Optional<FileTree> tree() throws FileException {
+    if (files == null) {
+      return Optional.empty();
     }
-    int udp = discovery == null ? DISCOVERY_PORT : discovery;
     try {
-      return listen(address, port, more.andThen(cfg -> cfg.discoveryPort(udp)));
-    } catch (CannotListenException e) {
-      if (discovery != null) {
-        throw e;
-      }
-      // the TCP port may be the one that is in use: then this fails, too
-      MockServer server = listen(address, port, more);
-      console().error("no discovery: UDP port " + udp + " is in use");
-      return server;
+      return Optional.of(FileTree.over(files));
+    } catch (IOException e) {
+      throw FileException.cannot("use", files, e);
+    }
+  }
+
+  /** Gives the port: what was asked for, or the usual one unless that is in use. */
+  private OptionalInt discoveryPort(InetAddress address, @Nullable Integer wanted, int usual) {
+    if (noDiscovery) {
+      return OptionalInt.empty();
+    }
+    if (wanted != null) {
+      return OptionalInt.of(wanted);
+    }
+    try (DatagramSocket probe = new DatagramSocket(null)) {
+      probe.setReuseAddress(false);
+      probe.bind(new InetSocketAddress(address, usual));
+      return OptionalInt.of(usual);
+    } catch (SocketException e) {
+      return OptionalInt.empty();
+    }
+  }
+
+  /** Prints where the server answers who looks for it, or why it does not. */
+  private void printDiscovery(MockServer server) {
+    printPort("discovery", server.host(), server.discoveryPort(), DISCOVERY_PORT);
+    if (serverType == ServerType.C3_BRIDGE) {
+      OptionalInt standard = server.standardDiscoveryPort();
+      printPort("standard discovery", server.host(), standard, STANDARD_DISCOVERY_PORT);
+    }
+  }
+
+  private void printPort(String what, String host, OptionalInt port, int usual) {
+    if (port.isPresent()) {
+      console().print(what + " on " + shown(host) + ":" + port.getAsInt());
+    } else if (!noDiscovery) {
+      console().error("no " + what + ": UDP port " + usual + " is in use");
     }
   }
 

@@ -1,11 +1,18 @@
 package no.hials.crosscom.cli;
 
 import java.io.IOException;
+import java.io.StringWriter;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComValueException;
+import no.hials.crosscom.protocol.ServerType;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -24,7 +31,12 @@ import picocli.CommandLine.Parameters;
           + " failure, which is the highest. A lost connection ends the command. Control characters"
           + " in a value are printed as \\x0A, so that a line is a variable.",
       "",
-      "JSON: one object a line (JSON Lines), with name, type and value. The type is INT, REAL,"
+      "Several robots (@NAME @NAME) are asked at once, and printed in the order given, each line"
+          + " with the robot's name before it: cell1: $OV_PRO = 100. If one fails, the others are"
+          + " still printed.",
+      "",
+      "JSON: one object a line (JSON Lines), with name, type and value, and robot before them if"
+          + " there are several. The type is INT, REAL,"
           + " BOOL, CHAR, CHAR[], ENUM or STRUC, or that of the elements with [] for a whole array."
           + " INT and REAL are numbers, BOOL is true or false, the others are strings, an ENUM with"
           + " its #; an array is an array; a STRUC is an object of its initialised fields under the"
@@ -38,7 +50,8 @@ import picocli.CommandLine.Parameters;
       "Examples:",
       "  jopenshowvar read '$POS_ACT' '$OV_PRO' --host 172.31.1.147",
       "  jopenshowvar read '$AXIS_ACT.A1' '$TORQUE_AXIS_ACT[3]' '$MODEL_NAME[]' --mock",
-      "  jopenshowvar read '$POS_ACT' --json --mock | jq .value.X"
+      "  jopenshowvar read '$POS_ACT' --json --mock | jq .value.X",
+      "  jopenshowvar read @cell1 @cell2 '$POS_ACT'"
     })
 final class ReadCommand extends ConsoleCommand {
   @Parameters(
@@ -65,48 +78,102 @@ final class ReadCommand extends ConsoleCommand {
         throw wrongUsage("a name is blank; in a shell, names with $ need single quotes: '$OV_PRO'");
       }
     }
-    ExitCode result = ExitCode.DONE;
-    try (Controller controller = controllerOptions.open(this)) {
+    List<Target> targets = controllerOptions.targets(this, ServerType.KUKAVARPROXY);
+    return targets.size() == 1 ? readAll(targets.get(0)) : readFromEach(targets);
+  }
+
+  /** Reads from one controller, and prints each variable as it comes. */
+  private ExitCode readAll(Target target) throws IOException {
+    try (Controller controller = target.open(Target.ONE_SHOT)) {
+      return new Reading(console(), "", "").of(controller.client());
+    }
+  }
+
+  /** Reads from several controllers at once, and prints what came in the order of them. */
+  private ExitCode readFromEach(List<Target> targets) {
+    ExecutorService threads = Executors.newFixedThreadPool(targets.size());
+    try {
+      List<CompletableFuture<Printed>> printed = new ArrayList<>();
+      for (Target target : targets) {
+        printed.add(CompletableFuture.supplyAsync(() -> readLabelled(target), threads));
+      }
+      ExitCode result = ExitCode.DONE;
+      for (CompletableFuture<Printed> one : printed) {
+        Printed lines = one.join();
+        lines.out.toString().lines().forEach(console()::print);
+        lines.err.toString().lines().forEach(console()::hint);
+        result = result.orGraver(lines.result);
+      }
+      return result;
+    } finally {
+      threads.shutdown();
+    }
+  }
+
+  /** What one of several controllers gave. */
+  private record Printed(StringWriter out, StringWriter err, ExitCode result) {}
+
+  private Printed readLabelled(Target target) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    Console console = new Console(out, err, Map.of());
+    ExitCode result;
+    try (Controller controller = target.open(Target.ONE_SHOT)) {
+      result = new Reading(console, target.name(), target.label()).of(controller.client());
+    } catch (CrossComException e) {
+      console.failure(target.label(), e, isVerbose());
+      result = ExitCode.ofFailedRead(e);
+    } catch (IOException e) {
+      // a simulated controller that could not listen
+      console.failure(target.label(), e, isVerbose());
+      result = ExitCode.NOT_CONNECTED;
+    }
+    return new Printed(out, err, result);
+  }
+
+  /** The reading of all variables from one controller. */
+  private final class Reading {
+    private final Console console;
+
+    /** Its name in JSON, and what stands before a line; empty if it is the only one. */
+    private final String robot;
+
+    private final String label;
+
+    Reading(Console console, String robot, String label) {
+      this.console = console;
+      this.robot = robot;
+      this.label = label;
+    }
+
+    ExitCode of(CrossComClient client) throws IOException {
+      ExitCode result = ExitCode.DONE;
       for (int i = 0; i < names.size(); i++) {
         try {
-          console().print(read(controller.client(), names.get(i)));
+          console.print(read(client, names.get(i)));
         } catch (CrossComException e) {
-          console().failure(e, isVerbose());
+          console.failure(label, e, isVerbose());
           result = result.orGraver(ExitCode.ofFailedRead(e));
           if (endsTheConnection(e)) {
             List<String> left = names.subList(i + 1, names.size());
             if (!left.isEmpty()) {
-              console().hint("not read: " + String.join(" ", left));
+              console.hint(label + "not read: " + String.join(" ", left));
             }
             break;
           }
         } catch (IllegalArgumentException e) {
           // a name that cannot be sent
-          console().failure(e, isVerbose());
+          console.failure(label, e, isVerbose());
           result = result.orGraver(ExitCode.USAGE);
         }
       }
+      return result;
     }
-    return result;
-  }
 
-  private String read(CrossComClient client, String name) throws IOException {
-    String text = client.readText(name);
-    return json ? JsonLine.of(name, text) : name + " = " + printable(text);
-  }
-
-  /** Keeps a value on its line, and its characters from steering the terminal. */
-  private static String printable(String text) {
-    StringBuilder line = new StringBuilder();
-    for (int i = 0; i < text.length(); i++) {
-      char c = text.charAt(i);
-      if (Character.isISOControl(c)) {
-        line.append(String.format("\\x%02X", (int) c));
-      } else {
-        line.append(c);
-      }
+    private String read(CrossComClient client, String name) throws IOException {
+      String text = client.readText(name);
+      return json ? JsonLine.of(robot, name, text) : label + name + " = " + Printable.of(text);
     }
-    return line.toString();
   }
 
   private static boolean endsTheConnection(CrossComException e) {

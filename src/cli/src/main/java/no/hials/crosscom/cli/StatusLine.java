@@ -22,12 +22,12 @@ final class StatusLine implements AutoCloseable {
   private static final long PERIOD_MILLIS = 250;
 
   /** Clears the line from the cursor on. */
-  private static final String CLEAR_REST = "\u001b[K";
+  static final String CLEAR_REST = "\u001b[K";
 
   /** Lets the terminal cut off what is too long; a line that is wrapped could not be cleared. */
-  private static final String NO_WRAP = "\u001b[?7l";
+  static final String NO_WRAP = "\u001b[?7l";
 
-  private static final String WRAP = "\u001b[?7h";
+  static final String WRAP = "\u001b[?7h";
 
   private final Console console;
   private final MockServer server;

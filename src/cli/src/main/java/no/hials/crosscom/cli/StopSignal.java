@@ -49,6 +49,11 @@ final class StopSignal implements AutoCloseable {
     }
   }
 
+  /** Says whether a signal came. */
+  boolean isStopped() {
+    return stopped.getCount() == 0;
+  }
+
   /** Leaves the signals to the JVM again. */
   @Override
   public void close() {

@@ -5,10 +5,12 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
 
 /** Knows whether a person looks on. */
 final class Terminal {
   private static final Path OWN_STATE = Path.of("/proc/self/stat");
+  private static final Path OWN_STDERR = Path.of("/proc/self/fd/2");
 
   private Terminal() {}
 
@@ -16,11 +18,16 @@ final class Terminal {
    * Says whether stdin and stdout are a terminal, one that can clear a line. Where {@code TERM} is
    * not set, as on Windows, that is not known of it, and assumed not to be so.
    */
-  @SuppressWarnings("SystemConsoleNull") // of the newer ones the method below tells
   static boolean isInteractive() {
-    Console console = System.console();
     String kind = System.getenv("TERM");
-    if (console == null || kind == null || kind.isBlank() || kind.equals("dumb")) {
+    return kind != null && !kind.isBlank() && !kind.equals("dumb") && isTerminal();
+  }
+
+  /** Says whether stdin and stdout are a terminal, of whatever kind. */
+  @SuppressWarnings("SystemConsoleNull") // of the newer ones the method below tells
+  static boolean isTerminal() {
+    Console console = System.console();
+    if (console == null) {
       return false;
     }
     try {
@@ -31,6 +38,28 @@ final class Terminal {
     } catch (ReflectiveOperationException e) {
       return false;
     }
+  }
+
+  /** Says whether what is written to stderr now is for a person only. */
+  static boolean showsProgress() {
+    return isInteractive() && isForeground() && isErrTerminal();
+  }
+
+  /** Says whether stderr is a terminal; where nobody knows, it is where stdout is. */
+  private static boolean isErrTerminal() {
+    try {
+      String target = Files.readSymbolicLink(OWN_STDERR).toString();
+      return target.startsWith("/dev/pts/") || target.startsWith("/dev/tty");
+    } catch (IOException | UnsupportedOperationException e) {
+      return true;
+    }
+  }
+
+  /** Reads what the user types; null at its end, or without a terminal. */
+  @SuppressWarnings("SystemConsoleNull") // as above
+  static @Nullable String readLine() {
+    Console console = System.console();
+    return console == null ? null : console.readLine();
   }
 
   /** Says whether the terminal is this process's, and not a shell's; yes where nobody knows. */

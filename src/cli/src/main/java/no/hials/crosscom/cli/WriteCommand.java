@@ -2,6 +2,7 @@ package no.hials.crosscom.cli;
 
 import java.io.IOException;
 import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import picocli.CommandLine.Command;
@@ -22,6 +23,11 @@ import picocli.CommandLine.Parameters;
           + " write is never repeated. If no answer came, it may have been done or not, and the"
           + " message says so: read the variable.",
       "",
+      "Before it writes, it reads $MODE_OP. In T1 it goes on; else, or if that cannot be read, it"
+          + " asks on a terminal, and without one does not write. With --yes it neither reads nor"
+          + " asks. A controller for reading only (--read-only, JOPENSHOWVAR_READ_ONLY=true, or"
+          + " read-only = true of a robot) is not even connected to.",
+      "",
       "JSON: the object that read --json prints, of the value that was sent. With --json a VALUE"
           + " that is no KRL value is wrong usage, and not sent.",
       "",
@@ -36,6 +42,7 @@ import picocli.CommandLine.Parameters;
       "",
       "Examples:",
       "  jopenshowvar write '$OV_PRO' 50 --host 172.31.1.147",
+      "  jopenshowvar write @cell1 '$OV_PRO' 50 --yes",
       "  jopenshowvar write MYINT -5 --mock",
       "  jopenshowvar write 'MYSTRING[]' '\"hello\"' --mock",
       "  jopenshowvar write MYPOS '{X 100.0,Z -20.5}' --mock"
@@ -58,6 +65,8 @@ final class WriteCommand extends ConsoleCommand {
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")
   private boolean json;
 
+  @Mixin private WriteOptions writeOptions = new WriteOptions();
+
   @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
 
   WriteCommand(Console console) {
@@ -73,7 +82,10 @@ final class WriteCommand extends ConsoleCommand {
       throw wrongUsage("VALUE is blank; an empty text is '\"\"'");
     }
     String line = json ? JsonLine.of(name, parse()) : name + " = " + value;
-    try (Controller controller = controllerOptions.open(this)) {
+    Target target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    writeOptions.checkAllowed(target, "write " + name);
+    try (Controller controller = target.open(writeOptions.connection())) {
+      writeOptions.check(this, controller, "write " + name);
       controller.client().writeText(name, value);
     } catch (CrossComException e) {
       console().failure(e, isVerbose());

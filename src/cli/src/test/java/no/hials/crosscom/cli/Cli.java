@@ -1,12 +1,22 @@
 package no.hials.crosscom.cli;
 
 import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import no.hials.crosscom.mock.MockServer;
 
 /** Runs the command line inside the tests' JVM, with captured streams. */
 final class Cli {
+  /** Where the configuration file would lie, on Windows and elsewhere. */
+  private static final Map<String, String> NO_CONFIGURATION =
+      Map.of(
+          "XDG_CONFIG_HOME", Path.of("target", "no-configuration").toAbsolutePath().toString(),
+          "APPDATA", Path.of("target", "no-configuration").toAbsolutePath().toString());
+
   private Cli() {}
 
   /** What a run gave. */
@@ -20,10 +30,18 @@ final class Cli {
     }
   }
 
+  /** Runs it without what the user who runs the tests has in environment and configuration. */
   static Result run(String... args) {
+    return runIn(Map.of(), args);
+  }
+
+  /** Runs it with these environment variables, and no others. */
+  static Result runIn(Map<String, String> environment, String... args) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
-    int code = Main.run(args, out, err);
+    Map<String, String> all = new HashMap<>(NO_CONFIGURATION);
+    all.putAll(environment);
+    int code = Main.run(args, new Console(out, err, all));
     return new Result(code, out.toString(), err.toString());
   }
 
@@ -31,10 +49,15 @@ final class Cli {
     return run(argsOn(server, command, args));
   }
 
-  /** Gives the arguments for a server. The options come first, so that anything may follow. */
+  /**
+   * Gives the arguments for a server; a command may be {@code file ls}. The options come first, so
+   * that anything may follow.
+   */
   static String[] argsOn(MockServer server, String command, String... args) {
     Stream<String> options =
-        Stream.of(command, "--host", server.host(), "--port", Integer.toString(server.port()));
-    return Stream.concat(options, Stream.of(args)).toArray(String[]::new);
+        Stream.of("--host", server.host(), "--port", Integer.toString(server.port()));
+    return Stream.of(Stream.of(command.split(" ")), options, Stream.of(args))
+        .flatMap(Function.identity())
+        .toArray(String[]::new);
   }
 }

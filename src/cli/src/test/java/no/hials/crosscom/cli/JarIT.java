@@ -50,6 +50,8 @@ class JarIT {
     ProcessBuilder builder = new ProcessBuilder(command);
     // the JVM says on stderr that it found them
     builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
+    builder.environment().keySet().removeIf(name -> name.startsWith("JOPENSHOWVAR_"));
+    builder.environment().put("XDG_CONFIG_HOME", JAR.resolveSibling("none").toAbsolutePath() + "");
     return builder;
   }
 
@@ -157,6 +159,28 @@ class JarIT {
   }
 
   @Test
+  void readsFromSeveralRobotsOfTheConfigurationFile() throws Exception {
+    Path file =
+        Files.write(
+            dir.resolve("config.toml"),
+            List.of(
+                "[robots.sim]",
+                "mock = true",
+                "[robots.cell1]",
+                "host = '" + server.host() + "'",
+                "port = " + server.port()));
+    server.variables().set("MYINT", "1");
+    ProcessBuilder builder = jar("read", "@cell1", "@sim", "MYINT");
+    builder.environment().put("JOPENSHOWVAR_CONFIG", file.toString());
+
+    Cli.Result result = run(builder);
+
+    assertThat(result.lines()).containsExactly("cell1: MYINT = 1", "sim: MYINT = 0");
+    assertThat(result.err()).isEmpty();
+    assertThat(result.code()).isZero();
+  }
+
+  @Test
   void endsWithCode1IfTheControllerRefuses() throws Exception {
     Cli.Result result = runOnServer("read", "MYINT", "NOPE");
 
@@ -193,7 +217,7 @@ class JarIT {
 
   @Test
   void endsWithCode4IfWhatComesIsNotTheProtocol() throws Exception {
-    server.enqueue(Fault.wrongFunction(9));
+    server.enqueue(Fault.none(), Fault.wrongFunction(9));
 
     Cli.Result result = runOnServer("write", "MYINT", "5");
 

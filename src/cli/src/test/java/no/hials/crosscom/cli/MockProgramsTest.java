@@ -65,7 +65,8 @@ class MockProgramsTest {
       readUntilNot("0", mock, "JOV_STEPS");
       assertThat(mock.read("$POS_ACT.X")).isEqualTo("525.000");
 
-      assertThat(mock.run("write", "MYPOS", "{X -0.5,Y 0.0,Z 0.0,A 0.0,B 0.0,C 0.0}").code())
+      assertThat(
+              mock.run("write", "--yes", "MYPOS", "{X -0.5,Y 0.0,Z 0.0,A 0.0,B 0.0,C 0.0}").code())
           .isZero();
 
       String x = readUntilNot("525.000", mock, "$POS_ACT.X");

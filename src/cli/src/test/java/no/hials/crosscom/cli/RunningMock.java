@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /** The command {@code mock} on a thread of the tests' JVM, on a free port. */
@@ -50,10 +51,13 @@ final class RunningMock implements AutoCloseable {
     return !code.isDone();
   }
 
-  /** Runs another command on it. */
+  /** Runs another command on it, which may be {@code file ls}. */
   Cli.Result run(String command, String... args) {
-    Stream<String> options = Stream.of(command, "--host", "127.0.0.1", "--port", port);
-    return Cli.run(Stream.concat(options, Stream.of(args)).toArray(String[]::new));
+    Stream<String> options = Stream.of("--host", "127.0.0.1", "--port", port);
+    return Cli.run(
+        Stream.of(Stream.of(command.split(" ")), options, Stream.of(args))
+            .flatMap(Function.identity())
+            .toArray(String[]::new));
   }
 
   /** Reads one variable and gives what stands behind the equals sign. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.time.Duration;
+import java.util.Map;
 import no.hials.crosscom.mock.Clock;
 import no.hials.crosscom.mock.MockServer;
 import org.junit.jupiter.api.AfterEach;
@@ -29,7 +30,7 @@ class StatusLineTest {
   }
 
   private StatusLine line(boolean line) {
-    return new StatusLine(new Console(out, err), server, () -> line);
+    return new StatusLine(new Console(out, err, Map.of()), server, () -> line);
   }
 
   private void pressEmergencyStop(int times) {

@@ -7,13 +7,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.Tail;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class WriteCommandTest {
   private MockServer server;
@@ -72,7 +76,7 @@ class WriteCommandTest {
   void takesAnyValueBehindTwoHyphens() {
     server.variables().declare("ANY", "INT", "0");
 
-    Cli.Result result = Cli.runOn(server, "write", "--", "ANY", "--json");
+    Cli.Result result = Cli.runOn(server, "write", "--yes", "--", "ANY", "--json");
 
     assertThat(result.err()).contains("refused to write ANY");
     assertThat(result.code()).isEqualTo(1);
@@ -117,7 +121,7 @@ class WriteCommandTest {
         .startsWith(
             "jopenshowvar: MYFRAME: an aggregate to be written must have at most 255 bytes");
     assertThat(result.code()).isEqualTo(2);
-    assertThat(server.requestCount()).isZero();
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
   }
 
   @Test
@@ -132,7 +136,7 @@ class WriteCommandTest {
 
   @Test
   void saysThatTheOutcomeOfATimedOutWriteIsUnknown() {
-    server.enqueue(Fault.dropAnswer());
+    server.enqueue(Fault.none(), Fault.dropAnswer());
 
     Cli.Result result = Cli.runOn(server, "write", "--timeout", "50ms", "MYINT", "5");
 
@@ -145,13 +149,13 @@ class WriteCommandTest {
 
   @Test
   void neverRepeatsAWriteWhoseAnswerWasLost() {
-    server.enqueue(Fault.closeDuring(5));
+    server.enqueue(Fault.none(), Fault.closeDuring(5));
 
     Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
 
     assertThat(result.err()).contains("the outcome is unknown");
     assertThat(result.code()).isEqualTo(4);
-    assertThat(server.requestCount()).isEqualTo(1);
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
   }
 
   @Test
@@ -169,5 +173,83 @@ class WriteCommandTest {
     assertThat(result.err()).startsWith("jopenshowvar: VALUE is no KRL value: ");
     assertThat(result.code()).isEqualTo(2);
     assertThat(server.requestCount()).isZero();
+  }
+
+  @ParameterizedTest
+  @EnumSource(
+      value = OperatingMode.class,
+      names = {"T2", "AUT", "EXT"})
+  void doesNotWriteOutsideT1WhereNobodyCanBeAsked(OperatingMode mode) {
+    server.controller().setMode(mode);
+
+    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines())
+        .containsExactly(
+            "jopenshowvar: did not write MYINT: $MODE_OP is #"
+                + mode.constant()
+                + ", which needs --yes");
+    assertThat(result.code()).isEqualTo(5);
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void doesNotWriteWhereTheModeIsNotToBeHad() {
+    server.enqueue(Fault.answer("", Tail.SUCCESS));
+
+    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
+
+    assertThat(result.err()).contains("$MODE_OP is unknown, which needs --yes");
+    assertThat(result.code()).isEqualTo(5);
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void doesNotWriteIfTheConnectionIsLostBefore() {
+    server.enqueue(Fault.closeBefore());
+
+    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
+
+    assertThat(result.err()).contains("read of $MODE_OP").doesNotContain("outcome");
+    assertThat(result.code()).isEqualTo(4);
+    assertThat(server.requestCount()).isEqualTo(1);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--yes", "-y"})
+  void neitherReadsTheModeNorAsksIfYesIsGiven(String option) {
+    server.controller().setMode(OperatingMode.AUT);
+
+    Cli.Result result = Cli.runOn(server, "write", option, "MYINT", "5");
+
+    assertThat(result.lines()).containsExactly("MYINT = 5");
+    assertThat(result.code()).isZero();
+    assertThat(server.requests()).singleElement().matches(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void doesNotEvenConnectIfOnlyReadingIsAllowed() {
+    server.refuseConnections();
+
+    Cli.Result result = Cli.runOn(server, "write", "--read-only", "--yes", "MYINT", "5");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines())
+        .containsExactly("jopenshowvar: did not write MYINT: --read-only is given");
+    assertThat(result.code()).isEqualTo(5);
+  }
+
+  @Test
+  void findsWrongUsageBeforeItSaysThatItIsNotAllowed() {
+    assertThat(Cli.run("write", "--read-only", "--mock", "--json", "MYINT", "{").code())
+        .isEqualTo(2);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"kukavarproxy", "c3"})
+  void writesThroughBothServers(String kind) {
+    assertThat(Cli.run("write", "MYINT", "7", "--mock", "--server", kind))
+        .isEqualTo(new Cli.Result(0, "MYINT = 7" + System.lineSeparator(), ""));
   }
 }

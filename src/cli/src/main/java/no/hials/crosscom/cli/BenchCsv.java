@@ -1,0 +1,52 @@
+package no.hials.crosscom.cli;
+
+import de.siegmar.fastcsv.writer.CsvWriter;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.locks.ReentrantLock;
+
+/** Writes each access that {@code bench} measures as a line of a CSV file. */
+final class BenchCsv implements Bench.Sink, AutoCloseable {
+  private final Path file;
+  private final CsvWriter csv;
+  private final ReentrantLock lock = new ReentrantLock();
+
+  BenchCsv(Path file) throws FileException {
+    this.file = file;
+    try {
+      csv = CsvWriter.builder().build(file);
+      csv.writeRecord("seconds", "client", "access", "name", "access_ms", "failure");
+    } catch (IOException e) {
+      throw FileException.cannot("write", file, e);
+    }
+  }
+
+  @Override
+  public void add(long nanos, int client, BenchAccess access, long took, String failure) {
+    lock.lock();
+    try {
+      csv.writeRecord(
+          Times.seconds(Duration.ofNanos(nanos)),
+          Integer.toString(client),
+          access.verb(),
+          access.name(),
+          failure.isEmpty() ? Times.millis(Duration.ofNanos(took)) : "",
+          failure);
+    } catch (UncheckedIOException e) {
+      throw new OutputException(file.toString(), e.getCause());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void close() {
+    try {
+      csv.close();
+    } catch (IOException e) {
+      throw new OutputException(file.toString(), e);
+    }
+  }
+}

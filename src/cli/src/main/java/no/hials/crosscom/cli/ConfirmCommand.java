@@ -1,0 +1,49 @@
+package no.hials.crosscom.cli;
+
+import java.io.IOException;
+import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.protocol.MessageType;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+/** {@code confirm}. */
+@Command(
+    name = "confirm",
+    description = {
+      "Confirms all messages of the controller that can be confirmed, through C3 Bridge. A program"
+          + " that waits for that may go on."
+    },
+    footer = {
+      "",
+      "JSON: {\"command\":\"confirm\"}",
+      "",
+      "Examples:",
+      "  jopenshowvar confirm --host 172.31.1.147"
+    })
+final class ConfirmCommand extends BridgeCommand {
+  private static final String WHAT = "confirm all messages";
+
+  @Mixin private WriteOptions writeOptions = new WriteOptions();
+
+  ConfirmCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  ExitCode run() throws IOException {
+    Target target = target();
+    writeOptions.checkAllowed(target, WHAT);
+    try (Controller controller = target.open(writeOptions.connection())) {
+      ask(writeOptions, controller, WHAT, MessageType.CONFIRM_ALL);
+      controller.client().information().confirmAll();
+    } catch (CrossComRefusedException e) {
+      return refused(e, "the server gives no reason");
+    }
+    console()
+        .print(
+            isJson()
+                ? JsonLine.object(json -> json.writeStringField("command", "confirm"))
+                : "all messages confirmed");
+    return ExitCode.DONE;
+  }
+}

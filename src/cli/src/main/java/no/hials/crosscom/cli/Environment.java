@@ -1,0 +1,48 @@
+package no.hials.crosscom.cli;
+
+import java.time.Duration;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.TypeConversionException;
+
+/**
+ * What the environment says about the controller.
+ *
+ * @param host {@code JOPENSHOWVAR_HOST}, the controller if no option names one
+ * @param port {@code JOPENSHOWVAR_PORT}, the port there
+ * @param timeout {@code JOPENSHOWVAR_TIMEOUT}
+ * @param readOnly {@code JOPENSHOWVAR_READ_ONLY}, for whatever controller
+ */
+record Environment(
+    @Nullable String host, @Nullable Integer port, @Nullable Duration timeout, boolean readOnly) {
+  private static final String HOST = "JOPENSHOWVAR_HOST";
+  private static final String PORT = "JOPENSHOWVAR_PORT";
+
+  /** Reads it for a command, whose wrong usage a wrong value is. */
+  static Environment of(ConsoleCommand command) {
+    String host = command.console().environment(HOST);
+    Integer port = converted(command, PORT, new Converters.Port()::convert);
+    if (host == null && port != null) {
+      throw command.wrongUsage(PORT + " goes with " + HOST);
+    }
+    return new Environment(
+        host,
+        port,
+        converted(command, "JOPENSHOWVAR_TIMEOUT", new Converters.Time()::convert),
+        Boolean.TRUE.equals(
+            converted(command, "JOPENSHOWVAR_READ_ONLY", new Converters.Flag()::convert)));
+  }
+
+  private static <T> @Nullable T converted(
+      ConsoleCommand command, String name, Function<String, T> converter) {
+    String text = command.console().environment(name);
+    if (text == null) {
+      return null;
+    }
+    try {
+      return converter.apply(text);
+    } catch (TypeConversionException e) {
+      throw command.wrongUsage(name + " " + e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,117 @@
+package no.hials.crosscom.cli;
+
+import java.io.IOException;
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.c3.Files;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.FileAttribute;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.code.WireCode;
+
+/** What the commands of {@link FileCommand} have in common. */
+abstract class FileSubcommand extends BridgeCommand {
+  private static final DateTimeFormatter TIME =
+      DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss", Locale.ROOT);
+
+  FileSubcommand(Console console) {
+    super(console);
+  }
+
+  /** Does the work; what the controller refuses is reported by the caller. */
+  abstract ExitCode work() throws IOException;
+
+  @Override
+  final ExitCode run() throws IOException {
+    try {
+      return work();
+    } catch (CrossComException e) {
+      return failed(e);
+    }
+  }
+
+  /** Reports a failure, with what may be behind it. */
+  final ExitCode failed(CrossComException e) {
+    if (e instanceof CrossComRefusedException refused) {
+      return refused(refused, "likely cause: there is no such file or folder");
+    }
+    console().failure(e, isVerbose());
+    return ExitCode.ofFailedRead(e);
+  }
+
+  /** Makes the line that shows how far a transfer has come. */
+  final Progress progress(String name) {
+    return new Progress(console(), name, !isVerbose() && Terminal.showsProgress());
+  }
+
+  /** Says what was left, if anything was. */
+  final void hintOfRest(String participle, List<String> names) {
+    if (!names.isEmpty()) {
+      console().hint("not " + participle + ": " + String.join(" ", names));
+    }
+  }
+
+  @Override
+  final String accessHint() {
+    return "likely cause: it is there already, is read-only, or belongs to the selected program"
+        + " ('jopenshowvar program cancel' ends that)";
+  }
+
+  final List<String> checked(String label, List<String> names) {
+    names.forEach(name -> checked(label, name));
+    return names;
+  }
+
+  /** Says whether a name means a folder: by its form, or because there is one. */
+  static boolean isFolder(Files files, String name) throws IOException {
+    if (RemoteName.isFolder(name)) {
+      return true;
+    }
+    try {
+      return files.getProperties(name).isDirectory();
+    } catch (CrossComRefusedException e) {
+      if (e.getErrorCode().orElse(null) == ErrorCode.GENERAL) {
+        return false;
+      }
+      throw e;
+    }
+  }
+
+  // how things are printed
+
+  /** Gives a code such as {@code virtual directory}. */
+  static <E extends Enum<E> & WireCode> String words(Code<E> code) {
+    return words(code.toString());
+  }
+
+  private static String words(String constant) {
+    return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
+  }
+
+  /** Gives the known attributes, and the others in hex; that of a directory is its type. */
+  static List<String> attributes(Flags<FileAttribute> flags) {
+    List<String> known =
+        new ArrayList<>(
+            flags.known().stream()
+                .filter(flag -> flag != FileAttribute.DIRECTORY)
+                .map(flag -> flag.name().toLowerCase(Locale.ROOT).replace('_', '-'))
+                .toList());
+    if (flags.unknown() != 0) {
+      known.add("0x" + Integer.toHexString(flags.unknown()));
+    }
+    return known;
+  }
+
+  /** Gives a time in the time zone of this computer. */
+  static String time(Optional<Instant> time) {
+    return time.map(instant -> TIME.format(instant.atZone(ZoneId.systemDefault()))).orElse("");
+  }
+}

@@ -1,0 +1,246 @@
+package no.hials.crosscom.cli;
+
+import de.siegmar.fastcsv.reader.CsvParseException;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.CsvRecord;
+import java.io.IOException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import no.hials.crosscom.cli.plot.Axis;
+
+/**
+ * What can be drawn of a CSV file: one that {@code record} wrote, or any other whose first line
+ * names its columns and whose first column has numbers.
+ */
+final class PlotData {
+  /** A column's name with its unit, as {@code force [N]}. */
+  private static final Pattern NAME_AND_UNIT = Pattern.compile("(.+?) ?\\[([^\\]\\d][^\\]]*)\\]");
+
+  private static final DateTimeFormatter TIME =
+      DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss 'UTC'", Locale.ROOT)
+          .withZone(ZoneOffset.UTC);
+
+  private final String title;
+  private final Axis x;
+  private final List<Column> columns;
+
+  private PlotData(String title, Axis x, List<Column> columns) {
+    this.title = title;
+    this.x = x;
+    this.columns = columns;
+  }
+
+  /** A column that may be drawn. */
+  static final class Column {
+    private final String name;
+    private final String unit;
+    private final double[] x;
+    private final double[] y;
+    private final boolean drawable;
+    private final boolean onlyIfNamed;
+
+    private Column(
+        String name, String unit, double[] x, double[] y, boolean drawable, boolean onlyIfNamed) {
+      this.name = name;
+      this.unit = unit;
+      this.x = x;
+      this.y = y;
+      this.drawable = drawable;
+      this.onlyIfNamed = onlyIfNamed;
+    }
+
+    String name() {
+      return name;
+    }
+
+    /** Gives the unit, empty if it has none or none is known. */
+    String unit() {
+      return unit;
+    }
+
+    Axis axis() {
+      return new Axis(name, unit);
+    }
+
+    /** Gives the numbers of the first column beside {@link #y}. */
+    double[] x() {
+      return x.clone();
+    }
+
+    /** Gives the numbers; NaN in a gap. TRUE is 1, FALSE 0. */
+    double[] y() {
+      return y.clone();
+    }
+
+    /** Says whether it has numbers, or TRUE and FALSE, and no other text. */
+    boolean isDrawable() {
+      return drawable;
+    }
+
+    /** Says whether it is about the recording, not recorded. */
+    boolean isOnlyIfNamed() {
+      return onlyIfNamed;
+    }
+  }
+
+  /** Gives the title of a picture of it. */
+  String title() {
+    return title;
+  }
+
+  /** Gives what the first column has. */
+  Axis x() {
+    return x;
+  }
+
+  List<Column> columns() {
+    return columns;
+  }
+
+  Optional<Column> find(String name) {
+    return columns.stream().filter(column -> column.name.equalsIgnoreCase(name)).findFirst();
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @throws FileException if it cannot be read, or has another form
+   */
+  static PlotData read(Path file) throws FileException {
+    try (CsvReader<CsvRecord> csv = CsvReader.builder().ofCsvRecord(file)) {
+      List<CsvRecord> rows = new ArrayList<>();
+      for (CsvRecord row : csv) {
+        if (rows.isEmpty() && isHeaderOfRecord(row)) {
+          return of(file, RecordedData.read(file));
+        }
+        rows.add(row);
+      }
+      return of(file, rows);
+    } catch (NoSuchFileException e) {
+      throw new FileException("there is no file " + file, e);
+    } catch (IOException | CsvParseException e) {
+      if (e instanceof FileException own) {
+        throw own;
+      }
+      throw new FileException("cannot read " + file + ": " + e.getMessage(), e);
+    } catch (IllegalArgumentException e) {
+      throw new FileException("cannot draw " + file + ": " + e.getMessage(), e);
+    }
+  }
+
+  // what record wrote
+
+  private static boolean isHeaderOfRecord(CsvRecord row) {
+    return row.getFieldCount() > 1
+        && row.getField(0).equals(RecordedData.TIME)
+        && row.getField(1).equals(RecordedData.SECONDS);
+  }
+
+  private static PlotData of(Path file, RecordedData data) {
+    List<Column> columns = new ArrayList<>();
+    Units units = new Units();
+    for (RecordedData.Series series : data.series()) {
+      columns.add(column(series.name(), units.of(series.name()), series.seconds(), series.texts()));
+    }
+    for (RecordedData.Series series : data.accessTimes()) {
+      columns.add(new Column(series.name(), "ms", series.seconds(), series.values(), true, true));
+    }
+    return new PlotData(title(file, data.start()), new Axis("time", "s"), columns);
+  }
+
+  private static String title(Path file, Instant start) {
+    return file.getFileName() + ", " + TIME.format(start);
+  }
+
+  // any other
+
+  private static PlotData of(Path file, List<CsvRecord> rows) {
+    if (rows.size() < 2) {
+      throw new IllegalArgumentException("it must have a line of names and lines of numbers");
+    }
+    List<String> header = rows.get(0).getFields();
+    if (!Double.isNaN(number(header.get(0)))) {
+      throw new IllegalArgumentException(
+          "the first line must name the columns, begins with " + header.get(0));
+    }
+    List<CsvRecord> body = rows.subList(1, rows.size());
+    double[] x = numbers(texts(body, 0));
+    for (int i = 0; i < x.length; i++) {
+      if (Double.isNaN(x[i])) {
+        throw new IllegalArgumentException(
+            "line "
+                + body.get(i).getStartingLineNumber()
+                + " must begin with a number, begins with "
+                + body.get(i).getField(0));
+      }
+    }
+    List<Column> columns = new ArrayList<>();
+    Units units = new Units();
+    for (int i = 1; i < header.size(); i++) {
+      Axis axis = axis(header.get(i));
+      String unit = axis.unit().isEmpty() ? units.of(axis.name()) : axis.unit();
+      columns.add(column(axis.name(), unit, x, texts(body, i)));
+    }
+    Axis first = axis(header.get(0));
+    boolean seconds = first.name().equals(RecordedData.SECONDS) && first.unit().isEmpty();
+    String name = String.valueOf(file.getFileName());
+    return new PlotData(name, seconds ? new Axis("time", "s") : first, columns);
+  }
+
+  private static Axis axis(String header) {
+    Matcher matcher = NAME_AND_UNIT.matcher(header);
+    return matcher.matches()
+        ? new Axis(matcher.group(1), matcher.group(2))
+        : new Axis(header, header.endsWith("_ms") ? "ms" : "");
+  }
+
+  private static List<String> texts(List<CsvRecord> rows, int column) {
+    return rows.stream()
+        .map(row -> column < row.getFieldCount() ? row.getField(column) : "")
+        .toList();
+  }
+
+  private static Column column(String name, String unit, double[] x, List<String> texts) {
+    double[] y = numbers(texts);
+    boolean truth = texts.stream().anyMatch(text -> text.matches("(?i)TRUE|FALSE"));
+    return new Column(name, truth ? "TRUE is 1" : unit, x, y, fits(texts, y), false);
+  }
+
+  private static double[] numbers(List<String> texts) {
+    return texts.stream().mapToDouble(PlotData::number).toArray();
+  }
+
+  private static double number(String text) {
+    if (text.equalsIgnoreCase("TRUE")) {
+      return 1;
+    } else if (text.equalsIgnoreCase("FALSE")) {
+      return 0;
+    }
+    try {
+      return text.isEmpty() ? Double.NaN : Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      return Double.NaN;
+    }
+  }
+
+  /** Says whether all texts but the empty ones became numbers, and there is one. */
+  private static boolean fits(List<String> texts, double... numbers) {
+    boolean any = false;
+    for (int i = 0; i < numbers.length; i++) {
+      if (Double.isNaN(numbers[i]) && !texts.get(i).isEmpty()) {
+        return false;
+      }
+      any |= !Double.isNaN(numbers[i]);
+    }
+    return any;
+  }
+}

@@ -1,0 +1,48 @@
+package no.hials.crosscom.cli;
+
+import java.util.Locale;
+import no.hials.crosscom.c3.TransferProgress;
+
+/** Shows how far a transfer has come, on a line that changes in place. */
+final class Progress implements TransferProgress, AutoCloseable {
+  private final String name;
+  private final boolean shown;
+  private final LiveLine line;
+
+  /**
+   * Makes a line that is not there yet.
+   *
+   * @param name what is transferred
+   * @param shown whether it is to be there at all
+   */
+  Progress(Console console, String name, boolean shown) {
+    this.name = Printable.of(name);
+    this.shown = shown;
+    this.line = new LiveLine(console, shown);
+  }
+
+  @Override
+  public void transferred(long bytes, long total) {
+    // the end is shown in any case, as checking what arrived takes as long again
+    if (line.isDue() || (shown && bytes == total)) {
+      line.show(text(name, bytes, total));
+    }
+  }
+
+  @Override
+  public void close() {
+    line.close();
+  }
+
+  static String text(String name, long bytes, long total) {
+    if (bytes == total) {
+      return name + ": all of " + kilobytes(total) + ", checking";
+    }
+    return String.format(
+        Locale.ROOT, "%s: %d %% of %s", name, bytes * 100 / total, kilobytes(total));
+  }
+
+  private static String kilobytes(long bytes) {
+    return (bytes + 1023) / 1024 + " KB";
+  }
+}

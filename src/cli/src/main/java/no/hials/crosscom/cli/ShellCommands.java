@@ -1,0 +1,92 @@
+package no.hials.crosscom.cli;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import no.hials.crosscom.ClientConfig;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+
+/**
+ * The commands of the command line that are lines of the shell language, too. They run as they do
+ * outside, on a connection of their own to the same controller: what breaks it, as Ctrl-C may, does
+ * not break the shell's.
+ */
+final class ShellCommands {
+  /** What the language has another form for, or what has no sense in a shell. */
+  private static final Set<String> LEFT_OUT = Set.of("read", "write", "mock", "shell", "run");
+
+  private ShellCommands() {}
+
+  /** Gives their names, sorted. */
+  static SortedSet<String> names() {
+    SortedSet<String> names = new TreeSet<>();
+    Arrays.stream(Commands.values()).forEach(group -> names.addAll(group.names()));
+    names.removeAll(LEFT_OUT);
+    return names;
+  }
+
+  static boolean isCommand(String word) {
+    return names().contains(word);
+  }
+
+  /**
+   * Checks the arguments of a command, without running it.
+   *
+   * @throws ShellSyntaxException if they are wrong usage
+   */
+  static void check(Console console, List<String> words) throws ShellSyntaxException {
+    String[] args = ControllerOptions.withNamesAsOptions(words.toArray(String[]::new));
+    try {
+      Main.commandLine(console, args).parseArgs(args);
+    } catch (ParameterException e) {
+      throw new ShellSyntaxException(Main.message(e));
+    }
+  }
+
+  /**
+   * Runs a command.
+   *
+   * @param writeOptions those of the shell, which hold for the command
+   * @return how it ended
+   */
+  static ExitCode run(
+      Console console, List<String> words, Controller controller, WriteOptions writeOptions) {
+    String[] args = words.toArray(String[]::new);
+    CommandLine command = Main.commandLine(console, args);
+    int place = 0;
+    while (place < args.length && command.getSubcommands().containsKey(args[place])) {
+      command = command.getSubcommands().get(args[place]);
+      place++;
+    }
+    List<String> all = new ArrayList<>(words);
+    all.addAll(place, options(command.getCommandSpec(), controller, writeOptions));
+    return ExitCode.of(Main.run(all.toArray(String[]::new), console));
+  }
+
+  private static List<String> options(
+      CommandSpec command, Controller controller, WriteOptions writeOptions) {
+    List<String> options = new ArrayList<>();
+    if (command.findOption("--host") != null) {
+      ClientConfig config = controller.client().getConfig();
+      options.add("--host=" + config.host());
+      options.add("--port=" + config.port());
+      Duration timeout = controller.target().timeout();
+      if (timeout != null) {
+        options.add("--timeout=" + timeout.toMillis());
+      }
+    }
+    if (writeOptions.isReadOnly(controller.target()) && command.findOption("--read-only") != null) {
+      options.add("--read-only");
+    }
+    if (writeOptions.isYes() && command.findOption("--yes") != null) {
+      options.add("--yes");
+    }
+    return options;
+  }
+}

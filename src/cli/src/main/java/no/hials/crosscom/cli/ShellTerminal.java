@@ -1,0 +1,118 @@
+package no.hials.crosscom.cli;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.jline.reader.EndOfFileException;
+import org.jline.reader.LineReader;
+import org.jline.reader.LineReaderBuilder;
+import org.jline.reader.UserInterruptException;
+import org.jline.terminal.Terminal.Signal;
+import org.jline.terminal.TerminalBuilder;
+import org.jline.utils.AttributedString;
+import org.jline.utils.AttributedStringBuilder;
+import org.jline.utils.AttributedStyle;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The terminal of a shell: edits lines, keeps them, and completes them. Ctrl-C takes back a line
+ * that is being typed, and interrupts the thread that made this while a line is run.
+ */
+final class ShellTerminal implements Closeable {
+  private static final int MAX_HISTORY = 2000;
+
+  private final org.jline.terminal.Terminal terminal;
+  private final LineReader reader;
+  private final LineReader questions;
+  private final boolean coloured;
+
+  ShellTerminal(Console console, ShellSymbols symbols) throws IOException {
+    coloured = console.environment("NO_COLOR") == null;
+    terminal =
+        TerminalBuilder.builder()
+            .system(true)
+            // the native library is quicker, and stty is there where it cannot be loaded
+            .providers("jni,exec")
+            .dumb(true)
+            .nativeSignals(true)
+            .build();
+    Thread runner = Thread.currentThread();
+    terminal.handle(Signal.INT, signal -> runner.interrupt());
+    reader =
+        LineReaderBuilder.builder()
+            .terminal(terminal)
+            .appName("jopenshowvar")
+            .parser(new ShellParser())
+            .completer(new ShellCompleter(console, symbols))
+            .variable(LineReader.HISTORY_FILE, history(console))
+            .variable(LineReader.HISTORY_SIZE, MAX_HISTORY)
+            .variable(LineReader.ERRORS, 0)
+            .option(LineReader.Option.CASE_INSENSITIVE, true)
+            .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
+            .option(LineReader.Option.HISTORY_TIMESTAMPED, false)
+            .option(LineReader.Option.INSERT_TAB, false)
+            .build();
+    questions =
+        LineReaderBuilder.builder()
+            .terminal(terminal)
+            .variable(LineReader.DISABLE_HISTORY, true)
+            .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
+            .build();
+    (coloured ? ShellCompleter.COLOURED : ShellCompleter.PLAIN).forEach(reader::setVariable);
+  }
+
+  private static Path history(Console console) {
+    String state = console.environment("XDG_STATE_HOME");
+    Path base =
+        state == null
+            ? Path.of(System.getProperty("user.home"), ".local", "state")
+            : Path.of(state);
+    return base.resolve("jopenshowvar").resolve("history");
+  }
+
+  /** Gives a typed line, empty after Ctrl-C; null at the end. */
+  @Nullable String readLine(ShellPrompt prompt) {
+    // what a Ctrl-C stopped has ended
+    Thread.interrupted();
+    String text = text(prompt);
+    return read(reader, text, "");
+  }
+
+  /** Gives an answer, null for none. */
+  @Nullable String ask(String question) {
+    return read(questions, question, null);
+  }
+
+  private static @Nullable String read(
+      LineReader from, String prompt, @Nullable String ifInterrupted) {
+    try {
+      return from.readLine(prompt);
+    } catch (UserInterruptException e) {
+      return ifInterrupted;
+    } catch (EndOfFileException e) {
+      return null;
+    }
+  }
+
+  private String text(ShellPrompt prompt) {
+    String mode = prompt.mode();
+    if (mode.isEmpty()) {
+      return prompt.name() + "> ";
+    }
+    AttributedStyle style =
+        coloured ? AttributedStyle.BOLD.foreground(AttributedStyle.RED) : AttributedStyle.DEFAULT;
+    AttributedString text =
+        new AttributedStringBuilder()
+            .append(prompt.name() + " ")
+            .styled(style, mode)
+            .append("> ")
+            .toAttributedString();
+    return text.toAnsi(terminal);
+  }
+
+  /** Gives the terminal back as it was. */
+  @Override
+  public void close() throws IOException {
+    terminal.close();
+  }
+}

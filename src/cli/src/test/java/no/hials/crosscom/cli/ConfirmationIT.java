@@ -1,0 +1,96 @@
+package no.hials.crosscom.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.io.IOException;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.ReadRequest;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The question before a write outside T1, on a terminal. */
+@Timeout(120)
+@EnabledOnOs(OS.LINUX)
+class ConfirmationIT {
+  private static final String QUESTION = "[y/N] ";
+
+  private MockServer server;
+
+  @BeforeEach
+  void start() throws IOException {
+    assumeThat(PseudoTerminal.isAvailable()).isTrue();
+    server = MockServer.start();
+    server.controller().setMode(OperatingMode.AUT);
+  }
+
+  @AfterEach
+  void stop() {
+    if (server != null) {
+      server.close();
+    }
+  }
+
+  private PseudoTerminal.Shown answer(String term, String keys, String... options)
+      throws Exception {
+    return PseudoTerminal.run(term, QUESTION, keys, Cli.argsOn(server, "write", options));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"y", "Yes"})
+  void writesIfTheAnswerIsYes(String yes) throws Exception {
+    PseudoTerminal.Shown shown = answer("xterm", yes + "\r", "MYINT", "5");
+
+    assertThat(shown.text())
+        .startsWith("$MODE_OP is #AUT, not #T1. Really write MYINT? [y/N] ")
+        .endsWith("MYINT = 5\r\n");
+    assertThat(shown.code()).isZero();
+    assertThat(server.variables().get("MYINT")).isEqualTo("5");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"\r", "n\r", "yesno\r", PseudoTerminal.CTRL_D})
+  void doesNotWriteIfItIsNot(String keys) throws Exception {
+    PseudoTerminal.Shown shown = answer("xterm", keys, "MYINT", "5");
+
+    assertThat(shown.text())
+        .contains(QUESTION)
+        .endsWith("\r\njopenshowvar: did not write MYINT: not confirmed\r\n");
+    assertThat(shown.code()).isEqualTo(5);
+    assertThat(server.requests())
+        .singleElement()
+        .matches(request -> request.request() instanceof ReadRequest);
+  }
+
+  @Test
+  void doesNotWriteIfCtrlCIsPressed() throws Exception {
+    PseudoTerminal.Shown shown = answer("xterm", PseudoTerminal.CTRL_C, "MYINT", "5");
+
+    assertThat(shown.code()).isEqualTo(130);
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void doesNotAskIfYesIsGiven() throws Exception {
+    PseudoTerminal.Shown shown = answer("xterm", "", "--yes", "MYINT", "5");
+
+    assertThat(shown).isEqualTo(new PseudoTerminal.Shown(0, "MYINT = 5\r\n"));
+    assertThat(server.requests()).singleElement().matches(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void doesNotAskInT1() throws Exception {
+    server.controller().setMode(OperatingMode.T1);
+
+    assertThat(answer("xterm", "", "MYINT", "5"))
+        .isEqualTo(new PseudoTerminal.Shown(0, "MYINT = 5\r\n"));
+  }
+}

@@ -1,0 +1,439 @@
+package no.hials.crosscom.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.BrokenBarrierException;
+import java.util.concurrent.CyclicBarrier;
+import java.util.stream.Stream;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.mock.RecordedRequest;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Robots with names, and the environment. */
+class ProfilesTest {
+  @TempDir private Path dir;
+  private MockServer one;
+  private MockServer two;
+  private final Map<String, String> environment = new HashMap<>();
+
+  @BeforeEach
+  void start() throws IOException {
+    one = MockServer.start();
+    two = MockServer.start();
+    one.variables().set("MYINT", "1");
+    two.variables().set("MYINT", "2");
+  }
+
+  @AfterEach
+  void stop() {
+    one.close();
+    two.close();
+  }
+
+  /** Writes the configuration file, and names it to the program. */
+  private Path config(String... lines) throws IOException {
+    Path file = Files.write(dir.resolve("robots.toml"), List.of(lines));
+    environment.put("JOPENSHOWVAR_CONFIG", file.toString());
+    return file;
+  }
+
+  private static String robot(String name, MockServer server, String... more) {
+    return "[robots."
+        + name
+        + "]\nhost = \""
+        + server.host()
+        + "\"\nport = "
+        + server.port()
+        + "\n"
+        + String.join("\n", more);
+  }
+
+  private Cli.Result run(String... args) {
+    return Cli.runIn(environment, args);
+  }
+
+  @Test
+  void readsFromARobotByItsName() throws IOException {
+    config(robot("cell1", one), robot("'cell-2.a'", two));
+
+    assertThat(run("read", "@cell1", "MYINT").lines()).containsExactly("MYINT = 1");
+    assertThat(run("read", "MYINT", "@cell-2.a").lines()).containsExactly("MYINT = 2");
+    assertThat(run("read", "MYINT", "--robot", "cell1").lines()).containsExactly("MYINT = 1");
+  }
+
+  @Test
+  void readsFromTheDefaultRobotIfNoneIsNamed() throws IOException {
+    config("default = \"cell2\"", robot("cell1", one), robot("cell2", two));
+
+    assertThat(run("read", "MYINT").lines()).containsExactly("MYINT = 2");
+  }
+
+  @Test
+  void takesTheMostExplicitOfWhatNamesAController() throws IOException {
+    environment.put("JOPENSHOWVAR_HOST", one.host());
+    environment.put("JOPENSHOWVAR_PORT", "" + one.port());
+    config("default = \"cell2\"", robot("cell2", two));
+
+    assertThat(run("read", "MYINT").lines()).containsExactly("MYINT = 1");
+    assertThat(run("read", "MYINT", "@cell2").lines()).containsExactly("MYINT = 2");
+    assertThat(run("read", "MYINT", "--mock").lines()).containsExactly("MYINT = 0");
+    assertThat(Cli.runIn(environment, Cli.argsOn(two, "read", "MYINT")).lines())
+        .containsExactly("MYINT = 2");
+    assertThat(run("read", "MYINT", "--port", "" + two.port()).lines())
+        .containsExactly("MYINT = 2");
+    assertThat(run("read", "MYINT", "@cell2", "--port", "" + one.port()).lines())
+        .containsExactly("MYINT = 1");
+  }
+
+  @Test
+  void takesTheMostExplicitTimeout() throws IOException {
+    one.faults(request -> Optional.of(Fault.drop()));
+    config(
+        "default = \"slow\"",
+        robot("slow", one, "timeout = \"43ms\""),
+        robot("number", one, "timeout = 44"),
+        robot("plain", one));
+    assertThat(run("read", "MYINT").err()).contains("within 43 ms");
+
+    environment.put("JOPENSHOWVAR_TIMEOUT", "45");
+
+    assertThat(run("read", "MYINT").err()).contains("within 45 ms");
+    assertThat(run("read", "MYINT", "@plain").err()).contains("within 45 ms");
+    assertThat(run("read", "MYINT", "@number").err()).contains("within 44 ms");
+    assertThat(run("read", "MYINT", "@number", "--timeout", "46").err()).contains("within 46 ms");
+    assertThat(Cli.runIn(environment, Cli.argsOn(one, "read", "MYINT")).err())
+        .contains("within 45 ms");
+  }
+
+  @Test
+  void simulatesARobotThatTheFileSaysIsSimulated() throws IOException {
+    config("[robots.sim]", "mock = true", "server = \"c3\"", "[robots.old]", "mock = true");
+
+    assertThat(run("read", "@sim", "@PROXY_TYPE", "MYINT").code()).isEqualTo(2);
+    assertThat(run("read", "@sim", "--", "@PROXY_TYPE").lines())
+        .containsExactly("@PROXY_TYPE = C3 BRIDGE INTERFACE");
+    assertThat(run("read", "@old", "--", "@PROXY_TYPE").code()).isEqualTo(1);
+    assertThat(run("read", "@old", "--server", "c3", "--", "@PROXY_TYPE").code()).isZero();
+  }
+
+  @Test
+  void readsFromSeveralRobotsInTheOrderGiven() throws IOException {
+    config(robot("cell1", one), robot("cell2", two));
+
+    Cli.Result result = run("read", "@cell2", "@cell1", "MYINT", "MYBOOL");
+
+    assertThat(result.lines())
+        .containsExactly(
+            "cell2: MYINT = 2",
+            "cell2: MYBOOL = FALSE",
+            "cell1: MYINT = 1",
+            "cell1: MYBOOL = FALSE");
+    assertThat(result.err()).isEmpty();
+    assertThat(result.code()).isZero();
+  }
+
+  @Test
+  void namesTheRobotInJsonIfThereAreSeveral() throws IOException {
+    config(robot("cell1", one), robot("cell2", two));
+
+    assertThat(run("read", "--json", "@cell1", "@cell2", "MYINT").lines())
+        .containsExactly(
+            "{\"robot\":\"cell1\",\"name\":\"MYINT\",\"type\":\"INT\",\"value\":1}",
+            "{\"robot\":\"cell2\",\"name\":\"MYINT\",\"type\":\"INT\",\"value\":2}");
+    assertThat(run("read", "--json", "@cell1", "MYINT").lines())
+        .containsExactly("{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":1}");
+  }
+
+  @Test
+  void asksSeveralRobotsAtTheSameTime() throws Exception {
+    config(robot("cell1", one), robot("cell2", two));
+    // each answers only when the other was asked, too
+    CyclicBarrier both = new CyclicBarrier(2);
+    for (MockServer server : List.of(one, two)) {
+      server.faults(
+          request -> {
+            try {
+              both.await();
+            } catch (InterruptedException | BrokenBarrierException e) {
+              throw new IllegalStateException(e);
+            }
+            return Optional.empty();
+          });
+    }
+
+    assertThat(run("read", "@cell1", "@cell2", "MYINT").lines())
+        .containsExactly("cell1: MYINT = 1", "cell2: MYINT = 2");
+  }
+
+  @Test
+  void printsTheOtherRobotsIfOneFails() throws IOException {
+    MockServer gone = MockServer.start();
+    try {
+      gone.refuseConnections();
+      config(robot("gone", gone), robot("cell1", one), robot("cell2", two));
+      two.enqueue(Fault.none(), Fault.closeBefore());
+
+      Cli.Result result = run("read", "@gone", "@cell1", "@cell2", "NOPE", "MYINT", "MYBOOL");
+
+      assertThat(result.lines()).containsExactly("cell1: MYINT = 1", "cell1: MYBOOL = FALSE");
+      assertThat(result.errLines()).hasSize(5);
+      assertThat(result.errLines().get(0)).startsWith("jopenshowvar: gone: could not connect to ");
+      assertThat(result.errLines().get(1))
+          .startsWith("jopenshowvar: cell1: the controller refused to read NOPE");
+      assertThat(result.errLines().get(2))
+          .startsWith("jopenshowvar: cell2: the controller refused to read NOPE");
+      assertThat(result.errLines().get(3)).contains("cell2: ").contains("read of MYINT");
+      assertThat(result.errLines().get(4)).isEqualTo("cell2: not read: MYBOOL");
+      assertThat(result.code()).isEqualTo(4);
+    } finally {
+      gone.close();
+    }
+  }
+
+  @Test
+  void writesToOneRobotAtATime() throws IOException {
+    config(robot("cell1", one), robot("cell2", two));
+
+    assertThat(run("write", "@cell1", "MYINT", "5").lines()).containsExactly("MYINT = 5");
+    Cli.Result both = run("write", "@cell1", "@cell2", "MYINT", "6");
+
+    assertThat(both.err()).startsWith("jopenshowvar: one robot at a time, 2 are given");
+    assertThat(both.code()).isEqualTo(2);
+    assertThat(one.variables().get("MYINT")).isEqualTo("5");
+    assertThat(two.requestCount()).isZero();
+  }
+
+  @Test
+  void refusesToWriteToARobotThatIsForReadingOnly() throws IOException {
+    config("default = \"cell1\"", robot("cell1", one, "read-only = true"));
+    environment.put("JOPENSHOWVAR_READ_ONLY", "false");
+
+    for (List<String> name : List.of(List.of("@cell1"), List.<String>of())) {
+      Cli.Result result =
+          run(
+              Stream.concat(Stream.of("write", "--yes", "MYINT", "5"), name.stream())
+                  .toArray(String[]::new));
+
+      assertThat(result.err())
+          .startsWith("jopenshowvar: cell1: did not write MYINT: ")
+          .contains("for reading only");
+      assertThat(result.code()).isEqualTo(5);
+    }
+    assertThat(run("read", "MYINT").lines()).containsExactly("MYINT = 1");
+    assertThat(one.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"true", "TRUE", "1"})
+  void refusesToWriteAnywhereIfTheEnvironmentSaysSo(String value) throws IOException {
+    config(robot("cell1", one, "read-only = false"));
+    environment.put("JOPENSHOWVAR_READ_ONLY", value);
+
+    assertThat(run("write", "--yes", "@cell1", "MYINT", "5").code()).isEqualTo(5);
+    assertThat(run("write", "--yes", "--mock", "MYINT", "5").code()).isEqualTo(5);
+    assertThat(one.requestCount()).isZero();
+  }
+
+  @Test
+  void saysWhichRobotItDidNotWriteTo() throws IOException {
+    config(robot("cell1", one));
+    one.controller().setMode(OperatingMode.AUT);
+
+    Cli.Result result = run("write", "@cell1", "MYINT", "5");
+
+    assertThat(result.errLines())
+        .containsExactly(
+            "jopenshowvar: cell1: did not write MYINT: $MODE_OP is #AUT, which needs --yes");
+    assertThat(result.code()).isEqualTo(5);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "hots = 'a'             | :2: robots.a.hots: no such key; known: host, port, timeout,",
+        "port = 7000            | :1: robots.a: a robot needs a host, or mock = true",
+        "host = ' '             | :1: robots.a: a robot needs a host, or mock = true",
+        "host = 7               | :2: robots.a.host: must be a text in quotes",
+        "host = ['h']           | :2: robots.a.host: must be a text in quotes",
+        "port = '7000'          | :2: robots.a.port: must be a number, without quotes",
+        "port = 65536           | :2: robots.a.port: must be 1 to 65535, is 65536",
+        "port = 99999999999999999999 | :2: robots.a.port: must be 1 to 65535",
+        "timeout = true         | :2: robots.a.timeout: must be a text in quotes",
+        "timeout = '3h'         | :2: robots.a.timeout: must be like 500, 500ms, 3s or 1m, is 3h",
+        "read-only = 'yes'      | :2: robots.a.read-only: must be true or false, without quotes",
+        "mock = 1               | :2: robots.a.mock: must be true or false, without quotes",
+        "server = 'c3'          | :2: robots.a.server: goes with mock = true",
+        "server = 'c4'          | :2: robots.a.server: must be kukavarproxy or c3, is c4",
+        "'read only' = true     | :2: robots.a.read only: no such key",
+        "mock.server = 'c3'     | :2: robots.a.mock: must be true or false",
+        "host =                 | :2: no TOML: ",
+      })
+  void saysWhereTheFileIsWrong(String line, String message) throws IOException {
+    Path file = config("[robots.a]", line);
+
+    Cli.Result result = run("read", "MYINT", "@a");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.err()).startsWith("jopenshowvar: " + file + message);
+    assertThat(result.code()).isEqualTo(2);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "defualt = 'a'                  | :2: defualt: no such key; known: default, robots",
+        "default = 'b'                  | :2: default: no robot is named b; known: a",
+        "default = 1                    | :2: default: must be a text in quotes",
+        "robots = 1                     | :2: robots: must be a table",
+        "robots.b = 1                   | :2: robots.b: must be a table",
+        "robots.b = { hots = 'h' }      | :2: robots.b.hots: no such key",
+        "robots.b.hots = 'h'            | :2: robots.b.hots: no such key",
+        "[robots.'b c']                 | :2: robots.b c: a robot's name must be letters, digits",
+        "[robots.b]~mock=true~host='h'  | :2: robots.b: mock excludes host and port",
+        "[robot.b]                      | :2: robot: no such key; known: default, robots",
+      })
+  void saysWhereTheFileIsWrongOutsideTheRobotThatIsAsked(String lines, String message)
+      throws IOException {
+    String rest = lines.startsWith("robots = ") ? "" : "[robots.a]\nhost = 'h'";
+    Path file =
+        lines.startsWith("[")
+            ? config(" # robots", lines.replace('~', '\n'), rest)
+            : config(" # robots", lines, rest);
+
+    Cli.Result result = run("read", "MYINT", "@a");
+
+    assertThat(result.err()).startsWith("jopenshowvar: " + file + message);
+    assertThat(result.code()).isEqualTo(2);
+  }
+
+  @Test
+  void takesTheFileThatTheDocumentationShows() throws IOException {
+    String page = Files.readString(Path.of("..", "..", "docs", "how-to", "name-your-robots.md"));
+    int start = page.indexOf("```toml") + "```toml".length();
+    config(page.substring(start, page.indexOf("```", start)));
+
+    assertThat(run("read", "@sim", "--", "@PROXY_TYPE").code()).isZero();
+    assertThat(run("write", "--yes", "MYINT", "5").err()).contains("cell1: did not write MYINT");
+  }
+
+  @Test
+  void saysWhichRobotsThereAre() throws IOException {
+    Path file = config(robot("cell2", two), robot("cell1", one));
+
+    assertThat(run("read", "MYINT", "@cell1", "@cell3").errLines())
+        .containsExactly(
+            "jopenshowvar: " + file + ": no robot is named cell3; known: cell1, cell2");
+    assertThat(one.requestCount()).isZero();
+  }
+
+  @Test
+  void saysThatThereIsNoFile() {
+    Path file = dir.resolve("jopenshowvar").resolve("config.toml");
+    environment.put("XDG_CONFIG_HOME", dir.toString());
+    environment.put("APPDATA", dir.toString());
+
+    Cli.Result named = run("read", "MYINT", "@cell1");
+    assertThat(named.errLines())
+        .containsExactly("jopenshowvar: no robot is named cell1: there is no " + file);
+    assertThat(named.code()).isEqualTo(2);
+    assertThat(run("read", "MYINT").err())
+        .startsWith("jopenshowvar: which controller? give --host")
+        .contains("@NAME for one of " + file);
+  }
+
+  @Test
+  void saysThatTheFileOfTheEnvironmentIsNotThere() {
+    environment.put("JOPENSHOWVAR_CONFIG", dir.resolve("gone.toml").toString());
+
+    Cli.Result result = run("read", "MYINT");
+
+    assertThat(result.err())
+        .startsWith("jopenshowvar: cannot read " + dir.resolve("gone.toml"))
+        .contains("JOPENSHOWVAR_CONFIG")
+        .contains("there is no such file");
+    assertThat(result.code()).isEqualTo(2);
+  }
+
+  @Test
+  void saysThatTheFileIsNotUtf8() throws IOException {
+    Path file = config();
+    Files.write(file, new byte[] {'#', (byte) 0xFC});
+
+    assertThat(run("read", "MYINT", "@a").errLines())
+        .containsExactly("jopenshowvar: cannot read " + file + ": it must be UTF-8");
+  }
+
+  @Test
+  void findsTheFileWhereTheUsersConfigurationIs() throws IOException {
+    Path folder = Files.createDirectories(dir.resolve("jopenshowvar"));
+    Files.writeString(folder.resolve("config.toml"), robot("cell1", one));
+    environment.put("XDG_CONFIG_HOME", dir.toString());
+    environment.put("APPDATA", dir.toString());
+
+    assertThat(run("read", "MYINT", "@cell1").lines()).containsExactly("MYINT = 1");
+  }
+
+  @Test
+  void doesNotReadTheFileForAControllerThatIsGiven() throws IOException {
+    config("no TOML");
+
+    assertThat(run("read", "MYINT", "--mock").code()).isZero();
+    assertThat(Cli.runIn(environment, Cli.argsOn(one, "read", "MYINT")).code()).isZero();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--host h @a         | --host and @a exclude each other",
+        "--mock @a           | --mock and @a exclude each other",
+        "@a @b @a            | @a is given twice",
+        "@sim --port 7000    | --port goes with --host",
+        "@a --server c3      | --server goes with --mock",
+      })
+  void refusesWhatContradictsItself(String options, String message) throws IOException {
+    config(robot("a", one), robot("b", two), "[robots.sim]\nmock = true");
+
+    Cli.Result result = run(("read MYINT " + options).split(" "));
+
+    assertThat(result.err()).startsWith("jopenshowvar: " + message);
+    assertThat(result.code()).isEqualTo(2);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "JOPENSHOWVAR_PORT      | 0     | must be 1 to 65535, is 0",
+        "JOPENSHOWVAR_TIMEOUT   | x     | must be like 500, 500ms, 3s or 1m, is x",
+        "JOPENSHOWVAR_READ_ONLY | maybe | must be true or false, is maybe",
+        "JOPENSHOWVAR_PORT      | 7000  | goes with JOPENSHOWVAR_HOST",
+      })
+  void saysWhichVariableOfTheEnvironmentIsWrong(String name, String value, String message) {
+    environment.put(name, value);
+
+    Cli.Result result = run("read", "MYINT", "--mock");
+
+    assertThat(result.err()).startsWith("jopenshowvar: " + name + " " + message);
+    assertThat(result.code()).isEqualTo(2);
+  }
+}

@@ -1,0 +1,189 @@
+package no.hials.crosscom.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import no.hials.crosscom.mock.MockServer;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Runs {@code watch} and {@code record} from the jar, on a terminal and without one. */
+@Timeout(120)
+class SamplingIT {
+  private static final Path SCRIPT = Path.of("/usr/bin/script");
+  private static final int SIGINT_BIT = 1 << 1;
+
+  @TempDir private Path dir;
+  private MockServer server;
+
+  @BeforeEach
+  void start() throws IOException {
+    server = MockServer.start();
+  }
+
+  @AfterEach
+  void stop() {
+    server.close();
+  }
+
+  private List<String> command(String name, String... args) {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-jar", Path.of("target", "jopenshowvar.jar").toString()));
+    command.addAll(List.of(Cli.argsOn(server, name, args)));
+    return command;
+  }
+
+  private static ProcessBuilder process(List<String> command) {
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
+    builder.environment().keySet().remove("NO_COLOR");
+    return builder;
+  }
+
+  /**
+   * Runs a command on a terminal, presses a key when a text is there, and gives all that was shown.
+   */
+  private String show(
+      Map<String, String> environment, String until, int key, String name, String... args)
+      throws Exception {
+    assumeCtrlCOnATerminal();
+    StringBuilder shell = new StringBuilder("stty rows 24 cols 80; exec");
+    command(name, args).forEach(part -> shell.append(" '").append(part).append('\''));
+    ProcessBuilder builder =
+        process(List.of(SCRIPT.toString(), "-qec", shell.toString(), "/dev/null"));
+    builder.environment().put("TERM", "xterm");
+    builder.environment().putAll(environment);
+    Process process = builder.redirectErrorStream(true).start();
+    try {
+      StringBuilder shown = new StringBuilder();
+      InputStream terminal = process.getInputStream();
+      byte[] bytes = new byte[1000];
+      boolean pressed = false;
+      int length = terminal.read(bytes);
+      while (length > 0) {
+        shown.append(new String(bytes, 0, length, StandardCharsets.ISO_8859_1));
+        if (!pressed && shown.indexOf(until) >= 0) {
+          pressed = true;
+          process.getOutputStream().write(key);
+          process.getOutputStream().flush();
+        }
+        length = terminal.read(bytes);
+      }
+      assertThat(process.waitFor()).as(shown.toString()).isZero();
+      return shown.toString();
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+
+  private static void assumeCtrlCOnATerminal() throws IOException {
+    assumeThat(Files.isExecutable(SCRIPT)).isTrue();
+    // a shell's background jobs do not take it, nor do their children
+    String ignored =
+        Files.readAllLines(Path.of("/proc/self/status")).stream()
+            .filter(line -> line.startsWith("SigIgn:"))
+            .findFirst()
+            .orElseThrow()
+            .substring("SigIgn:".length())
+            .strip();
+    assumeThat(Long.parseUnsignedLong(ignored, 16) & SIGINT_BIT).isZero();
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void watchShowsATableAndLeavesTheTerminalAsItWasOnCtrlC() throws Exception {
+    String shown = show(Map.of(), "MYFRAME.C", 3, "watch", "$OV_PRO", "MYFRAME");
+
+    int left = shown.indexOf("\u001b[?1049l");
+    assertThat(shown.substring(0, left)).contains("\u001b[?1049h", "\u001b[?25l", "MYFRAME.X");
+    assertThat(shown.substring(left))
+        .contains("\u001b[?25h", "NAME ", "MYFRAME.C ", "access ")
+        .doesNotContain("\u001b[1m", "\u001b[?25l");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void watchEndsWithTheKeyQAndHasNoColoursIfTheyAreNotWanted() throws Exception {
+    String shown = show(Map.of("NO_COLOR", "1"), "MYINT", 'q', "watch", "MYINT");
+
+    assertThat(shown)
+        .contains("\u001b[?1049h", "NAME ")
+        .doesNotContainPattern("\u001b\\[[0-9;]*[13][0-9]?m");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void watchPrintsLinesOnADumbTerminal() throws Exception {
+    assertThat(show(Map.of("TERM", "dumb"), "MYINT = 0", 3, "watch", "MYINT"))
+        .doesNotContain("\u001b");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void recordShowsHowItGoesAndKeepsEverySampleOnCtrlC() throws Exception {
+    Path file = dir.resolve("a.csv");
+
+    String shown = show(Map.of(), "/s, access", 3, "record", "MYINT", "--out", file.toString());
+
+    assertThat(shown).contains("\u001b[?7l").containsPattern("recorded to \\S+a.csv: \\d+ samples");
+    String recorded = shown.substring(shown.indexOf("recorded to"));
+    int samples = Integer.parseInt(recorded.replaceFirst("(?s).*?: (\\d+) samples.*", "$1"));
+    assertThat(RecordedData.read(file).find("MYINT").orElseThrow().size()).isEqualTo(samples);
+  }
+
+  /** Starts a recording, and waits for its first samples. */
+  private Process recording(Path file) throws Exception {
+    Process process =
+        process(command("record", "MYINT", "--period", "10ms", "--out", file.toString()))
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .redirectError(dir.resolve("err").toFile())
+            .start();
+    while (server.requestCount() < 10 && process.isAlive()) {
+      Thread.onSpinWait();
+    }
+    return process;
+  }
+
+  @Test
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no SIGTERM")
+  void recordEndsWithCode0OnSigterm() throws Exception {
+    Path file = dir.resolve("a.csv");
+    Process process = recording(file);
+    try {
+      process.destroy();
+
+      assertThat(process.waitFor()).isZero();
+    } finally {
+      process.destroyForcibly();
+    }
+    int rows = RecordedData.read(file).series().get(0).size();
+    assertThat(dir.resolve("err")).content().startsWith("recorded to " + file + ": " + rows + " s");
+    // the first one was a test
+    assertThat(rows).isEqualTo((int) server.requestCount() - 1);
+  }
+
+  @Test
+  void recordHasWhatItReadInTheFileIfItIsKilled() throws Exception {
+    Path file = dir.resolve("a.csv");
+    Process process = recording(file);
+    process.destroyForcibly().waitFor();
+
+    // the last answer may not have come to be written
+    assertThat(RecordedData.read(file).series().get(0).size()).isGreaterThanOrEqualTo(7);
+  }
+}

@@ -153,6 +153,44 @@ class ExamplesTest {
         .containsExactly("not selected, code 0", "#P_RESET", "#P_ACTIVE", "#P_STOP", "#P_FREE");
   }
 
+  @Test
+  void unknownOutcomeFindsOneWriteDoneAndTheOtherNot() {
+    assertThat(run(() -> UnknownOutcome.main(new String[0])).lines())
+        .containsExactly(
+            "the answer is lost",
+            "it was written",
+            "the request is lost",
+            "it was not written, MYINT = 7",
+            "the connection is closed while reading",
+            "MYINT = 7");
+  }
+
+  @Test
+  void checkBeforeMovingRefusesWithoutAProgramAndBeyondALimit() {
+    assertThat(run(() -> CheckBeforeMoving.main(new String[0])).lines())
+        .containsExactly(
+            "not moved: FOLLOW_AXIS is #P_RESET",
+            "not moved: A1 must be -165.0 to 165.0, would be 168.0",
+            "A1 is at 10.0");
+  }
+
+  @Test
+  void solveKinematicsFindsThePlaceThatTheControllerReports() {
+    assertThat(run(() -> SolveKinematics.main(new String[0])).lines())
+        .contains(
+            "S 2, T 34: 30.000 -80.000 100.000 10.000 60.000 -20.000",
+            "S 7, T 49: -150.000 170.503 92.363 26.814 -160.526 -169.483 beyond a limit",
+            "the same place");
+  }
+
+  @Test
+  void swingAxisOneStopsALawThatIsTooFast() {
+    // how the first law ends depends on how busy the computer is
+    assertThat(run(() -> SwingAxisOne.main(new String[0])))
+        .startsWith("swing: ")
+        .contains("too fast: SPEED: the speed of A1 must be at most 30 degrees/s, is 90");
+  }
+
   private interface Main {
     void run() throws Exception;
   }

@@ -116,7 +116,8 @@ final class Runner<P> {
         continue;
       }
       if (!config.duration().isZero() && now - start >= config.duration().toNanos()) {
-        return new StopReason(Kind.TIME_OVER, "the time of " + config.duration() + " is over");
+        return new StopReason(
+            Kind.TIME_OVER, "the time of " + config.duration().toMillis() + " ms is over");
       }
       cycle(now, now - next, elapsed);
       long end = time.nanoTime();

@@ -1,0 +1,108 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Optional;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.KRL.KRLEnum;
+import no.hials.crosscom.KRL.KRLReal;
+import no.hials.crosscom.KRL.KRLString;
+import no.hials.crosscom.KRL.structs.KRLE6Axis;
+import no.hials.crosscom.VariableResult;
+import no.hials.crosscom.mock.Clock;
+import no.hials.crosscom.mock.Controller;
+import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.mock.MockServer;
+
+/**
+ * Checks mode, program and limits before it moves the robot, and whether it has arrived. {@code
+ * krl/follow_axis.src} is what moves.
+ */
+public final class CheckBeforeMoving {
+  private static final double MARGIN = 5;
+  private static final double ARRIVED = 0.01;
+  private static final Duration LIMIT = Duration.ofSeconds(30);
+
+  private CheckBeforeMoving() {}
+
+  /**
+   * Runs the example. <b>With arguments it moves that robot</b>: in T1, A1 to 10 degrees.
+   *
+   * @param args {@code HOST PORT} of a controller in which {@code FOLLOW_AXIS} runs, or nothing for
+   *     a simulated controller
+   * @throws IOException if a file could not be read or an access failed
+   * @throws KrlFileException if a file has errors
+   */
+  public static void main(String[] args) throws IOException, KrlFileException {
+    if (args.length == 2) {
+      try (CrossComClient client = new CrossComClient(args[0], Integer.parseInt(args[1]))) {
+        turn(client, 10);
+      }
+      return;
+    }
+    try (MockServer robot = MockServer.start(cfg -> cfg.clock(Clock.unlimited()));
+        CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
+      Controller controller = robot.controller();
+      controller.load(KrlFolder.file("config.dat"));
+      controller.robot().select(controller.load(KrlFolder.file("follow_axis.src")));
+      turn(client, 10);
+      controller.robot().start();
+      await(client, "the program's target is where the robot stands", () -> isReady(client));
+      turn(client, 168);
+      turn(client, 10);
+    }
+  }
+
+  private static void turn(CrossComClient client, double to) throws IOException {
+    Optional<String> objection = objection(client, to);
+    if (objection.isPresent()) {
+      System.out.println("not moved: " + objection.get());
+      return;
+    }
+    client.writeFields(new KRLE6Axis("JOV_AXIS").setA1(to), "A1");
+    await(client, "A1 at " + to, () -> Math.abs(client.readJointAngles()[0] - to) < ARRIVED);
+    System.out.println("A1 is at " + client.readJointAngles()[0]);
+  }
+
+  private static Optional<String> objection(CrossComClient client, double to) throws IOException {
+    KRLEnum mode = new KRLEnum("$MODE_OP");
+    KRLEnum state = new KRLEnum("$PRO_STATE1");
+    KRLString program = new KRLString("$PRO_NAME1[]");
+    KRLReal least = new KRLReal("$SOFTN_END[1]");
+    KRLReal most = new KRLReal("$SOFTP_END[1]");
+    for (VariableResult result : client.readVariables(mode, state, program, least, most)) {
+      result.orThrow(); // what could not be read is no permission
+    }
+    if (!mode.getValue().equals("#T1")) {
+      return Optional.of("the mode must be #T1, is " + mode.getValue());
+    }
+    if (!program.getValue().equals("FOLLOW_AXIS") || !state.getValue().equals("#P_ACTIVE")) {
+      return Optional.of(program.getValue() + " is " + state.getValue());
+    }
+    double min = least.doubleValue() + MARGIN;
+    double max = most.doubleValue() - MARGIN;
+    if (to < min || to > max) {
+      return Optional.of("A1 must be " + min + " to " + max + ", would be " + to);
+    }
+    return Optional.empty();
+  }
+
+  private static boolean isReady(CrossComClient client) throws IOException {
+    return client.readText("JOV_AXIS").equals(client.readText("$AXIS_ACT"));
+  }
+
+  private interface Condition {
+    boolean holds() throws IOException;
+  }
+
+  private static void await(CrossComClient client, String what, Condition condition)
+      throws IOException {
+    long end = System.nanoTime() + LIMIT.toNanos();
+    while (!condition.holds()) {
+      String state = client.readText("$PRO_STATE1");
+      if (!state.equals("#P_ACTIVE") || System.nanoTime() > end) {
+        throw new IOException("not reached: " + what + "; the program is " + state);
+      }
+    }
+  }
+}

@@ -1,0 +1,100 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import java.util.Locale;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.KRL.structs.KRLE6Pos;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.kinematics.UnreachableException;
+import no.hials.crosscom.mock.MockServer;
+
+/**
+ * Computes where the flange is and which axis angles lead there, and compares it with {@code
+ * $POS_ACT}. It needs the simulation, since it puts the robot somewhere.
+ */
+public final class SolveKinematics {
+  private static final Axes AXES = Axes.of(30, -80, 100, 10, 60, -20);
+
+  private SolveKinematics() {}
+
+  /**
+   * Runs the example.
+   *
+   * @param args not used
+   * @throws IOException if an access failed
+   * @throws UnreachableException if the robot cannot get to where it is
+   */
+  public static void main(String[] args) throws IOException, UnreachableException {
+    RobotModel model = RobotModel.kr6r900sixx();
+    Frame flange = model.forward(AXES);
+    System.out.println("computed: " + text(flange));
+    for (Axes solution : model.inverse(flange)) {
+      String name = "S " + model.status(solution) + ", T " + model.turn(solution);
+      boolean possible = model.axesOutsideLimits(solution).isEmpty();
+      System.out.println(name + ": " + text(solution) + (possible ? "" : " beyond a limit"));
+    }
+    int status = model.status(AXES);
+    int turn = model.turn(AXES);
+    System.out.println("by S and T: " + text(model.inverse(flange, status, turn)));
+
+    Frame tool = new Frame(0, 0, 120, 0, 0, 0);
+    Frame base = new Frame(400, 0, 0, 90, 0, 0);
+    System.out.println("with tool and base: " + text(base.inverse().times(flange).times(tool)));
+    compare(flange);
+
+    try {
+      model.inverse(new Frame(1200, 0, 400, 0, 90, 0), AXES);
+    } catch (UnreachableException e) {
+      System.out.println(e.reason() + ": " + e.getMessage());
+    }
+  }
+
+  private static void compare(Frame computed) throws IOException {
+    try (MockServer robot = MockServer.start();
+        CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
+      robot.controller().place(AXES);
+      KRLE6Pos position = KRLVariable.POS_ACT();
+      client.readVariable(position);
+      System.out.println("$POS_ACT: " + text(position));
+      System.out.println("S " + (int) position.getS() + ", T " + (int) position.getT());
+      double apart = computed.distance(frame(position));
+      System.out.println(apart < 0.001 ? "the same place" : "apart by " + apart + " mm");
+
+      client.writeText("$TOOL", "{X 0.0,Y 0.0,Z 120.0,A 0.0,B 0.0,C 0.0}");
+      client.writeText("$BASE", "{X 400.0,Y 0.0,Z 0.0,A 90.0,B 0.0,C 0.0}");
+      client.readVariable(position);
+      System.out.println("with $TOOL and $BASE: " + text(position));
+    }
+  }
+
+  private static Frame frame(KRLE6Pos p) {
+    return new Frame(p.getX(), p.getY(), p.getZ(), p.getA(), p.getB(), p.getC());
+  }
+
+  private static String text(KRLE6Pos position) {
+    return text(frame(position));
+  }
+
+  private static String text(Frame f) {
+    return String.format(
+        Locale.ROOT,
+        "X %.3f, Y %.3f, Z %.3f, A %.4f, B %.4f, C %.4f",
+        f.x(),
+        f.y(),
+        f.z(),
+        f.a(),
+        f.b(),
+        f.c());
+  }
+
+  private static String text(Axes axes) {
+    StringBuilder text = new StringBuilder();
+    for (double angle : axes.toArray()) {
+      text.append(String.format(Locale.ROOT, "%.3f ", angle));
+    }
+    return text.toString().strip();
+  }
+}

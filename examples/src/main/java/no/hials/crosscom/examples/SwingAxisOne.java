@@ -1,0 +1,100 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Locale;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.control.ControlLoop;
+import no.hials.crosscom.control.ControlRefusedException;
+import no.hials.crosscom.control.Law;
+import no.hials.crosscom.control.LoopConfig;
+import no.hials.crosscom.control.LoopStatistics;
+import no.hials.crosscom.control.OperatingMode;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.mock.Controller;
+import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.mock.MockServer;
+
+/**
+ * Swings A1 by a control law of its own, one command every 20 ms, and shows how a law that wants
+ * too much is stopped. {@code krl/ext_move_axis.src} is what moves, {@code krl/jov_sps.sub} the
+ * watchdog.
+ */
+public final class SwingAxisOne {
+  private static final double SPEED = 10; // degrees/s
+  private static final double TURNS_A_SECOND = 0.5;
+
+  private SwingAxisOne() {}
+
+  /**
+   * Runs the example. <b>With arguments it moves that robot</b>: T1, and a hand on the enabling
+   * switch.
+   *
+   * @param args {@code HOST PORT} of a controller in which {@code EXT_MOVE_AXIS} and {@code
+   *     JOV_SPS} run, or nothing for a simulated controller
+   * @throws IOException if a file could not be read, an access failed, or the loop refused to start
+   * @throws KrlFileException if a file has errors
+   * @throws InterruptedException if the waiting was interrupted
+   */
+  public static void main(String[] args)
+      throws IOException, KrlFileException, InterruptedException {
+    if (args.length == 2) {
+      try (CrossComClient client = new CrossComClient(args[0], Integer.parseInt(args[1]))) {
+        run(client, OperatingMode.T1);
+      }
+      return;
+    }
+    try (MockServer robot = MockServer.start();
+        CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
+      Controller controller = robot.controller();
+      controller.load(KrlFolder.file("config.dat"));
+      controller.setMode(no.hials.crosscom.mock.OperatingMode.AUT);
+      controller.submit().select(controller.load(KrlFolder.file("jov_sps.sub")));
+      controller.submit().start();
+      controller.robot().select(controller.load(KrlFolder.file("ext_move_axis.src")));
+      controller.robot().start();
+      run(client, OperatingMode.AUT);
+    }
+  }
+
+  private static void run(CrossComClient client, OperatingMode mode)
+      throws ControlRefusedException, InterruptedException {
+    LoopConfig config =
+        LoopConfig.create(
+            cfg ->
+                cfg.period(Duration.ofMillis(20))
+                    .noInput() // the law moves the robot by itself
+                    .duration(Duration.ofSeconds(2))
+                    .safety(safety -> safety.modes(mode)));
+
+    Law swing =
+        Law.jointVelocity(
+            state -> {
+              double phase = 2 * Math.PI * TURNS_A_SECOND * state.time();
+              return Axes.ZERO.with(0, SPEED * Math.sin(phase));
+            });
+    try (ControlLoop loop = ControlLoop.start(client, config, swing)) {
+      System.out.println("swing: " + loop.await());
+      print(loop.statistics());
+    }
+
+    Law tooFast = Law.jointVelocity(state -> Axes.ZERO.with(0, 90));
+    try (ControlLoop loop = ControlLoop.start(client, config, tooFast)) {
+      System.out.println("too fast: " + loop.await());
+    }
+  }
+
+  private static void print(LoopStatistics statistics) {
+    System.out.printf(
+        Locale.ROOT,
+        "%d cycles, %d missed; a cycle takes %.1f ms of 20 to read and %.1f ms to write%n",
+        statistics.cycles(),
+        statistics.missed(),
+        statistics.read().median(),
+        statistics.write().median());
+    System.out.printf(
+        Locale.ROOT,
+        "A1 was at most %.2f degrees from its target%n",
+        statistics.errors().get(0).most());
+  }
+}

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Builds the site of docs into target/site-docs; a broken link or anchor fails it. It needs Python 3.9 or later,
+# and installs what requirements.txt names into target/site-venv. Javadoc that lies in target/reports/apidocs
+# becomes a part of it; "--javadoc" makes that first.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+if [[ ${1:-} == --javadoc ]]; then
+  mvn -B -q compile javadoc:aggregate -pl '!examples,!src/bench,!src/cli'
+fi
+
+venv=target/site-venv
+if ! cmp -s src/site/requirements.txt "$venv/requirements.txt"; then
+  rm -rf "$venv"
+  python3 -m venv "$venv"
+  "$venv/bin/pip" -q --disable-pip-version-check install -r src/site/requirements.txt
+  cp src/site/requirements.txt "$venv/"
+fi
+export NO_MKDOCS_2_WARNING=1 PYTHONDONTWRITEBYTECODE=1 # no news from Material, no files in src
+exec "$venv/bin/mkdocs" build --strict --clean -f src/site/mkdocs.yml

@@ -69,6 +69,13 @@ final class TreePrograms {
     /** The module's name, which may be another than its file's. */
     private String name = "";
 
+    /** Whether it has a program, or had one that was deleted since. */
+    private boolean hadProgram;
+
+    boolean hasProgram() {
+      return parts.keySet().stream().anyMatch(end -> !end.equals("dat"));
+    }
+
     boolean isSame(Module other) {
       return parts.keySet().equals(other.parts.keySet())
           && parts.keySet().stream()
@@ -96,6 +103,8 @@ final class TreePrograms {
     for (Map.Entry<String, Module> entry : found.entrySet()) {
       Module old = loaded.get(entry.getKey());
       if (old == null || !old.isSame(entry.getValue())) {
+        entry.getValue().hadProgram =
+            entry.getValue().hasProgram() || (old != null && old.hadProgram);
         load(entry.getKey(), entry.getValue());
         loaded.put(entry.getKey(), entry.getValue());
       }
@@ -104,7 +113,8 @@ final class TreePrograms {
     if (module == null) {
       return key;
     }
-    if (!found.containsKey(key)) {
+    // what is left of it may be its data list only
+    if (!found.containsKey(key) || (module.hadProgram && !module.hasProgram())) {
       throw error(name, "the files of " + key + " are not there any more");
     }
     if (!module.errors.isEmpty()) {
@@ -142,6 +152,7 @@ final class TreePrograms {
     module.name = name;
     module.parts.put(ending, content);
     module.names.put(ending, file);
+    module.hadProgram = module.hasProgram();
     loaded.put(key(file), module);
   }
 
@@ -189,7 +200,7 @@ final class TreePrograms {
   private void load(String key, Module module) {
     module.name = key;
     List<KrlError> errors = new ArrayList<>();
-    boolean program = module.parts.size() > (module.parts.containsKey("dat") ? 1 : 0);
+    boolean program = module.hasProgram();
     module.parts.forEach(
         (end, content) -> {
           String file = String.valueOf(module.names.get(end));

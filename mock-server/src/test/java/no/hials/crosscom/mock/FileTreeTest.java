@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
@@ -162,6 +163,19 @@ final class FileTreeTest {
       assertThat(program("")).isDirectory();
       assertThat(FileTree.over(folder).list("KRC:\\R1"))
           .containsExactly("Mada", "Program", "System", "TP");
+    }
+
+    @Test
+    void aFileIsReplacedAsAWholeSoThatAFullDiskLeavesNoHalfOne() throws IOException {
+      Path old = outside.resolve("old");
+      Files.writeString(program("x.src"), "there");
+      Files.createLink(old, program("x.src"));
+
+      tree.put("/R1/X.SRC", "new".getBytes(StandardCharsets.US_ASCII));
+
+      assertThat(program("x.src")).hasContent("new");
+      assertThat(old).hasContent("there");
+      assertThat(program("").toFile().list()).containsExactly("x.src");
     }
 
     @Test

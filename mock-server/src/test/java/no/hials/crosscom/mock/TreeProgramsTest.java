@@ -114,6 +114,25 @@ final class TreeProgramsTest {
 
     tree.delete("/R1/JOB.SRC");
 
+    assertNotThere();
+  }
+
+  @Test
+  void doesNotFindAModuleOfWhichOnlyTheDataListIsLeft() throws Exception {
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+    tree.put("/R1/job.dat", list(1));
+    programs.prepare("/R1/JOB.SRC");
+
+    tree.delete("/R1/JOB.SRC");
+
+    assertNotThere();
+    tree.put("/R1/job.dat", list(2));
+    assertNotThere();
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+    assertThat(programs.prepare("/R1/JOB.SRC")).isEqualToIgnoringCase("JOB");
+  }
+
+  private void assertNotThere() {
     assertThatExceptionOfType(KrlFileException.class)
         .isThrownBy(() -> programs.prepare("/R1/JOB.SRC"))
         .withMessageContaining("the files of JOB are not there any more");

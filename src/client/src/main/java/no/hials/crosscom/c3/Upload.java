@@ -45,6 +45,8 @@ final class Upload extends Transfer {
     if (size > MAX_SIZE) {
       throw failed("a file must have at most " + MAX_SIZE + " bytes, has " + size);
     }
+    // first, as otherwise a server that cannot is said not to give properties
+    link.require(MessageType.WRITE_CONTENT, what);
     if (!config.overwrite() && Files.exists(link, name)) {
       throw failed("the controller has it already, and overwriting was not asked for");
     }

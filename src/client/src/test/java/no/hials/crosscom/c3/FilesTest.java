@@ -426,6 +426,9 @@ class FilesTest extends FilesRobotTest {
             .isThrownBy(call)
             .withMessageContaining("the server is KUKAVARPROXY");
       }
+      assertThatExceptionOfType(CrossComUnsupportedException.class)
+          .isThrownBy(() -> none.upload(new byte[1], FILE))
+          .withMessageContaining("cannot do the upload of " + FILE);
       assertThat(folder).isEmptyDirectory();
       assertThat(old.requests()).extracting(r -> r.request().type()).containsOnly(MessageType.READ);
     }

@@ -1,6 +1,7 @@
 package no.hials.crosscom.mock.internal.files;
 
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
@@ -8,6 +9,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
@@ -16,6 +18,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
+import java.util.UUID;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import org.jspecify.annotations.Nullable;
 
@@ -166,14 +169,18 @@ final class FolderStore implements Store {
 
   @Override
   public void write(TreePath path, byte[] content) throws IOException {
-    try (var out =
-        Files.newOutputStream(
-            file(path),
-            StandardOpenOption.CREATE,
-            StandardOpenOption.WRITE,
-            StandardOpenOption.TRUNCATE_EXISTING,
-            LinkOption.NOFOLLOW_LINKS)) {
-      out.write(content);
+    Path target = file(path);
+    if (Files.exists(target, LinkOption.NOFOLLOW_LINKS) && !Files.isWritable(target)) {
+      throw new AccessDeniedException(target.toString());
+    }
+    // beside its place at first, so that on a full disk there is no half file, and the old one
+    // stays
+    Path part = target.resolveSibling(UUID.randomUUID() + ".part");
+    try {
+      Files.write(part, content, StandardOpenOption.CREATE_NEW);
+      Files.move(part, target, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(part);
     }
     attributes.computeIfPresent(key(path), (k, bits) -> bits | FileAttribute.ARCHIVE.code());
   }

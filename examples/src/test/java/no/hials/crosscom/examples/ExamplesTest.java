@@ -5,7 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import no.hials.crosscom.mock.MockServer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -167,11 +171,14 @@ class ExamplesTest {
 
   @Test
   void checkBeforeMovingRefusesWithoutAProgramAndBeyondALimit() {
-    assertThat(run(() -> CheckBeforeMoving.main(new String[0])).lines())
-        .containsExactly(
+    List<String> lines = run(() -> CheckBeforeMoving.main(new String[0])).lines().toList();
+
+    assertThat(lines).hasSize(3);
+    assertThat(lines)
+        .startsWith(
             "not moved: FOLLOW_AXIS is #P_RESET",
-            "not moved: A1 must be -165.0 to 165.0, would be 168.0",
-            "A1 is at 10.0");
+            "not moved: A1 must be -165.0 to 165.0, would be 168.0");
+    assertThat(lines.get(2)).matches("A1 is at (9\\.99|10\\.0).*"); // arrived is within 0.01
   }
 
   @Test
@@ -189,6 +196,147 @@ class ExamplesTest {
     assertThat(run(() -> SwingAxisOne.main(new String[0])))
         .startsWith("swing: ")
         .contains("too fast: SPEED: the speed of A1 must be at most 30 degrees/s, is 90");
+  }
+
+  @Test
+  void asyncReadsPrintsTwoValuesAndARefusal() {
+    assertThat(run(() -> AsyncReads.main(new String[0])).lines())
+        .containsExactly(
+            "asked for the mode and the override", "#T1 at 100 %", "refused: NO_SUCH_VARIABLE");
+  }
+
+  @Test
+  void readArraysPrintsWholeArraysAndAnElement() {
+    assertThat(run(() -> ReadArrays.main(new String[0])))
+        .contains("A1 to A6 in degrees: [-170.0, -190.0, -120.0, -185.0, -120.0, -350.0]")
+        .contains("inputs that are on: [1025]")
+        .contains("greatest angle of A1 in degrees: 170.0");
+  }
+
+  @Test
+  void discoverServersFindsTheSimulatedController() {
+    assertThat(run(() -> DiscoverServers.main(new String[0])))
+        .startsWith("1 found")
+        .contains("#KR6R900 C4SR FLR 230, serial number 736512")
+        .contains("C3_BRIDGE at 127.0.0.1:");
+  }
+
+  @Test
+  void inspectTheServerTellsTheTwoKindsApart() {
+    assertThat(run(() -> InspectTheServer.main(new String[0])).lines())
+        .startsWith("server: KUKAVARPROXY", "version: not told", "several at once: false")
+        .contains("server: C3_BRIDGE", "version: 1.4", "several at once: true", "programs: true");
+  }
+
+  @Test
+  void logToCsvSaysWhereSamplesAreMissing() throws Exception {
+    List<String> lines = run(() -> LogToCsv.main(new String[0])).lines().toList();
+
+    Matcher file = Pattern.compile("20 samples in (.+), after a gap:").matcher(lines.get(1));
+    assertThat(file.matches()).isTrue();
+    assertThat(lines.get(2)).isEqualTo("time,a1_deg,a2_deg,missed");
+    assertThat(lines.get(3)).matches(".+Z,0.0,-90.0000,[1-9][0-9]*");
+    assertThat(Path.of(file.group(1))).content().hasLineCount(21);
+    Files.delete(Path.of(file.group(1)));
+  }
+
+  @Test
+  void krlValuesPrintsEachKindAndAMistake() {
+    assertThat(run(() -> KrlValues.main(new String[0])))
+        .contains("'HFF' is a KrlInt: 255")
+        .contains("{X 1.5, S 'B010'} is a KrlStruct: {X 1.50000, S 2}")
+        .contains("Z in mm: 0.100000")
+        .contains("A: Optional.empty")
+        .contains("to be written: {X 1000.25,Y 0.0,Z 0.1}")
+        .contains("expected ',' or '}' at position 13, found the end");
+  }
+
+  @Test
+  void injectFaultsPrintsTheExceptionOfEachFault() {
+    assertThat(run(() -> InjectFaults.main(new String[0])).lines())
+        .containsExactly(
+            "no fault: 100 %",
+            "a slow answer: 100 %",
+            "an answer in single bytes: 100 %",
+            "no answer: CrossComTimeoutException",
+            "the answer to something else: CrossComProtocolException",
+            "half an answer: CrossComConnectionLostException",
+            "an empty answer: CrossComProtocolException",
+            "noise: CrossComTimeoutException");
+  }
+
+  @Test
+  void digitalTwinIsAlwaysWhereTheRobotIs() {
+    assertThat(run(() -> DigitalTwin.main(new String[0])).lines())
+        .hasSize(5)
+        .doesNotHaveDuplicates()
+        .allMatch(line -> line.endsWith("; the robot says 0.000 mm from there"));
+  }
+
+  @Test
+  void handleAStoppedRobotBringsItsProgramToTheEnd() {
+    assertThat(run(() -> HandleAStoppedRobot.main(new String[0])).lines())
+        .hasSize(6)
+        .anyMatch(line -> line.startsWith("emergency stop: program #P_STOP, stop message TRUE"))
+        .anyMatch(line -> line.startsWith("confirmed: program #P_STOP, stop message FALSE"))
+        .endsWith("started again: program #P_END, stop message FALSE, A1 at 0.0 degrees");
+  }
+
+  @Test
+  void twoRobotsEndAtTheSameAngle() {
+    List<String> lines = run(() -> TwoRobots.main(new String[0])).lines().toList();
+
+    assertThat(lines).hasSize(6);
+    assertThat(lines.get(2)).isNotEqualTo(lines.get(3));
+    assertThat(lines.get(5)).isEqualTo("leader A1 20.00 degrees, follower A1 20.00 degrees");
+  }
+
+  @Test
+  void setOutputsSwitchesAnOutputOnAndOff() {
+    assertThat(run(() -> SetOutputs.main(new String[0])).lines())
+        .containsExactly("output 3 is on", "part is there: true", "output 3 is off");
+  }
+
+  @Test
+  void playAPathComesToTheLastPointAndRefusesABadPath() {
+    assertThat(run(() -> PlayAPath.main(new String[0])).lines())
+        .containsExactly(
+            "came to [0.0, -90.0, 90.0, 0.0, 50.0, 0.0] degrees",
+            "nothing was moved: A1 must be -165 to 165 degrees (a margin of 5 kept), would be 169");
+  }
+
+  @Test
+  void controlByPositionClosesTheCircle() {
+    assertThat(run(() -> ControlByPosition.main(new String[0])))
+        .contains("TIME_OVER")
+        .contains("path: at most ")
+        .contains("the circle is closed");
+  }
+
+  @Test
+  void controlByVelocityMovesUntilTheDeadManIsLetGo() {
+    List<String> lines = run(() -> ControlByVelocity.main(new String[0])).lines().toList();
+
+    assertThat(lines.get(0)).startsWith("TIME_OVER");
+    assertThat(lines.get(1)).isEqualTo("the robot stood after the dead-man was let go: true");
+    assertThat(lines.get(2)).matches("moved along Y: [1-9].* mm");
+  }
+
+  @Test
+  void followALineStaysNearTheLine() {
+    assertThat(run(() -> FollowALine.main(new String[0])))
+        .contains("TIME_OVER")
+        .containsPattern("[1-9][0-9]\\.[0-9] mm along the line, [0-9]\\.[0-9] mm from where");
+  }
+
+  @Test
+  void readAndMoveTurnsA1ByThreeDegrees() {
+    assertThat(run(() -> ReadAndMove.main(new String[0])).lines())
+        .containsExactly(
+            "mode #T1",
+            "A1 to A6 in degrees: [0.0, -90.0, 90.0, 0.0, 0.0, 0.0]",
+            "override in %: 50",
+            "A1 is at 3.0 degrees");
   }
 
   private interface Main {

@@ -15,8 +15,9 @@ import picocli.CommandLine.Model.UsageMessageSpec;
 enum Commands {
   VARIABLES("Variables:", "read", "write", "vars", "shell", "run"),
   PROGRAMS("Programs and files:", "info", "discover", "program", "file", "confirm"),
+  CONTROL("Control:", "drive"),
   MEASURING("Measuring:", "watch", "record", "plot", "bench"),
-  SIMULATION("Simulated controller:", "mock");
+  SIMULATION("Simulated controller:", "mock", "experiment");
 
   private final String title;
 
@@ -41,6 +42,7 @@ enum Commands {
       case "record" -> new RecordCommand(console);
       case "plot" -> new PlotCommand(console);
       case "bench" -> new BenchCommand(console);
+      case "drive" -> new DriveCommand(console);
       case "info" -> new InfoCommand(console);
       case "discover" -> new DiscoverCommand(console);
       case "program" -> ProgramCommand.commandLine(console);
@@ -50,6 +52,7 @@ enum Commands {
       case "shell" -> new ShellCommand(console);
       case "run" -> new RunCommand(console);
       case "mock" -> new MockCommand(console);
+      case "experiment" -> new ExperimentCommand(console);
       default -> throw new IllegalArgumentException("there is no command " + name);
     };
   }

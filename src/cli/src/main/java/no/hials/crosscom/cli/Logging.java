@@ -9,6 +9,14 @@ final class Logging {
   private Logging() {}
 
   /**
+   * Leaves the warnings of a class out, which a command tells in its own words, unless more than
+   * warnings is asked for.
+   */
+  static void leaveOut(Class<?> source, boolean verbose) {
+    ((Logger) LoggerFactory.getLogger(source)).setLevel(verbose ? null : Level.ERROR);
+  }
+
+  /**
    * Sets the level.
    *
    * @param verbosity 0 for warnings, 1 for debug, more for trace

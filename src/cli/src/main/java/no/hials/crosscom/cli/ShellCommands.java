@@ -19,7 +19,8 @@ import picocli.CommandLine.ParameterException;
  */
 final class ShellCommands {
   /** What the language has another form for, or what has no sense in a shell. */
-  private static final Set<String> LEFT_OUT = Set.of("read", "write", "mock", "shell", "run");
+  private static final Set<String> LEFT_OUT =
+      Set.of("read", "write", "mock", "shell", "run", "drive");
 
   private ShellCommands() {}
 

@@ -252,6 +252,18 @@ class JarIT {
   }
 
   @Test
+  void drawsAnSvgWithTexts() throws Exception {
+    Path csv = Files.writeString(dir.resolve("run.csv"), "time [s],force [N]\n0,1.5\n1,2.5\n");
+    Path svg = dir.resolve("run.svg");
+
+    Cli.Result result = run(jar("plot", csv.toString(), "--out", svg.toString()));
+
+    assertThat(result.err()).isEmpty();
+    assertThat(result.code()).isZero();
+    assertThat(Files.readString(svg)).contains(">run.csv</text>");
+  }
+
+  @Test
   void printsTheVersionOfTheBuild() throws Exception {
     Cli.Result result = run(jar("--version"));
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * The last cycles of a loop: when they were, how long the accesses took, and where the robot was to
@@ -89,11 +90,30 @@ public final class Trace {
     List<Cycle> cycles = new ArrayList<>();
     double[] row = new double[COLUMNS];
     for (long next = copy(0, row); next > 0; next = copy(next, row)) {
-      cycles.add(
-          new Cycle(
-              row[0], row[1], row[2], row[3], row[4] != 0, six(row, 0), six(row, 1), six(row, 2)));
+      cycles.add(cycle(row));
     }
     return cycles;
+  }
+
+  /**
+   * Gives the last cycle.
+   *
+   * @return it; nothing if there was none, or none is kept
+   */
+  public Optional<Cycle> last() {
+    double[] row = new double[COLUMNS];
+    synchronized (this) {
+      if (length == 0 || count == 0) {
+        return Optional.empty();
+      }
+      copy(count - 1, row);
+    }
+    return Optional.of(cycle(row));
+  }
+
+  private static Cycle cycle(double[] row) {
+    return new Cycle(
+        row[0], row[1], row[2], row[3], row[4] != 0, six(row, 0), six(row, 1), six(row, 2));
   }
 
   private static List<Double> six(double[] row, int group) {

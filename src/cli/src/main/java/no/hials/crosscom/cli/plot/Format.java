@@ -4,7 +4,6 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -31,13 +30,7 @@ enum Format {
   SVG {
     @Override
     void write(Chart chart, Path file, Chart.Size size) throws IOException {
-      SvgGraphics g = new SvgGraphics();
-      try {
-        ChartPainter.paint(chart, g, size);
-      } finally {
-        g.dispose();
-      }
-      Files.writeString(file, g.document(chart, size), StandardCharsets.UTF_8);
+      SvgWriter.write(chart, file, size);
     }
   };
 

@@ -3,12 +3,10 @@ package no.hials.crosscom.cli.plot;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.Shape;
 import java.awt.font.FontRenderContext;
 import java.awt.font.TextLayout;
-import java.awt.geom.AffineTransform;
 
-/** The fonts of a chart, and text as shapes. */
+/** The fonts of a chart, and its texts. */
 final class Typeface {
   static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 17);
   static final Font HEADING = new Font(Font.SANS_SERIF, Font.BOLD, 13);
@@ -41,10 +39,22 @@ final class Typeface {
     if (text.isEmpty()) {
       return;
     }
-    Shape shape =
-        new TextLayout(text, font, CONTEXT).getOutline(AffineTransform.getTranslateInstance(x, y));
+    g.setFont(font);
     g.setColor(color);
-    g.fill(shape);
+    g.drawString(printable(text), (float) x, (float) y);
+  }
+
+  /** Replaces control characters and halves of pairs, which neither fonts nor XML have. */
+  static String printable(String text) {
+    StringBuilder printable = new StringBuilder();
+    text.codePoints()
+        .map(c -> c == '\n' || !isControl(c) ? c : 0xFFFD)
+        .forEach(printable::appendCodePoint);
+    return printable.toString();
+  }
+
+  private static boolean isControl(int c) {
+    return c < 0x20 || (c >= 0xD800 && c < 0xE000) || c == 0xFFFE || c == 0xFFFF;
   }
 
   /** Cuts a text to a width; what is left ends with dots. */

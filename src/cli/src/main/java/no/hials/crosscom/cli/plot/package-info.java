@@ -2,9 +2,9 @@
  * Charts as files, PNG or SVG: what is to be seen in records ({@link
  * no.hials.crosscom.cli.plot.Chart}, its panels and their series), and how it is drawn behind them.
  *
- * <p>XChart draws a panel; where panels stand, their legends and the SVG are made here. Nothing
- * needs a display, and text becomes shapes, so that a picture looks the same where its fonts are
- * missing.
+ * <p>XChart draws the axes of a panel and Batik writes the SVG. The rest is drawn here, since
+ * XChart breaks dashes at each point, drops a point that stands between two gaps, wraps no legend,
+ * and has neither several panels in one SVG nor axes of one scale. Nothing needs a display.
  */
 @NullMarked
 package no.hials.crosscom.cli.plot;

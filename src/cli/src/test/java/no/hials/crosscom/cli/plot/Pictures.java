@@ -1,15 +1,20 @@
 package no.hials.crosscom.cli.plot;
 
+import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
 import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
 
 /** Reads pictures back. */
@@ -42,6 +47,29 @@ public final class Pictures {
     } catch (ParserConfigurationException | SAXException e) {
       throw new IOException(e);
     }
+  }
+
+  /** Gives the shapes of an SVG that are filled, or whose outlines are drawn, in a colour. */
+  public static List<Element> shapes(Document svg, String attribute, Color color) {
+    String value = "rgb(%d,%d,%d)".formatted(color.getRed(), color.getGreen(), color.getBlue());
+    List<Element> shapes = new ArrayList<>();
+    for (String tag : List.of("path", "rect", "circle", "polygon")) {
+      NodeList elements = svg.getElementsByTagName(tag);
+      for (int i = 0; i < elements.getLength(); i++) {
+        Element element = (Element) elements.item(i);
+        if (inherited(element, attribute).equals(value)) {
+          shapes.add(element);
+        }
+      }
+    }
+    return shapes;
+  }
+
+  /** Gives an attribute of an element, or else of the nearest group around it that has it. */
+  public static String inherited(Element element, String attribute) {
+    return element.hasAttribute(attribute) || !(element.getParentNode() instanceof Element parent)
+        ? element.getAttribute(attribute)
+        : inherited(parent, attribute);
   }
 
   /** Gives the title of an SVG and what it says of its panels. */

@@ -1,0 +1,53 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import no.hials.crosscom.CrossComAccessException;
+import no.hials.crosscom.CrossComClient;
+
+/** Reads without waiting for the answers, combines two of them, and handles a failure. */
+public final class AsyncReads {
+  private AsyncReads() {}
+
+  /**
+   * Runs the example.
+   *
+   * @param args {@code HOST PORT}, or nothing for a simulated controller
+   * @throws IOException if connecting failed
+   * @throws ExecutionException if reading failed
+   * @throws InterruptedException if the waiting was interrupted
+   * @throws TimeoutException if the answers did not come in 10 s
+   */
+  public static void main(String[] args)
+      throws IOException, ExecutionException, InterruptedException, TimeoutException {
+    try (Controller controller = Controller.of(args)) {
+      read(controller.client());
+    }
+  }
+
+  private static void read(CrossComClient client)
+      throws ExecutionException, InterruptedException, TimeoutException {
+    // Nothing is gained in time: the server answers one request after the other. But this thread
+    // is free meanwhile, as that of a window must be.
+    CompletableFuture<String> mode = client.readTextAsync("$MODE_OP");
+    CompletableFuture<String> override = client.readTextAsync("$OV_PRO");
+    System.out.println("asked for the mode and the override");
+
+    CompletableFuture<String> both = mode.thenCombine(override, (m, o) -> m + " at " + o + " %");
+    System.out.println(both.get(10, TimeUnit.SECONDS));
+
+    try {
+      client.readTextAsync("NO_SUCH_VARIABLE").get(10, TimeUnit.SECONDS);
+    } catch (ExecutionException e) {
+      // what the plain method would throw is the cause
+      if (e.getCause() instanceof CrossComAccessException refused) {
+        System.out.println("refused: " + refused.getVariable());
+      } else {
+        throw e;
+      }
+    }
+  }
+}

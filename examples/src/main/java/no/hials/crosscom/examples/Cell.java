@@ -1,0 +1,97 @@
+package no.hials.crosscom.examples;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.time.Duration;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.control.OperatingMode;
+import no.hials.crosscom.control.Safety;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.mock.Controller;
+import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.mock.MockServer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Connects an example that moves a robot: to the controller named on its command line, or to a
+ * simulated one that runs programs of {@code krl}.
+ */
+final class Cell implements Closeable {
+  /**
+   * Where the simulated robot begins: not at the home position, since a straight path leads from
+   * there through a singularity.
+   */
+  static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);
+
+  private final @Nullable MockServer mock;
+  private final CrossComClient client;
+
+  private Cell(@Nullable MockServer mock, String host, int port) throws IOException {
+    this.mock = mock;
+    this.client = new CrossComClient(host, port);
+  }
+
+  /**
+   * Connects. The simulated controller runs in AUT, with the watchdog as submit program.
+   *
+   * @param args {@code HOST PORT}, or nothing for a simulated controller
+   * @param program the program of {@code krl} that moves the robot; on a real controller it has to
+   *     run already
+   * @param ready the variable that the program changes when it is ready
+   */
+  static Cell of(String[] args, String program, String ready) throws IOException, KrlFileException {
+    if (args.length == 2) {
+      return new Cell(null, args[0], Integer.parseInt(args[1]));
+    }
+    MockServer mock = MockServer.start();
+    Controller controller = mock.controller();
+    controller.load(KrlFolder.file("config.dat"));
+    controller.setMode(no.hials.crosscom.mock.OperatingMode.AUT);
+    controller.place(START);
+    controller.submit().select(controller.load(KrlFolder.file("jov_sps.sub")));
+    controller.submit().start();
+    Cell cell = new Cell(mock, mock.host(), mock.port());
+    String before = cell.client.readText(ready);
+    controller.robot().select(controller.load(KrlFolder.file(program)));
+    controller.robot().start();
+    cell.awaitOther(ready, before);
+    return cell;
+  }
+
+  private void awaitOther(String name, String before) throws IOException {
+    long end = System.nanoTime() + Duration.ofSeconds(10).toNanos();
+    while (client.readText(name).equals(before)) {
+      if (System.nanoTime() > end) {
+        throw new IOException("the program must change " + name + ", which is still " + before);
+      }
+    }
+  }
+
+  CrossComClient client() {
+    return client;
+  }
+
+  /**
+   * Sets what differs from the default limits for a simulated robot: it is in AUT, and a busy
+   * computer is no reason to stop it. A real one keeps the defaults, T1 among them.
+   */
+  void limit(Safety.Builder safety) {
+    if (mock != null) {
+      safety
+          .modes(OperatingMode.AUT)
+          .path(100, 20, 50)
+          .axes(30, 10, 15)
+          .maxFeedbackAge(Duration.ofSeconds(2))
+          .maxStall(Duration.ofSeconds(2))
+          .watchdog(Duration.ofSeconds(5));
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    client.close();
+    if (mock != null) {
+      mock.close();
+    }
+  }
+}

@@ -1,0 +1,80 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Locale;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.KRL.structs.KRLE6Pos;
+import no.hials.crosscom.control.ControlLoop;
+import no.hials.crosscom.control.Law;
+import no.hials.crosscom.control.LoopConfig;
+import no.hials.crosscom.control.LoopStatistics.TrackingError;
+import no.hials.crosscom.control.Twist;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.mock.KrlFileException;
+
+/**
+ * Moves the tool along a circle by a law that says where it is to be at each time. {@code
+ * krl/follow_pos.src} is what moves.
+ */
+public final class ControlByPosition {
+  private static final double RADIUS = 10; // mm
+  private static final double SECONDS = 1.5;
+
+  private ControlByPosition() {}
+
+  /**
+   * Runs the example. <b>With arguments it moves that robot</b>: T1, and a hand on the enabling
+   * switch.
+   *
+   * @param args {@code HOST PORT} of a controller in which {@code FOLLOW_POS} and {@code JOV_SPS}
+   *     run, or nothing for a simulated controller
+   * @throws IOException if a file could not be read, an access failed, or the loop refused to start
+   * @throws KrlFileException if a file has errors
+   * @throws InterruptedException if the waiting was interrupted
+   */
+  public static void main(String[] args)
+      throws IOException, KrlFileException, InterruptedException {
+    try (Cell cell = Cell.of(args, "follow_pos.src", "JOV_POS")) {
+      KRLE6Pos position = KRLVariable.POS_ACT();
+      cell.client().readVariable(position);
+      Frame start = frame(position);
+      LoopConfig config =
+          LoopConfig.create(
+              cfg ->
+                  cfg.period(Duration.ofMillis(20))
+                      .noInput() // the law moves the robot by itself
+                      .duration(Duration.ofSeconds(2)) // then it has come to rest
+                      .safety(cell::limit));
+      try (ControlLoop loop = ControlLoop.start(cell.client(), config, circle(start))) {
+        System.out.println(loop.await());
+        for (TrackingError error : loop.statistics().errors()) {
+          System.out.printf(
+              Locale.ROOT,
+              "%s: at most %.2f %s from its target%n",
+              error.quantity(),
+              error.most(),
+              error.unit());
+        }
+      }
+      cell.client().readVariable(position);
+      double away = frame(position).distance(start);
+      System.out.println(away < 1 ? "the circle is closed" : "it is open by " + away + " mm");
+    }
+  }
+
+  /** Gives a circle in the Y-Z plane that begins and ends where the robot stands. */
+  private static Law circle(Frame start) {
+    return Law.cartesianPosition(
+        state -> {
+          double angle = 2 * Math.PI * Math.min(1, state.time() / SECONDS);
+          double y = RADIUS * Math.sin(angle);
+          double z = RADIUS * (1 - Math.cos(angle));
+          return Twist.linear(0, y, z).move(start, 1);
+        });
+  }
+
+  private static Frame frame(KRLE6Pos p) {
+    return new Frame(p.getX(), p.getY(), p.getZ(), p.getA(), p.getB(), p.getC());
+  }
+}

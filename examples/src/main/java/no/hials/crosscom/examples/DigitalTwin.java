@@ -1,0 +1,88 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Locale;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.KRL.structs.KRLE6Axis;
+import no.hials.crosscom.KRL.structs.KRLE6Pos;
+import no.hials.crosscom.VariableResult;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.mock.Clock;
+import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.mock.MockServer;
+
+/**
+ * Keeps a model of the robot where the robot is: it computes the flange from the axes, and compares
+ * it with what the controller says.
+ */
+public final class DigitalTwin {
+  private static final int SAMPLES = 5;
+
+  private DigitalTwin() {}
+
+  /** Lets time pass between two samples. */
+  private interface Pause {
+    void pause() throws InterruptedException;
+  }
+
+  /**
+   * Runs the example.
+   *
+   * @param args {@code HOST PORT} of a KR 6 R900 sixx with neither tool nor base set, or nothing
+   *     for a simulated controller
+   * @throws IOException if reading failed
+   * @throws KrlFileException if the program has errors
+   * @throws InterruptedException if the waiting was interrupted
+   */
+  public static void main(String[] args)
+      throws IOException, KrlFileException, InterruptedException {
+    if (args.length == 2) {
+      try (CrossComClient client = new CrossComClient(args[0], Integer.parseInt(args[1]))) {
+        mirror(client, () -> Thread.sleep(200));
+      }
+      return;
+    }
+    try (MockServer robot = MockServer.start(cfg -> cfg.clock(Clock.stepped()));
+        CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
+      String program = "DEF GO ( )\n  PTP {A1 60, A2 -70, A5 30}\nEND\n";
+      robot.controller().robot().select(robot.controller().load("go.src", program));
+      robot.controller().robot().start();
+      mirror(client, () -> robot.controller().step(Duration.ofMillis(300)));
+    }
+  }
+
+  private static void mirror(CrossComClient client, Pause pause)
+      throws IOException, InterruptedException {
+    RobotModel model = RobotModel.kr6r900sixx();
+    KRLE6Axis axes = KRLVariable.AXIS_ACT();
+    KRLE6Pos position = KRLVariable.POS_ACT();
+    for (int i = 0; i < SAMPLES; i++) {
+      pause.pause();
+      for (VariableResult result : client.readVariables(axes, position)) {
+        result.orThrow();
+      }
+      Frame twin = model.forward(Axes.of(axes.asArrayA1ToA6()));
+      double apart =
+          twin.distance(
+              new Frame(
+                  position.getX(),
+                  position.getY(),
+                  position.getZ(),
+                  position.getA(),
+                  position.getB(),
+                  position.getC()));
+      // on a moving robot, the two were not read at the same moment
+      System.out.printf(
+          Locale.ROOT,
+          "X %.1f, Y %.1f, Z %.1f mm; the robot says %.3f mm from there%n",
+          twin.x(),
+          twin.y(),
+          twin.z(),
+          apart);
+    }
+  }
+}

@@ -1,0 +1,73 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import java.time.Duration;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.mock.Clock;
+import no.hials.crosscom.mock.Controller;
+import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.mock.ProgramState;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.code.Interpreter;
+
+/**
+ * Finds out why a robot stands, confirms the messages, and starts its program again. It needs C3
+ * Bridge.
+ */
+public final class HandleAStoppedRobot {
+  private static final String PROGRAM = "DEF SWING ( )\n  PTP {A1 60}\n  PTP {A1 0}\nEND\n";
+
+  private HandleAStoppedRobot() {}
+
+  /**
+   * Runs the example. It needs the simulation, whose emergency stop it presses.
+   *
+   * @param args not used
+   * @throws IOException if an access failed
+   * @throws KrlFileException if the program has errors
+   */
+  public static void main(String[] args) throws IOException, KrlFileException {
+    try (MockServer robot =
+            MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(Clock.stepped()));
+        CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
+      Controller controller = robot.controller();
+      controller.setMode(OperatingMode.AUT);
+      controller.robot().select(controller.load("swing.src", PROGRAM));
+      controller.robot().start();
+      controller.step(Duration.ofMillis(240));
+      print("it moves", client);
+
+      controller.emergencyStop(true);
+      controller.step(Duration.ofSeconds(1));
+      print("emergency stop", client);
+      controller.messages().forEach(message -> System.out.println("  " + message));
+
+      controller.emergencyStop(false);
+      print("released", client);
+
+      // To confirm means to have understood. A program that does it without a person looking has
+      // switched the message off.
+      client.information().confirmAll();
+      print("confirmed", client);
+
+      client.programs().start(Interpreter.ROBOT); // moves a machine
+      controller.stepUntil(
+          () -> controller.robot().state() == ProgramState.END, Duration.ofSeconds(20));
+      print("started again", client);
+    }
+  }
+
+  private static void print(String what, CrossComClient client) throws IOException {
+    System.out.println(
+        what
+            + ": program "
+            + client.readText("$PRO_STATE1")
+            + ", stop message "
+            + client.readText("$STOPMESS")
+            + ", A1 at "
+            + client.readText("$AXIS_ACT.A1")
+            + " degrees");
+  }
+}

@@ -1,0 +1,56 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import no.hials.crosscom.control.ControlRefusedException;
+import no.hials.crosscom.control.PathPlayer;
+import no.hials.crosscom.control.Safety;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.mock.KrlFileException;
+
+/**
+ * Has {@code krl/play_path.src} drive along ten points, and shows that a path with one bad point is
+ * refused as a whole. {@link FollowAPath} does by hand what the player does here.
+ */
+public final class PlayAPath {
+  private static final Duration LIMIT = Duration.ofSeconds(30);
+
+  private PlayAPath() {}
+
+  /**
+   * Runs the example. <b>With arguments it moves that robot</b>: T1, and a hand on the enabling
+   * switch.
+   *
+   * @param args {@code HOST PORT} of a controller in which {@code PLAY_PATH} and {@code JOV_SPS}
+   *     run, or nothing for a simulated controller
+   * @throws IOException if a file could not be read, an access failed, or the path was refused
+   * @throws KrlFileException if a file has errors
+   * @throws InterruptedException if the waiting was interrupted
+   */
+  public static void main(String[] args)
+      throws IOException, KrlFileException, InterruptedException {
+    try (Cell cell = Cell.of(args, "play_path.src", "JOV_RESULT")) {
+      PathPlayer player = new PathPlayer(cell.client(), Safety.create(cell::limit));
+      Axes start = Axes.of(cell.client().readJointAngles());
+      List<Axes> points = new ArrayList<>();
+      for (int i = 1; i <= 10; i++) {
+        // A1 to 5 degrees and back, A5 by 0.5 degrees a point
+        double swing = 0.2 * i * (10 - i);
+        points.add(start.plus(Axes.of(swing, 0, 0, 0, 0.5 * i, 0)));
+      }
+      player.playAxes(points, LIMIT); // comes back when the robot is at the last point
+      Axes end = Axes.of(cell.client().readJointAngles());
+      System.out.println("came to " + Arrays.toString(end.toArray()) + " degrees");
+
+      points.add(start.with(0, 169)); // too near the end of A1's range
+      try {
+        player.playAxes(points, LIMIT);
+      } catch (ControlRefusedException e) {
+        System.out.println("nothing was moved: " + e.getMessage());
+      }
+    }
+  }
+}

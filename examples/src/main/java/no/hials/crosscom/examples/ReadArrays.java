@@ -1,0 +1,66 @@
+package no.hials.crosscom.examples;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.KRL.KRLBoolArray;
+import no.hials.crosscom.KRL.KRLReal;
+import no.hials.crosscom.KRL.KRLRealArray;
+
+/** Reads a whole array in one access, an array element by element, and one element. */
+public final class ReadArrays {
+  private ReadArrays() {}
+
+  /**
+   * Runs the example.
+   *
+   * @param args {@code HOST PORT}, or nothing for a simulated controller
+   * @throws IOException if reading failed
+   */
+  public static void main(String[] args) throws IOException {
+    try (Controller controller = Controller.of(args)) {
+      read(controller.client());
+    }
+  }
+
+  private static void read(CrossComClient client) throws IOException {
+    KRLRealArray least = new KRLRealArray("$SOFTN_END[]"); // empty brackets: all of it
+    client.readVariable(least);
+    System.out.println("least angles of A1 to A6 in degrees: " + first(least, 6));
+
+    KRLBoolArray inputs = new KRLBoolArray("$IN[]"); // 4096 of them, still one access
+    client.readVariable(inputs);
+    System.out.println("inputs that are on: " + on(inputs));
+
+    // With its length, an array that a controller does not give whole is read one by one: an access
+    // an element, so it is worth knowing how far it has come.
+    KRLRealArray torques = new KRLRealArray("$TORQUE_AXIS_ACT[]", 6);
+    client.readVariable(
+        torques, (done, total) -> System.out.println("torque " + done + " of " + total));
+    System.out.println("torques of A1 to A6 in Nm: " + first(torques, 6));
+
+    KRLReal most = new KRLReal("$SOFTP_END[1]"); // KRL counts from 1
+    client.readVariable(most);
+    System.out.println("greatest angle of A1 in degrees: " + most.doubleValue());
+  }
+
+  /** Gives numbers as KRL does, from 1. */
+  private static List<Integer> on(KRLBoolArray inputs) {
+    List<Integer> numbers = new ArrayList<>();
+    boolean[] values = Objects.requireNonNull(inputs.getValue(), "it has been read");
+    for (int i = 0; i < values.length; i++) {
+      if (values[i]) {
+        numbers.add(i + 1);
+      }
+    }
+    return numbers;
+  }
+
+  private static String first(KRLRealArray array, int count) {
+    double[] values = Objects.requireNonNull(array.getValue(), "it has been read");
+    return Arrays.toString(Arrays.copyOf(values, count)); // the arrays have 12, for external axes
+  }
+}

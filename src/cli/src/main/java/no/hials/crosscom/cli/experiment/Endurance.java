@@ -1,0 +1,100 @@
+package no.hials.crosscom.cli.experiment;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.cli.plot.Axis;
+import no.hials.crosscom.cli.plot.Chart;
+import no.hials.crosscom.cli.plot.Panel;
+import no.hials.crosscom.cli.plot.Series;
+import no.hials.crosscom.control.ControlRefusedException;
+import no.hials.crosscom.control.Law;
+import no.hials.crosscom.control.Trace;
+
+/** Draws circles for a long time in the shortest useful period, and finds who missed a cycle. */
+final class Endurance implements Experiment {
+  private static final Control CONTROL = Control.POSITION;
+  private static final int HEIGHT = 800;
+
+  @Override
+  public String name() {
+    return "endurance";
+  }
+
+  @Override
+  public String description() {
+    return "Circles for 10 minutes with a period of 12 ms, and whose fault each missed cycle is.";
+  }
+
+  @Override
+  public Settings usual() {
+    return new Settings(
+        Duration.ofMinutes(10),
+        Duration.ofSeconds(10),
+        Duration.ofMillis(12),
+        Duration.ofMillis(12),
+        "krc4");
+  }
+
+  @Override
+  public Outcome run(Settings settings) throws ControlRefusedException, IOException {
+    try (Pauses pauses = new Pauses()) {
+      Law.CartesianPosition circles =
+          (Law.CartesianPosition) CONTROL.law(Shape.CIRCLE, settings.lapSeconds());
+      Law law =
+          Law.cartesianPosition(
+              state -> {
+                pauses.begin();
+                return circles.position(state);
+              });
+      Run run = Run.of("", settings, SimulatedRobot.START, CONTROL.program(), law);
+      List<Pauses.Pause> seen = pauses.seen();
+      Misses misses = Misses.of(run.cycles(), seen, settings.period());
+      return new Outcome(List.of(run), figures(misses, seen), chart(run, seen, settings), HEIGHT);
+    }
+  }
+
+  private static List<Outcome.Figure> figures(Misses misses, List<Pauses.Pause> pauses) {
+    double[] lengths = pauses.stream().mapToDouble(pause -> pause.length() * 1e3).toArray();
+    double sum = 0;
+    for (double length : lengths) {
+      sum += length;
+    }
+    return List.of(
+        new Outcome.Figure(
+            "missed, the accesses left less than 1 ms of the period", misses.byAccess(), ""),
+        new Outcome.Figure("missed, garbage collection", misses.byCollection(), ""),
+        new Outcome.Figure("missed, anything else", misses.byOther(), ""),
+        new Outcome.Figure("garbage collections", lengths.length, ""),
+        new Outcome.Figure("garbage collections, together", sum, "ms"),
+        new Outcome.Figure("garbage collections, longest", Errors.most(lengths), "ms"));
+  }
+
+  private static Chart chart(Run run, List<Pauses.Pause> pauses, Settings settings) {
+    List<Trace.Cycle> cycles = run.cycles();
+    List<Series> series = new ArrayList<>();
+    series.add(
+        Series.of(
+            "period",
+            Series.Style.POINTS,
+            Plots.times(cycles),
+            Plots.values(cycles, Trace.Cycle::period)));
+    series.add(
+        Series.of(
+            "reading and writing",
+            Series.Style.POINTS,
+            Plots.times(cycles),
+            Plots.values(cycles, cycle -> cycle.read() + cycle.write())));
+    series.add(
+        Series.of(
+            "garbage collection",
+            Series.Style.POINTS,
+            pauses.stream().mapToDouble(Pauses.Pause::begin).toArray(),
+            pauses.stream().mapToDouble(pause -> pause.length() * 1e3).toArray()));
+    Panel histogram = Plots.accessHistogram(cycles);
+    return Chart.stacked(
+        settings.title("endurance: circles by ACTUATOR"),
+        List.of(Plots.overTime("each cycle", new Axis("time", "ms"), series), histogram));
+  }
+}

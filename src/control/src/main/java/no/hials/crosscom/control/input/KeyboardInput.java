@@ -1,0 +1,268 @@
+package no.hials.crosscom.control.input;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.function.LongSupplier;
+import org.jline.terminal.Attributes;
+import org.jline.terminal.Attributes.ControlChar;
+import org.jline.terminal.Attributes.InputFlag;
+import org.jline.terminal.Attributes.LocalFlag;
+import org.jline.terminal.Terminal;
+import org.jline.terminal.TerminalBuilder;
+import org.jline.terminal.impl.AbstractPosixTerminal;
+import org.jline.terminal.spi.Pty;
+import org.jline.utils.ClosedException;
+import org.jline.utils.NonBlockingReader;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Takes keys of the terminal. Its six axes are X, Y, Z and the rotations A, B, C, or A1 to A6:
+ *
+ * <table>
+ *   <caption>The keys</caption>
+ *   <tr><th>axis</th><th>1</th><th>2</th><th>3</th><th>4</th><th>5</th><th>6</th></tr>
+ *   <tr><td>+</td><td>w, up</td><td>a, left</td><td>r, page up</td><td>u</td><td>i</td><td>o</td>
+ *   </tr>
+ *   <tr><td>-</td><td>s, down</td><td>d, right</td><td>f, page down</td><td>j</td><td>k</td>
+ *   <td>l</td></tr>
+ * </table>
+ *
+ * <p>{@code +} and {@code -} change the deflection by a tenth, space lets go of everything, and
+ * {@code q} does so for good ({@link #isEnded}). Capital letters are the same.
+ *
+ * <p><b>The dead-man is the repeat of the key.</b> A terminal tells that a key is pressed, and
+ * tells it again and again while it is held; it never tells that it is let go. So a key counts as
+ * held for {@link #HOLD} after each time that it came. From this follows: the robot goes on for
+ * that time after the key is let go; it stands between the first and the second time, since
+ * keyboards wait 200 to 600 ms until they repeat; and of several keys only the last one counts, as
+ * only that one repeats. A repeat slower than {@code HOLD} gives a motion with stops.
+ *
+ * <p>Keys come at once and are not shown, and Ctrl-Z and Ctrl-S do nothing, as a suspended program
+ * could not stop a robot; Ctrl-C is the signal that it always is. The terminal is as it was before
+ * when this is closed; if the JVM ends at the same time, as after Ctrl-C, that may fail. It needs
+ * JLine ({@code org.jline:jline}), which this library does not bring along, and runs the daemon
+ * thread {@code crosscom-input-keyboard} until it is closed.
+ */
+public final class KeyboardInput implements InputDevice {
+  /** How long a key counts as held after it came, in ms: longer than the repeat of keyboards. */
+  public static final int HOLD = 150;
+
+  private static final int AXES = 6;
+  private static final int STEPS = 10;
+  private static final long POLL_MILLIS = 50;
+
+  /** How long the parts of an escape sequence may be apart. */
+  private static final long SEQUENCE_MILLIS = 200;
+
+  /** The keys that move, + and - of each axis in turn. */
+  private static final String KEYS = "wsadrfujikol";
+
+  /** The ends of the sequences of arrows (ECMA-48), in the order of the keys that do the same. */
+  private static final String ARROWS = "ABDC";
+
+  private static final String PAGE_UP = "5";
+  private static final String PAGE_DOWN = "6";
+  private static final int ESCAPE = 0x1b;
+  private static final int FIRST_FINAL = 0x40;
+  private static final int BELL = 7;
+
+  /** What follows the escape of a string that a terminal sends: DCS, OSC, SOS, PM, APC. */
+  private static final String STRINGS = "P]X^_";
+
+  private static final int STRING_END = '\\';
+
+  private final Terminal terminal;
+  private final @Nullable Pty pty;
+  private final Attributes before;
+  private final LongSupplier clock;
+  private final Thread thread;
+  private volatile Press last = new Press(0, 0, 0);
+  private volatile int steps = STEPS;
+  private volatile boolean ended;
+  private volatile boolean closed;
+  private volatile @Nullable IOException failure;
+
+  /** A key that moves; the direction is 0 for none. */
+  private record Press(int axis, int direction, long nanos) {}
+
+  private KeyboardInput(Terminal terminal, LongSupplier clock) {
+    this.terminal = terminal;
+    this.clock = clock;
+    pty = terminal instanceof AbstractPosixTerminal posix ? posix.getPty() : null;
+    before = terminal.getAttributes();
+    Attributes keys = new Attributes(before);
+    keys.setLocalFlags(EnumSet.of(LocalFlag.ICANON, LocalFlag.ECHO), false);
+    keys.setInputFlag(InputFlag.IXON, false);
+    keys.setControlChar(ControlChar.VSUSP, 0);
+    keys.setControlChar(ControlChar.VMIN, 0);
+    keys.setControlChar(ControlChar.VTIME, 1);
+    terminal.setAttributes(keys);
+    thread = new Thread(this::run, "crosscom-input-keyboard");
+    thread.setDaemon(true);
+  }
+
+  /**
+   * Takes the terminal of this process.
+   *
+   * @return the device, which is to be closed
+   * @throws IOException if there is none
+   */
+  public static KeyboardInput open() throws IOException {
+    Terminal terminal;
+    try {
+      terminal =
+          TerminalBuilder.builder()
+              .system(true)
+              // the native library is quicker, and stty is there where it cannot be loaded
+              .providers("jni,exec")
+              .dumb(false)
+              .nativeSignals(false)
+              // else JLine asks the terminal what it can, and a late answer looks like keys
+              .graphemeCluster(false)
+              .build();
+    } catch (IOException | IllegalStateException e) {
+      throw new IOException("the keyboard needs a terminal: " + e.getMessage(), e);
+    }
+    return on(terminal, System::nanoTime);
+  }
+
+  static KeyboardInput on(Terminal terminal, LongSupplier clock) {
+    KeyboardInput keyboard = new KeyboardInput(terminal, clock);
+    keyboard.thread.start();
+    return keyboard;
+  }
+
+  private void run() {
+    NonBlockingReader reader = terminal.reader();
+    try {
+      while (!closed) {
+        // in pieces, so that this ends soon after it was closed
+        int next = reader.read(POLL_MILLIS);
+        if (next == ESCAPE) {
+          sequence(reader);
+        } else if (next >= 0) {
+          take(Character.toLowerCase((char) next));
+        } else if (next != NonBlockingReader.READ_EXPIRED) {
+          throw new ClosedException();
+        }
+      }
+    } catch (ClosedException e) {
+      // by this, by its user, or by JLine since the JVM ends, as after Ctrl-C: that is no failure
+      ended = true;
+    } catch (IOException | RuntimeException | java.io.IOError e) {
+      if (!closed) {
+        failure = e instanceof IOException io ? io : new IOException("no keys any more: " + e, e);
+      }
+    }
+  }
+
+  /**
+   * Reads the rest of an escape sequence, be it a key or what the terminal has to say, so that no
+   * part of it is taken for a key.
+   */
+  private void sequence(NonBlockingReader reader) throws IOException {
+    int kind = reader.read(SEQUENCE_MILLIS);
+    if (kind == 'O') {
+      takeSequence("", reader.read(SEQUENCE_MILLIS));
+    } else if (kind == '[') {
+      StringBuilder parameters = new StringBuilder();
+      int next = reader.read(SEQUENCE_MILLIS);
+      while (next >= ' ' && next < FIRST_FINAL) {
+        parameters.append((char) next);
+        next = reader.read(SEQUENCE_MILLIS);
+      }
+      takeSequence(parameters.toString(), next);
+    } else if (kind >= 0 && STRINGS.indexOf(kind) >= 0) {
+      int next = reader.read(SEQUENCE_MILLIS);
+      while (next >= 0 && next != BELL && next != STRING_END) {
+        next = reader.read(SEQUENCE_MILLIS);
+      }
+    }
+  }
+
+  private void takeSequence(String parameters, int end) {
+    int arrow = end >= 0 ? ARROWS.indexOf(end) : -1;
+    if (parameters.isEmpty() && arrow >= 0) {
+      take(KEYS.charAt(arrow));
+    } else if (parameters.equals(PAGE_UP) && end == '~') {
+      take('r');
+    } else if (parameters.equals(PAGE_DOWN) && end == '~') {
+      take('f');
+    }
+  }
+
+  private void take(char key) {
+    int move = KEYS.indexOf(key);
+    if (move >= 0) {
+      last = new Press(move / 2, move % 2 == 0 ? 1 : -1, clock.getAsLong());
+    } else if (key == ' ') {
+      last = new Press(0, 0, clock.getAsLong());
+    } else if (key == '+') {
+      steps = Math.min(STEPS, steps + 1);
+    } else if (key == '-') {
+      steps = Math.max(1, steps - 1);
+    } else if (key == 'q') {
+      ended = true;
+    }
+  }
+
+  @Override
+  public Input read() throws IOException {
+    if (failure != null) {
+      throw failure;
+    }
+    Press press = last;
+    long age = clock.getAsLong() - press.nanos();
+    if (ended || press.direction() == 0 || age > HOLD * 1_000_000L) {
+      return new Input(Collections.nCopies(AXES, 0.0), List.of(), false, press.nanos());
+    }
+    List<Double> axes = new ArrayList<>(Collections.nCopies(AXES, 0.0));
+    axes.set(press.axis(), press.direction() * scale());
+    return new Input(axes, List.of(), true, press.nanos());
+  }
+
+  /**
+   * Gives what a held key deflects its axis by, which {@code +} and {@code -} change.
+   *
+   * @return 0.1 to 1, at first 1
+   */
+  public double scale() {
+    return (double) steps / STEPS;
+  }
+
+  /**
+   * Says whether the user has pressed {@code q}, or the terminal has gone, as when the JVM ends.
+   * From then on nothing moves.
+   *
+   * @return true if so
+   */
+  public boolean isEnded() {
+    return ended;
+  }
+
+  /** Gives the terminal back as it was. */
+  @Override
+  public void close() throws IOException {
+    closed = true;
+    try {
+      thread.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    try {
+      if (pty != null) {
+        // JLine refuses it on a terminal that it is about to give back itself as the JVM ends, and
+        // the JVM may end before JLine does so
+        pty.setAttr(before);
+      } else {
+        terminal.setAttributes(before);
+      }
+      terminal.close();
+    } catch (IllegalStateException e) {
+      // JLine has closed it already
+    }
+  }
+}

@@ -37,7 +37,7 @@ import picocli.CommandLine.Parameters;
     })
 final class FileGet extends FileSubcommand {
   @Parameters(
-      arity = "2..*",
+      arity = "1..*",
       paramLabel = "REMOTE... LOCAL",
       hideParamSyntax = true,
       description = "Files on the controller, and last the place on this computer.")
@@ -74,6 +74,10 @@ final class FileGet extends FileSubcommand {
 
   @Override
   ExitCode work() throws IOException {
+    // asked for here, since picocli takes no option between them if it is to count them
+    if (arguments.size() < 2) {
+      throw wrongUsage("needs REMOTE and LOCAL, there is only " + arguments.get(0));
+    }
     List<String> names = checked("REMOTE", arguments.subList(0, arguments.size() - 1));
     Path place = place(names.size());
     Target target = target();

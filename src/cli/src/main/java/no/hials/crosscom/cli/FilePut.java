@@ -54,7 +54,7 @@ final class FilePut extends FileSubcommand {
   private static final int MAX_ERRORS = 5;
 
   @Parameters(
-      arity = "2..*",
+      arity = "1..*",
       paramLabel = "LOCAL... REMOTE",
       hideParamSyntax = true,
       description = "Files of this computer, and last the place on the controller.")
@@ -98,6 +98,10 @@ final class FilePut extends FileSubcommand {
 
   @Override
   ExitCode work() throws IOException {
+    // asked for here, since picocli takes no option between them if it is to count them
+    if (arguments.size() < 2) {
+      throw wrongUsage("needs LOCAL and REMOTE, there is only " + arguments.get(0));
+    }
     String remote = checked("REMOTE", arguments.get(arguments.size() - 1));
     List<Source> sources = sources();
     Path program = select ? programOf(sources) : null;

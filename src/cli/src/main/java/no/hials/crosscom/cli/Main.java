@@ -11,6 +11,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
 import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -81,7 +82,8 @@ public final class Main {
 
   private static ExitCode usageError(Console console, ParameterException e) {
     console.error(message(e));
-    if (e instanceof MissingParameterException) {
+    if (e instanceof MissingParameterException missing
+        && missing.getMissing().stream().anyMatch(ArgSpec::isPositional)) {
       console.hint("in a shell, names with $ need single quotes: '$OV_PRO'");
     }
     if (e instanceof UnmatchedArgumentException unmatched

@@ -301,8 +301,8 @@ class FileCommandsTest {
         "file stat --mock | missing required parameter: 'NAME'",
         "file rm --mock | missing required parameter: 'NAME'",
         "file cp A --mock | missing required parameter: 'TARGET'",
-        "file get A --mock | REMOTE... LOCAL",
-        "file put A --mock | LOCAL... REMOTE",
+        "file get A --mock | needs REMOTE and LOCAL, there is only A",
+        "file put A --mock | needs LOCAL and REMOTE, there is only A",
         "file ls | which controller?"
       })
   void saysWhatIsWrongWithTheUsage(String arguments, String message) {

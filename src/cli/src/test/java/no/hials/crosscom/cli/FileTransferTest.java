@@ -102,7 +102,7 @@ class FileTransferTest {
 
     assertThat(put(src, "/R1/", "--with-dat").lines())
         .containsExactly(dat + " -> /R1/A.DAT, 16 bytes", src + " -> /R1/a.src, 32 bytes");
-    assertThat(put(src, "/R1/B.SRC", "--with-dat").lines())
+    assertThat(put(src, "--with-dat", "/R1/B.SRC").lines())
         .containsExactly(dat + " -> /R1/B.DAT, 16 bytes", src + " -> /R1/B.SRC, 32 bytes");
     assertThat(put(file("c.src", A), "/R1/", "--with-dat").lines()).hasSize(1);
   }

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import no.hials.crosscom.cli.experiment.KrlPrograms;
 import no.hials.crosscom.control.ControlLoop;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.LoopConfig;
@@ -192,7 +193,7 @@ final class DriveCommand extends ConsoleCommand {
     try (StopSignal stop = new StopSignal();
         Controller controller = target.open(cfg -> cfg.reconnect(false))) {
       if (controller.simulation() != null) {
-        DriveSimulation.start(controller.simulation().controller(), space);
+        KrlPrograms.start(controller.simulation().controller(), KrlPrograms.START, space.program);
       }
       // before the question, so that a change since then is not allowed
       OperatingMode mode = mode(controller);

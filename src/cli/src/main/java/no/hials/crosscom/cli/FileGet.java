@@ -74,10 +74,7 @@ final class FileGet extends FileSubcommand {
 
   @Override
   ExitCode work() throws IOException {
-    // asked for here, since picocli takes no option between them if it is to count them
-    if (arguments.size() < 2) {
-      throw wrongUsage("needs REMOTE and LOCAL, there is only " + arguments.get(0));
-    }
+    checkBothGiven("REMOTE and LOCAL", arguments);
     List<String> names = checked("REMOTE", arguments.subList(0, arguments.size() - 1));
     Path place = place(names.size());
     Target target = target();

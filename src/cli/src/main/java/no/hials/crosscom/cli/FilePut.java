@@ -98,10 +98,7 @@ final class FilePut extends FileSubcommand {
 
   @Override
   ExitCode work() throws IOException {
-    // asked for here, since picocli takes no option between them if it is to count them
-    if (arguments.size() < 2) {
-      throw wrongUsage("needs LOCAL and REMOTE, there is only " + arguments.get(0));
-    }
+    checkBothGiven("LOCAL and REMOTE", arguments);
     String remote = checked("REMOTE", arguments.get(arguments.size() - 1));
     List<Source> sources = sources();
     Path program = select ? programOf(sources) : null;

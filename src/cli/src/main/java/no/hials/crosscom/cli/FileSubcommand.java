@@ -38,6 +38,18 @@ abstract class FileSubcommand extends BridgeCommand {
     }
   }
 
+  /**
+   * Refuses a transfer from or to nowhere; here, since picocli takes no option between parameters
+   * that it is to count.
+   *
+   * @param names what the arguments are called
+   */
+  final void checkBothGiven(String names, List<String> arguments) {
+    if (arguments.size() < 2) {
+      throw wrongUsage("needs " + names + ", there is only " + arguments.get(0));
+    }
+  }
+
   /** Reports a failure, with what may be behind it. */
   final ExitCode failed(CrossComException e) {
     if (e instanceof CrossComRefusedException refused) {

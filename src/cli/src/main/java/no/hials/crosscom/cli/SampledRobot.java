@@ -213,9 +213,12 @@ final class SampledRobot implements Closeable {
         : String.valueOf(cause == null ? "the connection is lost" : cause.getMessage());
   }
 
-  /** Says whether the connection is lost now. */
+  /**
+   * Says whether the connection is lost now. One that has enough is not: its last sample came, even
+   * if the news that it is connected again did not come yet.
+   */
   boolean isLost() {
-    return lost != null;
+    return lost != null && !enough;
   }
 
   @Override

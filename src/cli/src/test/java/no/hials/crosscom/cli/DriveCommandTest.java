@@ -18,6 +18,7 @@ import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import no.hials.crosscom.cli.experiment.KrlPrograms;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.control.input.Input;
@@ -198,7 +199,7 @@ class DriveCommandTest {
 
   private static MockServer robot(DriveSpace space) throws IOException {
     MockServer server = MockServer.start(cfg -> {});
-    DriveSimulation.start(server.controller(), space);
+    KrlPrograms.start(server.controller(), KrlPrograms.START, space.program);
     return server;
   }
 

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
+import no.hials.crosscom.cli.experiment.KrlPrograms;
 import no.hials.crosscom.mock.MockServer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -95,7 +96,7 @@ class DriveIT {
 
   private static MockServer robot() throws IOException {
     MockServer server = MockServer.start(cfg -> {});
-    DriveSimulation.start(server.controller(), DriveSpace.JOINTS);
+    KrlPrograms.start(server.controller(), KrlPrograms.START, DriveSpace.JOINTS.program);
     return server;
   }
 

@@ -15,11 +15,24 @@ final class PseudoTerminal {
   static final String CTRL_D = "\u0004";
 
   private static final Path SCRIPT = Path.of("/usr/bin/script");
+  private static final int SIGINT_BIT = 1 << 1;
 
   private PseudoTerminal() {}
 
   static boolean isAvailable() {
     return Files.isExecutable(SCRIPT);
+  }
+
+  /** Says whether Ctrl-C ends what runs here: a shell's background jobs do not take it. */
+  static boolean takesCtrlC() throws IOException {
+    String ignored =
+        Files.readAllLines(Path.of("/proc/self/status")).stream()
+            .filter(line -> line.startsWith("SigIgn:"))
+            .findFirst()
+            .orElseThrow()
+            .substring("SigIgn:".length())
+            .strip();
+    return (Long.parseUnsignedLong(ignored, 16) & SIGINT_BIT) == 0;
   }
 
   /**

@@ -25,8 +25,6 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(120)
 class SamplingIT {
   private static final Path SCRIPT = Path.of("/usr/bin/script");
-  private static final int SIGINT_BIT = 1 << 1;
-
   @TempDir private Path dir;
   private MockServer server;
 
@@ -93,15 +91,7 @@ class SamplingIT {
 
   private static void assumeCtrlCOnATerminal() throws IOException {
     assumeThat(Files.isExecutable(SCRIPT)).isTrue();
-    // a shell's background jobs do not take it, nor do their children
-    String ignored =
-        Files.readAllLines(Path.of("/proc/self/status")).stream()
-            .filter(line -> line.startsWith("SigIgn:"))
-            .findFirst()
-            .orElseThrow()
-            .substring("SigIgn:".length())
-            .strip();
-    assumeThat(Long.parseUnsignedLong(ignored, 16) & SIGINT_BIT).isZero();
+    assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
   }
 
   @Test

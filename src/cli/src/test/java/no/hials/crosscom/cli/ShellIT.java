@@ -33,7 +33,6 @@ import org.junit.jupiter.api.io.TempDir;
 class ShellIT {
   private static final Duration LIMIT = Duration.ofSeconds(60);
   private static final Path SCRIPT = Path.of("/usr/bin/script");
-  private static final int SIGINT_BIT = 1 << 1;
   private static final String PROMPT = "127.0.0.1> ";
   private static final String CTRL_C = "\u0003";
   private static final String CTRL_D = "\u0004";
@@ -57,15 +56,7 @@ class ShellIT {
   }
 
   private static void needsCtrlC() throws IOException {
-    // a shell's background jobs do not take it, nor do their children
-    String ignored =
-        Files.readAllLines(Path.of("/proc/self/status")).stream()
-            .filter(line -> line.startsWith("SigIgn:"))
-            .findFirst()
-            .orElseThrow()
-            .substring("SigIgn:".length())
-            .strip();
-    assumeThat(Long.parseUnsignedLong(ignored, 16) & SIGINT_BIT).isZero();
+    assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
   }
 
   /** Runs the shell on a terminal of 100 columns. */

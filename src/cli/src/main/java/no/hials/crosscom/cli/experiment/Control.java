@@ -38,7 +38,7 @@ enum Control {
       return Law.jointPosition(
           state -> {
             Shape.Point p = shape.at((state.time() + state.period()) / lap).times(DEGREES);
-            return SimulatedRobot.START.plus(Axes.of(p.u(), p.v(), 0, 0, 0, 0));
+            return KrlPrograms.START.plus(Axes.of(p.u(), p.v(), 0, 0, 0, 0));
           });
     }
   },
@@ -59,7 +59,7 @@ enum Control {
   private static final double MM = 50;
 
   private static final double DEGREES = 8;
-  private static final Frame START = SimulatedRobot.MODEL.forward(SimulatedRobot.START);
+  private static final Frame START = SimulatedRobot.MODEL.forward(KrlPrograms.START);
 
   private final String label;
   private final String quantity;
@@ -109,6 +109,6 @@ enum Control {
     Shape.Point p = shape.at(part).times(isCartesian() ? MM : DEGREES);
     return isCartesian()
         ? new Shape.Point(START.y() + p.u(), START.z() + p.v())
-        : new Shape.Point(SimulatedRobot.START.get(0) + p.u(), SimulatedRobot.START.get(1) + p.v());
+        : new Shape.Point(KrlPrograms.START.get(0) + p.u(), KrlPrograms.START.get(1) + p.v());
   }
 }

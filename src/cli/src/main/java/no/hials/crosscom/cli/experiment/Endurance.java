@@ -48,7 +48,7 @@ final class Endurance implements Experiment {
                 pauses.begin();
                 return circles.position(state);
               });
-      Run run = Run.of("", settings, SimulatedRobot.START, CONTROL.program(), law);
+      Run run = Run.of("", settings, KrlPrograms.START, CONTROL.program(), law);
       List<Pauses.Pause> seen = pauses.seen();
       Misses misses = Misses.of(run.cycles(), seen, settings.period());
       return new Outcome(List.of(run), figures(misses, seen), chart(run, seen, settings), HEIGHT);

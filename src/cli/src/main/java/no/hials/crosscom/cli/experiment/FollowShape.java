@@ -53,7 +53,7 @@ record FollowShape(Control control, Shape shape) implements Experiment {
         Run.of(
             "",
             settings,
-            SimulatedRobot.START,
+            KrlPrograms.START,
             control.program(),
             control.law(shape, settings.lapSeconds()));
     List<Trace.Cycle> cycles = run.cycles();

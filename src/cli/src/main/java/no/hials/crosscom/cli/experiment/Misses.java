@@ -7,9 +7,9 @@ import no.hials.crosscom.control.Trace;
 /**
  * The cycles that were left out since the one before took too long, by what took it so long.
  *
- * @param byAccess the accesses to the controller, without the pauses in them: they left less than a
- *     millisecond of the period
- * @param byCollection the pauses of the garbage collection
+ * @param byAccess those that the accesses to the controller alone would have missed, without the
+ *     pauses in them: they left less than a millisecond of the period
+ * @param byCollection the others, if there was a pause for the collection of garbage
  * @param byOther neither: the law, or a computer that had other things to do
  */
 record Misses(long byAccess, long byCollection, long byOther) {
@@ -27,12 +27,13 @@ record Misses(long byAccess, long byCollection, long byOther) {
       long missed = slot(cycles.get(i), dt) - slot(before, dt) - 1;
       if (missed > 0) {
         double paused = Pauses.millisBetween(pauses, before.time(), cycles.get(i).time());
-        if (before.read() + before.write() - paused >= dt - OWN) {
-          byAccess += missed;
-        } else if (paused > 0) {
-          byCollection += missed;
+        double access = Math.max(0, before.read() + before.write() - paused);
+        long expected = Math.min(missed, (long) Math.floor((access + OWN) / dt));
+        byAccess += expected;
+        if (paused > 0) {
+          byCollection += missed - expected;
         } else {
-          byOther += missed;
+          byOther += missed - expected;
         }
       }
     }

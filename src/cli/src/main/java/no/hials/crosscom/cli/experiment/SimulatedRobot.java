@@ -1,8 +1,6 @@
 package no.hials.crosscom.cli.experiment;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.concurrent.locks.LockSupport;
@@ -11,20 +9,13 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
 
 /** A simulated KR 6 R900 sixx whose program waits for increments, and a client of it. */
 final class SimulatedRobot implements AutoCloseable {
   static final RobotModel MODEL = RobotModel.kr6r900sixx();
 
-  /** Not with A5 at 0, where a straight path would lead through a singularity. */
-  static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);
-
-  private static final String KRL = "/no/hials/crosscom/cli/krl/";
   private static final Duration PATIENCE = Duration.ofSeconds(10);
   private static final Duration PAUSE = Duration.ofMillis(12);
 
@@ -51,30 +42,13 @@ final class SimulatedRobot implements AutoCloseable {
       CrossComClient client =
           new CrossComClient(ClientConfig.create(server.host(), cfg -> cfg.port(server.port())));
       SimulatedRobot robot = new SimulatedRobot(server, client);
-      robot.run(start, program);
+      KrlPrograms.start(server.controller(), start, program.name().toLowerCase(Locale.ROOT));
+      robot.awaitFirstStep();
       return robot;
     } catch (IOException | RuntimeException e) {
       server.close();
       throw e;
     }
-  }
-
-  private void run(Axes start, RobotProgram program) throws IOException {
-    Controller controller = server.controller();
-    String name = program.name().toLowerCase(Locale.ROOT);
-    try {
-      controller.load("config.dat", text("config.dat"));
-      controller.setMode(OperatingMode.AUT);
-      controller.place(start);
-      controller.submit().select(controller.load("jov_sps.sub", text("jov_sps.sub")));
-      controller.submit().start();
-      controller.load(name + ".dat", text(name + ".dat"));
-      controller.robot().select(controller.load(name + ".src", text(name + ".src")));
-    } catch (KrlFileException e) {
-      throw new IllegalStateException("the programs of this build have errors", e);
-    }
-    controller.robot().start();
-    awaitFirstStep();
   }
 
   /** Waits until the program is in its loop: before, it sets the increment to zeros. */
@@ -92,15 +66,6 @@ final class SimulatedRobot implements AutoCloseable {
       LockSupport.parkNanos(PAUSE.toNanos());
       client.readVariable(steps);
     } while (steps.intValue() == 0);
-  }
-
-  private static String text(String file) throws IOException {
-    try (InputStream in = SimulatedRobot.class.getResourceAsStream(KRL + file)) {
-      if (in == null) {
-        throw new IOException("there is no " + file + " in this build");
-      }
-      return new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
-    }
   }
 
   CrossComClient client() {

@@ -31,7 +31,7 @@ class MissesTest {
   @Test
   void accessesThatLeaveNothingOfThePeriodCountForTheController() {
     assertThat(of(24.5, NONE)).isEqualTo(new Misses(2, 0, 0));
-    assertThat(of(11.5, NONE)).isEqualTo(new Misses(2, 0, 0));
+    assertThat(of(11.5, NONE)).isEqualTo(new Misses(1, 0, 1));
     assertThat(of(10.5, NONE)).isEqualTo(new Misses(0, 0, 2));
   }
 
@@ -45,7 +45,12 @@ class MissesTest {
 
   @Test
   void aShortCollectionDoesNotExcuseALongAccess() {
-    assertThat(of(24.5, List.of(new Pauses.Pause(0.014, 0.002)))).isEqualTo(new Misses(2, 0, 0));
+    assertThat(of(24.5, List.of(new Pauses.Pause(0.014, 0.001)))).isEqualTo(new Misses(2, 0, 0));
+  }
+
+  @Test
+  void aLongAccessDoesNotExcuseACollectionThatMissesMore() {
+    assertThat(of(24.5, List.of(new Pauses.Pause(0.014, 0.012)))).isEqualTo(new Misses(1, 1, 0));
   }
 
   @Test

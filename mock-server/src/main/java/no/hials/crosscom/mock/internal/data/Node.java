@@ -44,7 +44,10 @@ public abstract sealed class Node {
    */
   public abstract KrlValue value() throws RefusedException;
 
-  /** Gives these contents after a value has been assigned to the whole. */
+  /**
+   * Gives these contents after a value has been assigned to the whole. As with every change, they
+   * may be this object if that changes nothing: programs assign the same again and again.
+   */
   abstract Node assign(KrlValue value) throws RefusedException;
 
   /** Gives the part that an index stands for. */
@@ -198,7 +201,8 @@ public abstract sealed class Node {
 
     @Override
     Node assign(KrlValue newValue) throws RefusedException {
-      return new ScalarNode(type, type.convert(newValue));
+      KrlValue converted = type.convert(newValue);
+      return converted.equals(value) ? this : new ScalarNode(type, converted);
     }
 
     @Override
@@ -394,8 +398,12 @@ public abstract sealed class Node {
     @Override
     Node changeComponent(String name, Change change) throws RefusedException {
       int position = position(name);
+      Node part = change.apply(parts[position]);
+      if (part == parts[position]) {
+        return this;
+      }
       Node[] changed = parts.clone();
-      changed[position] = change.apply(parts[position]);
+      changed[position] = part;
       return new StrucNode(type, changed);
     }
   }
@@ -564,6 +572,9 @@ public abstract sealed class Node {
       }
       int offset = offset(index);
       Node element = elements[offset].change(index.after(lengths.length), change);
+      if (element == elements[offset]) {
+        return this;
+      }
       Node[] changed = elements.clone();
       changed[offset] = element;
       return new ArrayNode(lengths, changed);

@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Flow;
@@ -249,11 +251,14 @@ class WatchTest extends RobotTest {
       for (int i = 1; i <= 3; i++) {
         robot.variables().set("MYREAL", String.valueOf(i * 0.5));
         robot.variables().set("MYINT", String.valueOf(i));
+        // a reading may fall between the two, and then tells of the first alone
+        Set<String> told = new HashSet<>();
         Sample sample;
         do {
           sample = next();
+          told.addAll(sample.changed());
         } while (!sample.value("MYINT").equals(new KrlInt(i)));
-        assertThat(sample.changed().contains("MYREAL")).as("at %s", i * 0.5).isEqualTo(i == 3);
+        assertThat(told.contains("MYREAL")).as("at %s", i * 0.5).isEqualTo(i == 3);
       }
       assertThat(watch.failedPolls()).isZero();
     }

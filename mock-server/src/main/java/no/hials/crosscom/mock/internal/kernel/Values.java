@@ -3,6 +3,7 @@ package no.hials.crosscom.mock.internal.kernel;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.regex.Pattern;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.protocol.value.KrlArray;
@@ -15,6 +16,7 @@ import no.hials.crosscom.protocol.value.KrlValue;
 final class Values {
   private static final String[] FRAME = {"X", "Y", "Z", "A", "B", "C"};
   private static final String[] EXTERNAL = {"E1", "E2", "E3", "E4", "E5", "E6"};
+  private static final Pattern AXIS = Pattern.compile("A[1-6]", Pattern.CASE_INSENSITIVE);
 
   /** How many axes the arrays of the controller have. */
   static final int AXES = 12;
@@ -118,6 +120,6 @@ final class Values {
 
   /** Says whether an aggregate is an axis position rather than a Cartesian one. */
   static boolean isAxes(KrlStruct struct) {
-    return struct.fields().stream().anyMatch(field -> field.name().matches("(?i)A[1-6]"));
+    return struct.fields().stream().anyMatch(field -> AXIS.matcher(field.name()).matches());
   }
 }

@@ -40,7 +40,7 @@ final class Cell implements Closeable {
    * @param ready the variable that the program changes when it is ready
    */
   static Cell of(String[] args, String program, String ready) throws IOException, KrlFileException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       return new Cell(null, args[0], Integer.parseInt(args[1]));
     }
     MockServer mock = MockServer.start();

@@ -34,7 +34,7 @@ public final class CheckBeforeMoving {
    * @throws KrlFileException if a file has errors
    */
   public static void main(String[] args) throws IOException, KrlFileException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       try (CrossComClient client = new CrossComClient(args[0], Integer.parseInt(args[1]))) {
         turn(client, 10);
       }

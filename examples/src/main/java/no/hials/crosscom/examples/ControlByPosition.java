@@ -9,6 +9,7 @@ import no.hials.crosscom.control.ControlLoop;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics.TrackingError;
+import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.KrlFileException;
@@ -46,8 +47,10 @@ public final class ControlByPosition {
                       .noInput() // the law moves the robot by itself
                       .duration(Duration.ofSeconds(2)) // then it has come to rest
                       .safety(cell::limit));
+      StopReason reason;
       try (ControlLoop loop = ControlLoop.start(cell.client(), config, circle(start))) {
-        System.out.println(loop.await());
+        reason = loop.await();
+        System.out.println(reason);
         for (TrackingError error : loop.statistics().errors()) {
           System.out.printf(
               Locale.ROOT,
@@ -59,7 +62,9 @@ public final class ControlByPosition {
       }
       cell.client().readVariable(position);
       double away = frame(position).distance(start);
-      System.out.println(away < 1 ? "the circle is closed" : "it is open by " + away + " mm");
+      boolean closed = reason.isPlanned() && away < 1;
+      System.out.println(
+          closed ? "the circle is closed" : "the circle is not closed: " + away + " mm from start");
     }
   }
 

@@ -22,7 +22,7 @@ final class Controller implements Closeable {
    * @param args {@code HOST PORT}, or nothing for a simulated controller
    */
   static Controller of(String[] args) throws IOException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       return new Controller(null, new CrossComClient(args[0], Integer.parseInt(args[1])));
     }
     MockServer mock = MockServer.start();

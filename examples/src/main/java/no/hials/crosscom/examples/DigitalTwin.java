@@ -40,7 +40,7 @@ public final class DigitalTwin {
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       try (CrossComClient client = new CrossComClient(args[0], Integer.parseInt(args[1]))) {
         mirror(client, () -> Thread.sleep(200));
       }

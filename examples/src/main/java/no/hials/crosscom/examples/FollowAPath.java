@@ -37,7 +37,7 @@ public final class FollowAPath {
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       follow(args[0], Integer.parseInt(args[1]));
       return;
     }

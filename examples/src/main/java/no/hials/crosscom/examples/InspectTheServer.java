@@ -20,7 +20,7 @@ public final class InspectTheServer {
    * @throws IOException if asking failed
    */
   public static void main(String[] args) throws IOException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       inspect(args[0], Integer.parseInt(args[1]));
       return;
     }

@@ -30,7 +30,7 @@ public final class LogToCsv {
    * @throws InterruptedException if the waiting was interrupted
    */
   public static void main(String[] args) throws IOException, InterruptedException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       log(args[0], Integer.parseInt(args[1]));
       return;
     }

@@ -27,7 +27,7 @@ public final class ReadAndMove {
    * @throws KrlFileException if a file has errors
    */
   public static void main(String[] args) throws IOException, KrlFileException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       run(args[0], Integer.parseInt(args[1]));
       return;
     }

@@ -42,7 +42,7 @@ public final class RunKrlProgram {
    * @throws IOException if an access failed
    */
   public static void main(String[] args) throws IOException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       try (CrossComClient client = new CrossComClient(args[0], Integer.parseInt(args[1]))) {
         run(client);
       }

@@ -29,7 +29,7 @@ public final class SetOutputs {
    * @throws KrlFileException if a file has errors
    */
   public static void main(String[] args) throws IOException, KrlFileException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       try (CrossComClient client = new CrossComClient(args[0], Integer.parseInt(args[1]))) {
         grip(client, () -> {}); // its time passes by itself
       }

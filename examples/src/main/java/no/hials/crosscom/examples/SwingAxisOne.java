@@ -38,7 +38,7 @@ public final class SwingAxisOne {
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
-    if (args.length == 2) {
+    if (Arguments.nameAController(args)) {
       try (CrossComClient client = new CrossComClient(args[0], Integer.parseInt(args[1]))) {
         run(client, OperatingMode.T1);
       }

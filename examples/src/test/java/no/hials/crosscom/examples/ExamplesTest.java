@@ -1,6 +1,7 @@
 package no.hials.crosscom.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -74,6 +75,15 @@ class ExamplesTest {
     }
 
     assertThat(output()).contains("program override: 42 %");
+  }
+
+  @Test
+  void anExampleRefusesAHostWithoutAPortAndDoesNotSimulateOne() {
+    assertThatThrownBy(() -> ReadVariables.main(new String[] {"192.168.1.10"}))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("the arguments must be HOST PORT or none, are 192.168.1.10");
+
+    assertThat(output()).isEmpty();
   }
 
   @Test

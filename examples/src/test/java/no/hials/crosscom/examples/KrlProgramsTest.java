@@ -333,6 +333,19 @@ class KrlProgramsTest {
   }
 
   @Test
+  void theSubmitProgramSwitchesNoOutputAsItBeginsAndSaysWhenItHasThem() throws Exception {
+    server.variables().set("$OUT[3]", "TRUE");
+    assertThat(client.readText("JOV_OUT_READY")).isEqualTo("FALSE");
+
+    runSubmit();
+
+    assertThat(client.readText("JOV_OUT_READY")).isEqualTo("TRUE");
+    assertThat(client.readText("JOV_OUT[3]")).isEqualTo("TRUE");
+    assertThat(client.readText("$OUT[3]")).isEqualTo("TRUE");
+    assertThat(client.readText("$OUT[4]")).isEqualTo("FALSE");
+  }
+
+  @Test
   void theSubmitProgramCopiesOutputsAndInputs() throws Exception {
     runSubmit();
     client.writeText("JOV_OUT[3]", "TRUE");

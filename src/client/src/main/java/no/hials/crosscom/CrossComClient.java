@@ -591,6 +591,19 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
+   * Checks what {@link #writeText} would refuse without asking the server, and sends nothing: so
+   * that a mistake shows before a person is asked whether to write.
+   *
+   * @param name the variable's name
+   * @param value KRL text
+   * @throws CrossComValueException if the text is too long to be sent
+   * @throws IllegalArgumentException if the name is blank
+   */
+  public void checkText(String name, String value) throws CrossComValueException {
+    encodeWrite(name, value);
+  }
+
+  /**
    * Reads a variable and describes the access in one line.
    *
    * @param name the variable's name

@@ -225,7 +225,8 @@ class FailureTest extends RobotTest {
   @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
   void garbageIsNeverAValue(long seed) throws Exception {
     robot.enqueue(Fault.garbage(seed, 40));
-    try (CrossComClient hasty = client(SHORT)) {
+    // garbage that announces more than there is, is waited for
+    try (CrossComClient hasty = client(Duration.ofMillis(20))) {
       assertThatExceptionOfType(CrossComException.class)
           .isThrownBy(() -> hasty.readText("$OV_PRO"));
       assertThat(hasty.isClosed()).isTrue();

@@ -14,7 +14,6 @@ import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.mock.Fault;
-import no.hials.crosscom.protocol.ReadRequest;
 import no.hials.crosscom.protocol.Tail;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -78,20 +77,6 @@ class FramingTest extends RobotTest {
     client.readVariable(any);
 
     assertThat(any.getValue()).hasToString(value);
-  }
-
-  @Test
-  void idsAreTheClientsCountUpAndWrap() throws Exception {
-    KRLInt i = new KRLInt("MYINT");
-    robot.clearRequests();
-    for (int n = 0; n < 65_540; n++) {
-      client.readVariable(i);
-    }
-
-    List<Integer> ids = new ArrayList<>();
-    robot.requests().forEach(r -> ids.add(((ReadRequest) r.request()).id()));
-    int wrap = ids.indexOf(0);
-    assertThat(ids.subList(wrap - 1, wrap + 2)).containsExactly(65_535, 0, 1);
   }
 
   @Test

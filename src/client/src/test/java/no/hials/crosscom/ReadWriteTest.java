@@ -422,6 +422,18 @@ class ReadWriteTest extends RobotTest {
   }
 
   @Test
+  void aTextIsCheckedWithoutSendingAnything() throws Exception {
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.checkText("MYFRAME", "{X 1.0" + " ".repeat(250) + "}"))
+        .withMessageContaining("must have at most 255 bytes, has 257");
+    assertThatIllegalArgumentException().isThrownBy(() -> client.checkText(" ", "1"));
+    client.checkText("MYINT", "5");
+
+    assertThat(robot.requests()).isEmpty();
+    assertThat(robot.variables().get("MYINT")).isEqualTo("0");
+  }
+
+  @Test
   void anAggregateLongerThan255BytesIsNotSent() throws Exception {
     String text = "{X 1.0" + " ".repeat(250) + "}";
     assertThat(text).hasSize(257);

@@ -303,18 +303,26 @@ final class BenchCommand extends ConsoleCommand {
   private void report(
       Controller controller, Bench.Plan plan, Bench.Result result, BenchReport report)
       throws IOException {
+    try {
+      print(report);
+    } finally {
+      // also if nobody reads what is printed any more
+      report.failures().forEach(console()::error);
+      result.complaints().forEach(console()::error);
+      if (plot != null) {
+        int height = Math.min(MAX_HEIGHT, 90 + PANEL_HEIGHT * plan.accesses().size());
+        Chart chart = report.chart(title(controller));
+        pictureOptions.write(this, chart, plot, new Chart.Size(WIDTH, height));
+      }
+    }
+  }
+
+  private void print(BenchReport report) {
     if (json) {
       report.json().forEach(console()::print);
     } else {
       report.printTable(console());
       (histogram ? report.histograms() : List.<String>of()).forEach(console()::print);
-    }
-    report.failures().forEach(console()::error);
-    result.complaints().forEach(console()::error);
-    if (plot != null) {
-      int height = Math.min(MAX_HEIGHT, 90 + PANEL_HEIGHT * plan.accesses().size());
-      Chart chart = report.chart(title(controller));
-      pictureOptions.write(this, chart, plot, new Chart.Size(WIDTH, height));
     }
   }
 
@@ -325,7 +333,7 @@ final class BenchCommand extends ConsoleCommand {
         simulated
             ? "simulated controller" + (latency == null ? "" : ", latency " + latency)
             : controller.target().name().isEmpty() ? host : controller.target().name();
-    return "Access times of " + where + ", " + (clients == 1 ? "1 client" : clients + " clients");
+    return "Access times of " + where + ", " + Printable.count(clients, "client");
   }
 
   private static ExitCode exitCode(Bench.Result result) {

@@ -90,7 +90,7 @@ final class BenchReport {
 
   private String summary() {
     return "times in ms; "
-        + clients()
+        + Printable.count(plan.clients(), "client")
         + ", closed loop; "
         + accesses()
         + " accesses in "
@@ -100,10 +100,6 @@ final class BenchReport {
         + "/s; "
         + plan.warmUp()
         + " rounds before to warm up";
-  }
-
-  private String clients() {
-    return plan.clients() == 1 ? "1 client" : plan.clients() + " clients";
   }
 
   private long accesses() {
@@ -187,7 +183,13 @@ final class BenchReport {
       series.add(upright("50 %: " + decimal(median) + " ms", bins, median, most));
       series.add(upright("99 %: " + decimal(high) + " ms", bins, high, most));
     }
-    String title = access.label() + " (" + access.type() + ", " + access.bytes() + " bytes)";
+    String title =
+        access.label()
+            + " ("
+            + access.type()
+            + ", "
+            + Printable.count(access.bytes(), "byte")
+            + ")";
     return Panel.of(
         title, new Axis("access time", "ms"), new Axis("accesses", ""), Panel.Scale.FREE, series);
   }
@@ -284,7 +286,7 @@ final class BenchReport {
     }
     OptionalDouble server = server(access);
     if (server.isPresent()) {
-      json.writeNumberField("server_ms", server.getAsDouble());
+      writeMillis(json, "server_ms", decimal(server.getAsDouble()));
     }
   }
 

@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.io.Reader;
 import java.io.Writer;
 import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
@@ -36,7 +37,7 @@ final class Console {
    * @param environment the environment variables that the program heeds
    */
   Console(Writer out, Writer err, Map<String, String> environment) {
-    this(out, err, environment, new InputStreamReader(System.in, charset()), null);
+    this(out, err, environment, new InputStreamReader(System.in, charset("stdin.encoding")), null);
   }
 
   /**
@@ -63,10 +64,17 @@ final class Console {
     return new Console(data, err, environment, in, other);
   }
 
-  private static Charset charset() {
-    // the first one is there since JDK 25
-    return Charset.forName(
-        System.getProperty("stdin.encoding", System.getProperty("native.encoding")));
+  /**
+   * Gives the charset of one of the streams of the process.
+   *
+   * @param encoding the property that names it, since JDK 19 and for stdin since JDK 25; before,
+   *     its name began with {@code sun.}, and it was there for a terminal only
+   */
+  static Charset charset(String encoding) {
+    String name = System.getProperty("sun." + encoding, System.getProperty("native.encoding"));
+    Charset charset = Charset.forName(System.getProperty(encoding, name));
+    // that is the locale C, which nobody chose; the controller has characters of ISO 8859-1
+    return charset.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : charset;
   }
 
   /** Gives stdin. */
@@ -96,7 +104,7 @@ final class Console {
 
   /** Asks a question; only y and yes are a yes. */
   boolean confirm(String question) {
-    String answer = answer(question + " [y/N] ");
+    String answer = answer(Printable.of(question) + " [y/N] ");
     return answer != null && answer.strip().matches("(?i)y(es)?");
   }
 
@@ -138,7 +146,7 @@ final class Console {
 
   /** Prints a message behind the program's name. */
   void error(String message) {
-    err.println(PROGRAM + ": " + message);
+    err.println(PROGRAM + ": " + Printable.message(message));
   }
 
   /** Prints what an exception says, and where it comes from if that is asked for. */
@@ -160,6 +168,6 @@ final class Console {
 
   /** Prints a line that helps with the message before it. */
   void hint(String line) {
-    err.println(line);
+    err.println(Printable.message(line));
   }
 }

@@ -318,15 +318,17 @@ final class DriveCommand extends ConsoleCommand {
     try (ControlLoop loop =
         ControlLoop.start(controller.client(), config, space.law(full, fullTurn))) {
       StopReason reason;
-      try (LiveLine line = new LiveLine(console(), !isVerbose() && Terminal.showsProgress())) {
+      try (LiveLine line =
+          new LiveLine(console().err(), !isVerbose() && Terminal.showsProgress())) {
         reason = await(loop, space, opened, stop, line);
       }
-      write(loop.trace());
       console().print(summary(loop));
       if (!loop.toldToStand()) {
         console().error("the robot could not be told to stand: the watchdog has to stop it");
       }
-      return ended(reason, controller, space);
+      ExitCode code = ended(reason, controller, space);
+      write(loop.trace()); // last: a full disk must not hide why the robot was stopped
+      return code;
     } catch (ControlRefusedException e) {
       return ended(e.reason(), controller, space);
     }

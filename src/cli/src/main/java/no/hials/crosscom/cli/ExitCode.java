@@ -19,7 +19,9 @@ enum ExitCode {
   /** As EX_SOFTWARE of sysexits.h. */
   INTERNAL_ERROR(70),
   /** As EX_IOERR of sysexits.h. */
-  OUTPUT_LOST(74);
+  OUTPUT_LOST(74),
+  /** As shells say that SIGINT ended a process. */
+  STOPPED(130);
 
   private final int code;
 

@@ -262,13 +262,13 @@ final class ExperimentCommand extends ConsoleCommand {
       console().failure(experiment.name() + ": ", e, isVerbose());
       return ExitCode.REFUSED;
     }
-    Path file = pictureOf(experiment);
-    picture.write(this, outcome.chart(), file, new Chart.Size(WIDTH, outcome.height()));
+    // all files before anything is printed, which ends it if nobody reads that any more
+    List<Path> files = csv ? writeCsv(experiment, outcome) : new ArrayList<>();
+    files.add(pictureOf(experiment));
+    picture.write(
+        this, outcome.chart(), pictureOf(experiment), new Chart.Size(WIDTH, outcome.height()));
     print(experiment, outcome);
-    if (csv) {
-      writeCsv(experiment, outcome);
-    }
-    console().print("wrote " + file);
+    files.forEach(file -> console().print("wrote " + file));
     ExitCode code = ExitCode.DONE;
     for (Run run : outcome.runs()) {
       if (!run.end().isPlanned()) {
@@ -350,11 +350,13 @@ final class ExperimentCommand extends ConsoleCommand {
 
   // what is written
 
-  private void writeCsv(Experiment experiment, Outcome outcome) throws IOException {
+  private List<Path> writeCsv(Experiment experiment, Outcome outcome) throws FileException {
+    List<Path> files = new ArrayList<>();
     for (Run run : outcome.runs()) {
-      write(csvOf(experiment, run.name()), run.trace()::writeCsv);
-      write(figuresOf(experiment, run.name()), run.statistics()::writeCsv);
+      files.add(write(csvOf(experiment, run.name()), run.trace()::writeCsv));
+      files.add(write(figuresOf(experiment, run.name()), run.statistics()::writeCsv));
     }
+    return files;
   }
 
   /** Writes the contents of a file. */
@@ -363,12 +365,12 @@ final class ExperimentCommand extends ConsoleCommand {
     void writeTo(Appendable text) throws IOException;
   }
 
-  private void write(Path file, Contents contents) throws FileException {
+  private static Path write(Path file, Contents contents) throws FileException {
     try (BufferedWriter writer = Files.newBufferedWriter(file)) {
       contents.writeTo(writer);
     } catch (IOException e) {
       throw FileException.cannot("write", file, e);
     }
-    console().print("wrote " + file);
+    return file;
   }
 }

@@ -21,7 +21,8 @@ import picocli.CommandLine.Parameters;
       "",
       "Examples:",
       "  jopenshowvar file cp /R1/WELD.SRC /R1/WELD2.SRC --host 172.31.1.147",
-      "  jopenshowvar file mv 'KRC:\\R1\\PROGRAM\\A.SRC' 'KRC:\\R1\\PROGRAM\\OLD\\' --mock"
+      "  jopenshowvar file mv 'KRC:\\R1\\PROGRAM\\A.SRC' 'KRC:\\R1\\PROGRAM\\OLD\\' --host"
+          + " 172.31.1.147"
     })
 abstract class FileCopy extends FileSubcommand {
   @Parameters(index = "0", paramLabel = "SOURCE", description = "A file on the controller.")

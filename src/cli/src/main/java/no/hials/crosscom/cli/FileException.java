@@ -25,7 +25,7 @@ final class FileException extends IOException {
   }
 
   /** Gives the reason; the message of most of these exceptions is the file's name only. */
-  private static String reason(IOException e) {
+  static String reason(IOException e) {
     return switch (e.getClass().getSimpleName()) {
       case "NoSuchFileException" -> "there is no such file";
       case "AccessDeniedException" -> "access is denied";

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
-import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.c3.Files;
 import no.hials.crosscom.c3.TransferConfig;
 import picocli.CommandLine.Command;
@@ -82,18 +81,8 @@ final class FileGet extends FileSubcommand {
       Files files = controller.client().files();
       List<Job> jobs = jobs(files, names, place);
       ask(target, jobs);
-      for (int i = 0; i < jobs.size(); i++) {
-        try {
-          download(files, jobs.get(i));
-        } catch (CrossComException e) {
-          ExitCode code = failed(e);
-          hintOfRest(
-              "downloaded", jobs.subList(i + 1, jobs.size()).stream().map(Job::name).toList());
-          return code;
-        }
-      }
+      return transfer("downloaded", jobs, Job::name, (job, stop) -> download(files, job, stop));
     }
-    return ExitCode.DONE;
   }
 
   private Path place(int count) throws FileException {
@@ -144,8 +133,8 @@ final class FileGet extends FileSubcommand {
     }
   }
 
-  private void download(Files files, Job job) throws IOException {
-    try (Progress progress = progress(job.name())) {
+  private void download(Files files, Job job, StopSignal stop) throws IOException {
+    try (Progress progress = progress(job.name(), stop)) {
       TransferConfig config =
           TransferConfig.create(cfg -> cfg.overwrite(job.isThere()).progress(progress));
       LocalFiles.transfer(

@@ -3,6 +3,7 @@ package no.hials.crosscom.cli;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -11,6 +12,8 @@ import no.hials.crosscom.c3.FileEntry;
 import no.hials.crosscom.c3.FileInfo;
 import no.hials.crosscom.c3.Files;
 import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.ItemType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -26,7 +29,8 @@ import picocli.CommandLine.Parameters;
       "",
       "The order is the controller's. What it does not say is shown as -. Times are in the time zone"
           + " of this computer. If the list is too long for one answer, only the names are asked for;"
-          + " with -l the rest, too.",
+          + " with -l the rest, too. If that is too long as well, they are asked for type by type,"
+          + " and come in that order.",
       "",
       "JSON: one object an item (JSON Lines), with name, path, type, size and attributes (an array),"
           + " with -l also created and modified in UTC. What is not known is null.",
@@ -102,11 +106,38 @@ final class FileLs extends FileSubcommand {
     try {
       return files.list(folder);
     } catch (CrossComRefusedException e) {
-      if (e.getErrorCode().orElse(null) != ErrorCode.LONG_ANSWER) {
-        throw e;
-      }
-      return files.list(folder, Set.of(), Set.of());
+      throwUnlessTooLong(e);
     }
+    try {
+      return files.list(folder, Set.of(), Set.of());
+    } catch (CrossComRefusedException e) {
+      throwUnlessTooLong(e);
+    }
+    return listByType(files);
+  }
+
+  private static void throwUnlessTooLong(CrossComRefusedException e) throws IOException {
+    if (e.getErrorCode().orElse(null) != ErrorCode.LONG_ANSWER) {
+      throw e;
+    }
+  }
+
+  private List<FileEntry> listByType(Files files) throws IOException {
+    List<FileEntry> entries = new ArrayList<>();
+    for (ItemType type : EnumSet.complementOf(EnumSet.of(ItemType.UNKNOWN))) {
+      for (FileEntry entry : files.list(folder, Set.of(type), Set.of())) {
+        entries.add(
+            new FileEntry(
+                entry.name(),
+                Optional.of(Code.of(type)),
+                entry.attributes(),
+                entry.size(),
+                entry.info()));
+      }
+    }
+    console()
+        .hint("too many for one answer: asked for by type; one of an unknown type is left out");
+    return entries;
   }
 
   /** Gives the properties; null if it is there no more. */

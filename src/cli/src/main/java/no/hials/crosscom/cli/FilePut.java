@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
-import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.c3.Files;
 import no.hials.crosscom.c3.TransferConfig;
@@ -110,18 +109,15 @@ final class FilePut extends FileSubcommand {
     Target target = target();
     writeOptions.checkAllowed(target, what);
     try (Controller controller = target.open(writeOptions.connection())) {
-      List<Job> jobs = jobs(controller.client().files(), sources, remote);
+      Files files = controller.client().files();
+      List<Job> jobs = jobs(files, sources, remote);
       List<String> reasons =
           jobs.stream().filter(Job::there).map(job -> job.name() + " is there already").toList();
       writeOptions.check(this, controller, what, reasons);
-      for (int i = 0; i < jobs.size(); i++) {
-        try {
-          upload(controller.client().files(), jobs.get(i));
-        } catch (CrossComException e) {
-          ExitCode code = failed(e);
-          hintOfRest("uploaded", jobs.subList(i + 1, jobs.size()).stream().map(Job::name).toList());
-          return code;
-        }
+      ExitCode code =
+          transfer("uploaded", jobs, Job::name, (job, stop) -> upload(files, job, stop));
+      if (code != ExitCode.DONE) {
+        return code;
       }
       for (Job job : jobs) {
         if (job.local().equals(program)) {
@@ -183,8 +179,8 @@ final class FilePut extends FileSubcommand {
 
   // doing it
 
-  private void upload(Files files, Job job) throws IOException {
-    try (Progress progress = progress(job.name())) {
+  private void upload(Files files, Job job, StopSignal stop) throws IOException {
+    try (Progress progress = progress(job.name(), stop)) {
       TransferConfig config =
           TransferConfig.create(
               cfg ->

@@ -8,10 +8,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.c3.Files;
 import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Flags;
@@ -56,12 +59,51 @@ abstract class FileSubcommand extends BridgeCommand {
       return refused(refused, "likely cause: there is no such file or folder");
     }
     console().failure(e, isVerbose());
+    if (e instanceof CrossComUnsupportedException none
+        && none.getServer() == ServerType.KUKAVARPROXY) {
+      console().hint("KUKAVARPROXY has no files: that needs C3 Bridge Interface on the controller");
+    }
     return ExitCode.ofFailedRead(e);
   }
 
+  /** Transfers a file. */
+  @FunctionalInterface
+  interface Transfer<J> {
+    void run(J job, StopSignal stop) throws IOException;
+  }
+
+  /**
+   * Transfers one file after the other, until the end, a failure, or the user stops it.
+   *
+   * @param participle what has not been done with what is left then
+   */
+  final <J> ExitCode transfer(
+      String participle, List<J> jobs, Function<J, String> name, Transfer<J> transfer)
+      throws IOException {
+    List<String> rest = new ArrayList<>(jobs.stream().map(name).toList());
+    try (StopSignal stop = new StopSignal()) {
+      for (J job : jobs) {
+        stop.check();
+        transfer.run(job, stop);
+        rest.remove(0);
+      }
+      // nothing may come after it either
+      stop.check();
+      return ExitCode.DONE;
+    } catch (CrossComException e) {
+      ExitCode code = failed(e);
+      hintOfRest(participle, rest.subList(1, rest.size()));
+      return code;
+    } catch (StoppedException e) {
+      console().failure(e, isVerbose());
+      hintOfRest(participle, rest);
+      return ExitCode.STOPPED;
+    }
+  }
+
   /** Makes the line that shows how far a transfer has come. */
-  final Progress progress(String name) {
-    return new Progress(console(), name, !isVerbose() && Terminal.showsProgress());
+  final Progress progress(String name, StopSignal stop) {
+    return new Progress(console(), name, !isVerbose() && Terminal.showsProgress(), stop);
   }
 
   /** Says what was left, if anything was. */

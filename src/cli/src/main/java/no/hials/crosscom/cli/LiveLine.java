@@ -1,10 +1,20 @@
 package no.hials.crosscom.cli;
 
-/** A line of stderr that changes in place, where a person looks on. */
+import java.io.PrintWriter;
+
+/** A line of a terminal that changes in place, where a person looks on. */
 final class LiveLine implements AutoCloseable {
   private static final long PERIOD_NANOS = 250_000_000;
 
-  private final Console console;
+  /** Clears the line from the cursor on. */
+  private static final String CLEAR_REST = "\u001b[K";
+
+  /** Lets the terminal cut off what is too long; a line that is wrapped could not be cleared. */
+  private static final String NO_WRAP = "\u001b[?7l";
+
+  private static final String WRAP = "\u001b[?7h";
+
+  private final PrintWriter terminal;
   private final boolean shown;
   private boolean isThere;
   private long next = System.nanoTime();
@@ -12,10 +22,11 @@ final class LiveLine implements AutoCloseable {
   /**
    * Makes a line that is not there yet.
    *
+   * @param terminal where it will be
    * @param shown whether it is to be there at all
    */
-  LiveLine(Console console, boolean shown) {
-    this.console = console;
+  LiveLine(PrintWriter terminal, boolean shown) {
+    this.terminal = terminal;
     this.shown = shown;
   }
 
@@ -30,22 +41,23 @@ final class LiveLine implements AutoCloseable {
 
   /** Shows another text. */
   void show(String text) {
-    // back to its beginning, where the terminal shows Ctrl-C
-    write(StatusLine.NO_WRAP + text + StatusLine.CLEAR_REST + StatusLine.WRAP + "\r");
+    // what is behind the text is cleared after it, or the line would flicker; then back to its
+    // beginning, where the terminal shows Ctrl-C
+    write(NO_WRAP + text + CLEAR_REST + WRAP + "\r");
     isThere = true;
   }
 
   /** Takes the line away, until the next {@link #show}. */
   void clear() {
     if (isThere) {
-      write("\r" + StatusLine.CLEAR_REST);
+      write("\r" + CLEAR_REST);
       isThere = false;
     }
   }
 
   private void write(String text) {
-    console.err().print(text);
-    console.err().flush();
+    terminal.print(text);
+    terminal.flush();
   }
 
   @Override

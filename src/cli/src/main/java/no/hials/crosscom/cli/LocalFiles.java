@@ -105,6 +105,6 @@ final class LocalFiles {
                       json.writeStringField("name", remote);
                       json.writeNumberField("size", size);
                     })
-                : from + " -> " + to + ", " + size + " bytes");
+                : from + " -> " + to + ", " + Printable.count(size, "byte"));
   }
 }

@@ -4,8 +4,6 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
-import java.nio.charset.Charset;
-import java.nio.charset.StandardCharsets;
 import no.hials.crosscom.CrossComException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -109,7 +107,7 @@ public final class Main {
   /**
    * Makes a sentence of picocli fit to stand behind the program's name; not one with NAME first.
    */
-  private static String lowerFirst(String message) {
+  static String lowerFirst(String message) {
     return message.length() > 1 && Character.isLowerCase(message.charAt(1))
         ? Character.toLowerCase(message.charAt(0)) + message.substring(1)
         : message;
@@ -155,16 +153,9 @@ public final class Main {
   /**
    * Makes a writer that, unlike System.out, says when it cannot write.
    *
-   * @param encoding the property that names the charset since JDK 19; before, its name began with
-   *     {@code sun.}, and it was there for a terminal only
+   * @param encoding as of {@link Console#charset}
    */
   private static Writer writer(FileDescriptor to, String encoding) {
-    String name = System.getProperty("sun." + encoding, System.getProperty("native.encoding"));
-    Charset charset = Charset.forName(System.getProperty(encoding, name));
-    // that is the locale C, which nobody chose; the controller has characters of ISO 8859-1
-    if (charset.equals(StandardCharsets.US_ASCII)) {
-      charset = StandardCharsets.UTF_8;
-    }
-    return new OutputStreamWriter(new FileOutputStream(to), charset);
+    return new OutputStreamWriter(new FileOutputStream(to), Console.charset(encoding));
   }
 }

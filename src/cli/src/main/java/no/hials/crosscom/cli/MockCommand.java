@@ -51,7 +51,7 @@ import picocli.CommandLine.Option;
       "  jopenshowvar mock",
       "  jopenshowvar mock --config krl/config.dat --program krl/actuator.src \\",
       "      --start --mode AUT",
-      "  jopenshowvar mock --server c3 --program krl/actuator.src --files build/krc",
+      "  mkdir krc && jopenshowvar mock --server c3 --config krl/config.dat --files krc",
       "  jopenshowvar mock --port 0 --latency krc4 --fault drop%%0.01 --seed 7"
     })
 final class MockCommand extends ConsoleCommand {

@@ -20,7 +20,7 @@ final class OutputException extends RuntimeException {
    * @param to what could not be written
    */
   OutputException(String to, IOException cause) {
-    super("could not write " + to + ": " + cause.getMessage(), cause);
+    super("could not write " + to + ": " + FileException.reason(cause), cause);
     String message = String.valueOf(cause.getMessage()).toLowerCase(Locale.ROOT);
     // Java has no class for it; the word stands in the messages of Linux, macOS and Windows
     brokenPipe = message.contains("pipe");

@@ -44,7 +44,7 @@ import picocli.CommandLine.Parameters;
       "",
       "Examples:",
       "  jopenshowvar plot run.csv",
-      "  jopenshowvar plot run.csv '$AXIS_ACT' '$OV_PRO' --out axes.svg",
+      "  jopenshowvar plot run.csv '$POS_ACT' '$OV_PRO' --out over-time.svg",
       "  jopenshowvar plot run.csv --xyz --title 'Path of the tool'",
       "  jopenshowvar plot run.csv --xy '$POS_ACT.X,$POS_ACT.Y' --size 800x800"
     })
@@ -181,6 +181,9 @@ final class PlotCommand extends ConsoleCommand {
   }
 
   private List<PlotData.Column> all(PlotData data) {
+    data.columns().stream()
+        .filter(c -> !c.isDrawable() && c.hasNumbers())
+        .forEach(c -> console().hint("not drawn: " + c.name() + ", which has also " + c.text()));
     List<PlotData.Column> chosen =
         data.columns().stream()
             .filter(c -> c.isDrawable() && !c.isOnlyIfNamed() && !isIdle(c))
@@ -223,7 +226,11 @@ final class PlotCommand extends ConsoleCommand {
     }
     List<PlotData.Column> drawable = found.stream().filter(PlotData.Column::isDrawable).toList();
     if (drawable.isEmpty()) {
-      throw wrongUsage(name + " cannot be drawn: it has texts, or nothing");
+      String text = found.get(0).text();
+      throw wrongUsage(
+          name
+              + " cannot be drawn: it has "
+              + (text.isEmpty() ? "no numbers" : "texts, such as " + text));
     }
     return drawable;
   }

@@ -10,6 +10,7 @@ import java.time.Instant;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -24,6 +25,10 @@ import no.hials.crosscom.cli.plot.Axis;
 final class PlotData {
   /** A column's name with its unit, as {@code force [N]}. */
   private static final Pattern NAME_AND_UNIT = Pattern.compile("(.+?) ?\\[([^\\]\\d][^\\]]*)\\]");
+
+  /** What stands where there is no number. */
+  private static final Pattern GAP =
+      Pattern.compile("\\s*|[+-]?(nan|inf|infinity)", Pattern.CASE_INSENSITIVE);
 
   private static final DateTimeFormatter TIME =
       DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss 'UTC'", Locale.ROOT)
@@ -45,16 +50,16 @@ final class PlotData {
     private final String unit;
     private final double[] x;
     private final double[] y;
-    private final boolean drawable;
+    private final String text;
     private final boolean onlyIfNamed;
 
     private Column(
-        String name, String unit, double[] x, double[] y, boolean drawable, boolean onlyIfNamed) {
+        String name, String unit, double[] x, double[] y, String text, boolean onlyIfNamed) {
       this.name = name;
       this.unit = unit;
       this.x = x;
       this.y = y;
-      this.drawable = drawable;
+      this.text = text;
       this.onlyIfNamed = onlyIfNamed;
     }
 
@@ -83,7 +88,16 @@ final class PlotData {
 
     /** Says whether it has numbers, or TRUE and FALSE, and no other text. */
     boolean isDrawable() {
-      return drawable;
+      return text.isEmpty() && hasNumbers();
+    }
+
+    boolean hasNumbers() {
+      return Arrays.stream(y).anyMatch(value -> !Double.isNaN(value));
+    }
+
+    /** Gives the first other text; empty if there is none. */
+    String text() {
+      return text;
     }
 
     /** Says whether it is about the recording, not recorded. */
@@ -116,7 +130,7 @@ final class PlotData {
    * @throws FileException if it cannot be read, or has another form
    */
   static PlotData read(Path file) throws FileException {
-    try (CsvReader<CsvRecord> csv = CsvReader.builder().ofCsvRecord(file)) {
+    try (CsvReader<CsvRecord> csv = CsvFile.open(file, false)) {
       List<CsvRecord> rows = new ArrayList<>();
       for (CsvRecord row : csv) {
         if (rows.isEmpty() && isHeaderOfRecord(row)) {
@@ -127,11 +141,12 @@ final class PlotData {
       return of(file, rows);
     } catch (NoSuchFileException e) {
       throw new FileException("there is no file " + file, e);
-    } catch (IOException | CsvParseException e) {
-      if (e instanceof FileException own) {
-        throw own;
-      }
-      throw new FileException("cannot read " + file + ": " + e.getMessage(), e);
+    } catch (FileException e) {
+      throw e;
+    } catch (IOException e) {
+      throw FileException.cannot("read", file, e);
+    } catch (CsvParseException e) {
+      throw CsvFile.unreadable(file, e);
     } catch (IllegalArgumentException e) {
       throw new FileException("cannot draw " + file + ": " + e.getMessage(), e);
     }
@@ -152,7 +167,7 @@ final class PlotData {
       columns.add(column(series.name(), units.of(series.name()), series.seconds(), series.texts()));
     }
     for (RecordedData.Series series : data.accessTimes()) {
-      columns.add(new Column(series.name(), "ms", series.seconds(), series.values(), true, true));
+      columns.add(new Column(series.name(), "ms", series.seconds(), series.values(), "", true));
     }
     return new PlotData(title(file, data.start()), new Axis("time", "s"), columns);
   }
@@ -172,7 +187,9 @@ final class PlotData {
       throw new IllegalArgumentException(
           "the first line must name the columns, begins with " + header.get(0));
     }
+    checkSeparator(header);
     List<CsvRecord> body = rows.subList(1, rows.size());
+    body.forEach(row -> CsvFile.checkFields(row, header.size()));
     double[] x = numbers(texts(body, 0));
     for (int i = 0; i < x.length; i++) {
       if (Double.isNaN(x[i])) {
@@ -196,6 +213,17 @@ final class PlotData {
     return new PlotData(name, seconds ? new Axis("time", "s") : first, columns);
   }
 
+  /** Refuses other forms of such files, as spreadsheets write where a comma is in the numbers. */
+  private static void checkSeparator(List<String> header) {
+    String only = header.get(0);
+    if (header.size() == 1 && (only.indexOf(';') >= 0 || only.indexOf('\t') >= 0)) {
+      throw new IllegalArgumentException(
+          "line 1 must have commas between the names, has "
+              + (only.indexOf(';') >= 0 ? "semicolons" : "tabs")
+              + "; numbers need a decimal point");
+    }
+  }
+
   private static Axis axis(String header) {
     Matcher matcher = NAME_AND_UNIT.matcher(header);
     return matcher.matches()
@@ -204,15 +232,18 @@ final class PlotData {
   }
 
   private static List<String> texts(List<CsvRecord> rows, int column) {
-    return rows.stream()
-        .map(row -> column < row.getFieldCount() ? row.getField(column) : "")
-        .toList();
+    return rows.stream().map(row -> row.getField(column)).toList();
   }
 
   private static Column column(String name, String unit, double[] x, List<String> texts) {
     double[] y = numbers(texts);
     boolean truth = texts.stream().anyMatch(text -> text.matches("(?i)TRUE|FALSE"));
-    return new Column(name, truth ? "TRUE is 1" : unit, x, y, fits(texts, y), false);
+    String other =
+        texts.stream()
+            .filter(text -> Double.isNaN(number(text)) && !GAP.matcher(text).matches())
+            .findFirst()
+            .orElse("");
+    return new Column(name, truth ? "TRUE is 1" : unit, x, y, other, false);
   }
 
   private static double[] numbers(List<String> texts) {
@@ -226,21 +257,9 @@ final class PlotData {
       return 0;
     }
     try {
-      return text.isEmpty() ? Double.NaN : Double.parseDouble(text);
+      return GAP.matcher(text).matches() ? Double.NaN : Double.parseDouble(text);
     } catch (NumberFormatException e) {
       return Double.NaN;
     }
-  }
-
-  /** Says whether all texts but the empty ones became numbers, and there is one. */
-  private static boolean fits(List<String> texts, double... numbers) {
-    boolean any = false;
-    for (int i = 0; i < numbers.length; i++) {
-      if (Double.isNaN(numbers[i]) && !texts.get(i).isEmpty()) {
-        return false;
-      }
-      any |= !Double.isNaN(numbers[i]);
-    }
-    return any;
   }
 }

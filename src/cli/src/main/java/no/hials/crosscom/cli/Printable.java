@@ -1,20 +1,36 @@
 package no.hials.crosscom.cli;
 
-/** Makes texts of others fit for a line of the terminal. */
+/** Makes texts of others, and numbers, fit for a line of the terminal. */
 final class Printable {
   private Printable() {}
 
   /** Keeps a text on its line, and its characters from steering the terminal. */
   static String of(String text) {
+    return of(text, "");
+  }
+
+  /**
+   * Keeps the characters of a message, which may have several lines, from steering the terminal.
+   */
+  static String message(String text) {
+    return of(text, System.lineSeparator() + "\n");
+  }
+
+  private static String of(String text, String kept) {
     StringBuilder line = new StringBuilder();
     for (int i = 0; i < text.length(); i++) {
       char c = text.charAt(i);
-      if (Character.isISOControl(c)) {
+      if (Character.isISOControl(c) && kept.indexOf(c) < 0) {
         line.append(String.format("\\x%02X", (int) c));
       } else {
         line.append(c);
       }
     }
     return line.toString();
+  }
+
+  /** Gives a number of things, such as {@code 1 byte} and {@code 2 bytes}. */
+  static String count(long number, String thing) {
+    return number + " " + thing + (number == 1 ? "" : "s");
   }
 }

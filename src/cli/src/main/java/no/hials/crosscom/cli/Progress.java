@@ -8,21 +8,25 @@ final class Progress implements TransferProgress, AutoCloseable {
   private final String name;
   private final boolean shown;
   private final LiveLine line;
+  private final StopSignal stop;
 
   /**
    * Makes a line that is not there yet.
    *
    * @param name what is transferred
    * @param shown whether it is to be there at all
+   * @param stop ends the transfer, so that nothing is left of it
    */
-  Progress(Console console, String name, boolean shown) {
+  Progress(Console console, String name, boolean shown, StopSignal stop) {
     this.name = Printable.of(name);
     this.shown = shown;
-    this.line = new LiveLine(console, shown);
+    this.line = new LiveLine(console.err(), shown);
+    this.stop = stop;
   }
 
   @Override
   public void transferred(long bytes, long total) {
+    stop.check();
     // the end is shown in any case, as checking what arrived takes as long again
     if (line.isDue() || (shown && bytes == total)) {
       line.show(text(name, bytes, total));

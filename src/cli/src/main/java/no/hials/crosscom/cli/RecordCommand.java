@@ -107,7 +107,7 @@ final class RecordCommand extends ConsoleCommand {
   ExitCode run() throws IOException {
     Format chosen = format();
     if (!out.equals(STDOUT)) {
-      checkIsNew(Path.of(out));
+      NewFile.check(LocalFiles.path(this, out), yes);
     }
     try (StopSignal stop = new StopSignal();
         Sampling sampling = Sampling.open(this, controllerOptions, samplingOptions)) {
@@ -116,7 +116,7 @@ final class RecordCommand extends ConsoleCommand {
         return first;
       }
       try (Recording recording = open(chosen, sampling);
-          LiveLine line = new LiveLine(console(), !isVerbose() && Terminal.showsProgress())) {
+          LiveLine line = new LiveLine(console().err(), !isVerbose() && Terminal.showsProgress())) {
         recording.begin();
         ExitCode result = sampling.run(false, stop, new Recorder(sampling, recording, line));
         recording.end(sampling);
@@ -136,16 +136,6 @@ final class RecordCommand extends ConsoleCommand {
       case "jsonl" -> Format.JSONL;
       default -> throw wrongUsage("--format must be csv or jsonl, is " + format);
     };
-  }
-
-  private void checkIsNew(Path file) throws FileException {
-    if (Files.isDirectory(file)) {
-      throw new FileException("cannot write " + file + ": it is a folder");
-    }
-    // not a device or a pipe, which has nothing to lose
-    if (!yes && Files.isRegularFile(file)) {
-      throw new FileException("there is a file " + file + " already; --yes overwrites it");
-    }
   }
 
   private Recording open(Format chosen, Sampling sampling) throws FileException {

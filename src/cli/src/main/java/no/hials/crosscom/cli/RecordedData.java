@@ -3,7 +3,6 @@ package no.hials.crosscom.cli;
 import de.siegmar.fastcsv.reader.CsvParseException;
 import de.siegmar.fastcsv.reader.CsvReader;
 import de.siegmar.fastcsv.reader.CsvRecord;
-import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.DateTimeException;
@@ -70,17 +69,12 @@ final class RecordedData {
    */
   static RecordedData read(Path file) throws FileException {
     List<CsvRecord> records = new ArrayList<>();
-    try (CsvReader<CsvRecord> csv =
-        CsvReader.builder()
-            .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
-            .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
-            .allowUnclosedQuote(true)
-            .ofCsvRecord(file)) {
+    try (CsvReader<CsvRecord> csv = CsvFile.open(file, true)) {
       csv.forEach(records::add);
     } catch (IOException e) {
       throw FileException.cannot("read", file, e);
     } catch (CsvParseException e) {
-      throw new FileException("cannot read " + file + ": " + e.getMessage(), e);
+      throw CsvFile.unreadable(file, e);
     }
     try {
       return new Rows(records).data();
@@ -124,20 +118,21 @@ final class RecordedData {
       int columns = records.get(0).getFieldCount();
       for (int i = 1; i < records.size(); i++) {
         CsvRecord row = records.get(i);
-        if (row.getFieldCount() != columns) {
-          if (i == records.size() - 1 && row.getFieldCount() < columns) {
-            return i;
-          }
-          throw new IllegalArgumentException(
-              "line "
-                  + row.getStartingLineNumber()
-                  + " must have "
-                  + columns
-                  + " fields, has "
-                  + row.getFieldCount());
+        if (i == records.size() - 1 && row.getFieldCount() < columns) {
+          checkClosed(row);
+          return i;
         }
+        CsvFile.checkFields(row, columns);
       }
       return records.size();
+    }
+
+    /** Refuses a row that holds others, or they would be left out with it. */
+    private static void checkClosed(CsvRecord row) {
+      if (row.getFields().stream().anyMatch(field -> field.indexOf('\n') >= 0)) {
+        throw new IllegalArgumentException(
+            "line " + row.getStartingLineNumber() + " has a quote that is never closed");
+      }
     }
 
     private static Instant instant(CsvRecord row) {

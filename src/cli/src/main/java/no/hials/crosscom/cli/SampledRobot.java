@@ -185,8 +185,7 @@ final class SampledRobot implements Closeable {
         firstTime == null || lastTime == null
             ? Duration.ZERO
             : Duration.between(firstTime, lastTime);
-    StringBuilder text =
-        new StringBuilder().append(samples).append(samples == 1 ? " sample" : " samples");
+    StringBuilder text = new StringBuilder(Printable.count(samples, "sample"));
     if (samples > 1 && time.compareTo(Duration.ZERO) > 0) {
       double rate = (samples - 1) * 1e9 / time.toNanos();
       text.append(String.format(Locale.ROOT, ", %.1f/s", rate));

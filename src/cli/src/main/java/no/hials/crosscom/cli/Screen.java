@@ -24,7 +24,6 @@ final class Screen implements AutoCloseable {
 
   private final Console console;
   private final org.jline.terminal.Terminal terminal;
-  private final Attributes before;
   private final Display display;
   private final String leave;
   private final boolean colours;
@@ -43,9 +42,8 @@ final class Screen implements AutoCloseable {
     this.console = console;
     this.terminal = terminal;
     this.colours = console.environment("NO_COLOR") == null;
-    this.before = terminal.getAttributes();
     // keys come at once and are not shown; in the raw mode Ctrl-C would be no signal any more
-    Attributes keys = new Attributes(before);
+    Attributes keys = new Attributes(terminal.getAttributes());
     keys.setLocalFlags(EnumSet.of(LocalFlag.ICANON, LocalFlag.ECHO), false);
     keys.setControlChar(ControlChar.VMIN, 0);
     keys.setControlChar(ControlChar.VTIME, 1);
@@ -112,12 +110,8 @@ final class Screen implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    try {
-      terminal.setAttributes(before);
-      terminal.close();
-    } catch (IllegalStateException e) {
-      // as above; it has set the attributes
-    }
+    // it sets the attributes back, also if JLine has closed the terminal, or is about to
+    terminal.close();
     write(leave);
   }
 

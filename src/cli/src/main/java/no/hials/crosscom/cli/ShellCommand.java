@@ -86,20 +86,34 @@ final class ShellCommand extends ConsoleCommand {
       ShellSession session = new ShellSession(asking, controller, writeOptions, symbols);
       ShellPrompt prompt = new ShellPrompt(controller);
       String text = terminal.readLine(prompt);
-      while (text != null) {
-        try {
-          ShellLine line = ShellLine.parse(text);
-          if (line instanceof ShellLine.Exit) {
-            break;
-          }
-          prompt.ended(session.run("", line, isVerbose()));
-        } catch (ShellSyntaxException e) {
-          asking.error(String.valueOf(e.getMessage()));
-          asking.hint("try 'help'");
-        }
+      while (text != null && runTyped(text, asking, session, prompt)) {
         text = terminal.readLine(prompt);
       }
       return ExitCode.DONE;
     }
+  }
+
+  /**
+   * Runs a line, or several that were pasted at once up to the first that fails; false for exit.
+   */
+  private boolean runTyped(String text, Console asking, ShellSession session, ShellPrompt prompt) {
+    for (String typed : text.lines().toList()) {
+      try {
+        ShellLine line = ShellLine.parse(typed);
+        if (line instanceof ShellLine.Exit) {
+          return false;
+        }
+        ExitCode code = session.run("", line, isVerbose());
+        prompt.ended(code);
+        if (code != ExitCode.DONE) {
+          break;
+        }
+      } catch (ShellSyntaxException e) {
+        asking.error(String.valueOf(e.getMessage()));
+        asking.hint("try 'help'");
+        break;
+      }
+    }
+    return true;
   }
 }

@@ -99,7 +99,8 @@ sealed interface ShellLine {
    * @throws ShellSyntaxException if it is none
    */
   static ShellLine parse(String line) throws ShellSyntaxException {
-    List<String> words = ShellWords.split(line);
+    // a file may begin with a byte order mark, and files put together have one further down
+    List<String> words = ShellWords.split(line.startsWith("\ufeff") ? line.substring(1) : line);
     if (words.isEmpty()) {
       return new Nothing();
     }

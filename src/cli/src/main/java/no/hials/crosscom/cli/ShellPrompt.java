@@ -34,7 +34,7 @@ final class ShellPrompt {
     }
     try {
       String mode = controller.client().readText(MODE);
-      return mode.equalsIgnoreCase(SAFE_MODE) ? "" : mode;
+      return mode.equalsIgnoreCase(SAFE_MODE) ? "" : Printable.of(mode);
     } catch (IOException e) {
       return "";
     }

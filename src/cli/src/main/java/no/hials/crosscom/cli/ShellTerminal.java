@@ -2,6 +2,8 @@ package no.hials.crosscom.cli;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jline.reader.EndOfFileException;
 import org.jline.reader.LineReader;
@@ -44,7 +46,6 @@ final class ShellTerminal implements Closeable {
             .appName("jopenshowvar")
             .parser(new ShellParser())
             .completer(new ShellCompleter(console, symbols))
-            .variable(LineReader.HISTORY_FILE, history(console))
             .variable(LineReader.HISTORY_SIZE, MAX_HISTORY)
             .variable(LineReader.ERRORS, 0)
             .option(LineReader.Option.CASE_INSENSITIVE, true)
@@ -58,6 +59,7 @@ final class ShellTerminal implements Closeable {
             .variable(LineReader.DISABLE_HISTORY, true)
             .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
             .build();
+    keepHistory(console);
     (coloured ? ShellCompleter.COLOURED : ShellCompleter.PLAIN).forEach(reader::setVariable);
   }
 
@@ -70,7 +72,29 @@ final class ShellTerminal implements Closeable {
     return base.resolve("jopenshowvar").resolve("history");
   }
 
-  /** Gives a typed line, empty after Ctrl-C; null at the end. */
+  /** Keeps what is typed, if the file for it can be written and read: JLine fails where not. */
+  private void keepHistory(Console console) {
+    Path file = history(console);
+    try {
+      Files.createDirectories(file.getParent());
+      boolean old = Files.exists(file);
+      if (old) {
+        Files.readString(file);
+      }
+      // JLine makes it, for the user only
+      if (!Files.isWritable(old ? file : file.getParent())) {
+        throw new AccessDeniedException(file.toString());
+      }
+      reader.setVariable(LineReader.HISTORY_FILE, file);
+    } catch (IOException e) {
+      console.error(
+          "what is typed is not kept: " + FileException.cannot("use", file, e).getMessage());
+    }
+  }
+
+  /**
+   * Gives a typed line, or several that were pasted at once; empty after Ctrl-C; null at the end.
+   */
   @Nullable String readLine(ShellPrompt prompt) {
     // what a Ctrl-C stopped has ended
     Thread.interrupted();

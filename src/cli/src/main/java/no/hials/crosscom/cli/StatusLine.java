@@ -21,17 +21,10 @@ import org.jspecify.annotations.Nullable;
 final class StatusLine implements AutoCloseable {
   private static final long PERIOD_MILLIS = 250;
 
-  /** Clears the line from the cursor on. */
-  static final String CLEAR_REST = "\u001b[K";
-
-  /** Lets the terminal cut off what is too long; a line that is wrapped could not be cleared. */
-  static final String NO_WRAP = "\u001b[?7l";
-
-  static final String WRAP = "\u001b[?7h";
-
   private final Console console;
   private final MockServer server;
-  private final BooleanSupplier line;
+  private final BooleanSupplier isShown;
+  private final LiveLine line;
   private final ScheduledExecutorService executor =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -41,18 +34,18 @@ final class StatusLine implements AutoCloseable {
           });
 
   private @Nullable Message lastShown;
-  private boolean lineIsThere;
   private boolean closed;
 
   /**
    * Makes a status line that shows nothing yet.
    *
-   * @param line whether there is a line that changes now, or messages only
+   * @param isShown whether there is a line that changes now, or messages only
    */
-  StatusLine(Console console, MockServer server, BooleanSupplier line) {
+  StatusLine(Console console, MockServer server, BooleanSupplier isShown) {
     this.console = console;
     this.server = server;
-    this.line = line;
+    this.isShown = isShown;
+    this.line = new LiveLine(console.out(), true);
   }
 
   void start() {
@@ -66,11 +59,8 @@ final class StatusLine implements AutoCloseable {
       return;
     }
     showMessages();
-    if (line.getAsBoolean()) {
-      // what is behind the text is cleared after it, or the line would flicker; then back to its
-      // beginning, where the terminal shows Ctrl-C
-      terminal(NO_WRAP + text(server) + CLEAR_REST + WRAP + "\r");
-      lineIsThere = true;
+    if (isShown.getAsBoolean()) {
+      line.show(text(server));
     }
   }
 
@@ -82,21 +72,9 @@ final class StatusLine implements AutoCloseable {
     if (fresh.isEmpty()) {
       return;
     }
-    clear();
+    line.clear();
     fresh.forEach(message -> console.err().println(message));
     lastShown = fresh.get(fresh.size() - 1);
-  }
-
-  private void clear() {
-    if (lineIsThere) {
-      terminal("\r" + CLEAR_REST);
-      lineIsThere = false;
-    }
-  }
-
-  private void terminal(String text) {
-    console.out().print(text);
-    console.out().flush();
   }
 
   /** Gives the line: simulated time, mode and programs, axes, clients and requests. */
@@ -119,7 +97,7 @@ final class StatusLine implements AutoCloseable {
   public synchronized void close() {
     executor.shutdown();
     showMessages();
-    clear();
+    line.clear();
     closed = true;
   }
 }

@@ -5,6 +5,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import org.jline.utils.ShutdownHooks;
 
 /**
  * Lets a command run until the user stops it, by Ctrl-C (SIGINT) or SIGTERM, and then end in its
@@ -32,9 +33,13 @@ final class StopSignal implements AutoCloseable {
     stopped.countDown();
     try {
       int code = EXIT.get(MAX_SECONDS_TO_END, TimeUnit.SECONDS);
-      // the exit code of a shutdown is set already, 128 + the signal; this is the only way to
-      // another
-      Runtime.getRuntime().halt(code);
+      if (code != ExitCode.STOPPED.code()) {
+        // JLine's own hook gives terminals back, at the same time as this: it must not be cut off
+        ShutdownHooks.runTasks();
+        // the exit code of a shutdown is set already, 128 + the signal; this is the only way to
+        // another
+        Runtime.getRuntime().halt(code);
+      }
     } catch (InterruptedException | ExecutionException | TimeoutException e) {
       // the shutdown goes on
     }
@@ -52,6 +57,17 @@ final class StopSignal implements AutoCloseable {
   /** Says whether a signal came. */
   boolean isStopped() {
     return stopped.getCount() == 0;
+  }
+
+  /**
+   * Ends what cannot end in its own way.
+   *
+   * @throws StoppedException if a signal came, or an interrupt of this thread, which stays set
+   */
+  void check() {
+    if (isStopped() || Thread.currentThread().isInterrupted()) {
+      throw new StoppedException();
+    }
   }
 
   /** Leaves the signals to the JVM again. */

@@ -85,6 +85,7 @@ final class WriteCommand extends ConsoleCommand {
     Target target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
     writeOptions.checkAllowed(target, "write " + name);
     try (Controller controller = target.open(writeOptions.connection())) {
+      controller.client().checkText(name, value);
       writeOptions.check(this, controller, "write " + name);
       controller.client().writeText(name, value);
     } catch (CrossComException e) {

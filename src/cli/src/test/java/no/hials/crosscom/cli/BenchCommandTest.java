@@ -307,6 +307,18 @@ class BenchCommandTest {
   }
 
   @Test
+  void drawsAlsoIfNobodyReadsWhatItPrints() throws IOException {
+    Path svg = folder.resolve("a.svg");
+
+    int code =
+        Cli.runUnread(
+            Cli.argsOn(server, "bench", "--count", "5", "MYINT", "--plot", svg.toString()));
+
+    assertThat(code).isEqualTo(74);
+    assertThat(Pictures.texts(svg)).contains("read MYINT (INT, 1 byte)");
+  }
+
+  @Test
   void printsAHistogramWhoseBarsCountAllAccesses() {
     List<String> lines = bench("--count", "40", "--histogram", "MYINT").lines();
 
@@ -354,6 +366,8 @@ class BenchCommandTest {
       assertThat(lines.get(1)).matches("read \\$OV_PRO .*  \\d+\\.\\d{3}");
       assertThat(lines.get(2)).matches("read MYINT .*  \\d+\\.\\d{3}");
       assertThat(lines.get(3)).matches("write MYINT .* -");
+      assertThat(Cli.runOn(c3, "bench", "--count", "5", "$OV_PRO", "--json").out())
+          .containsPattern(",\"server_ms\":\\d+\\.\\d{3}}");
     }
   }
 

@@ -1,6 +1,8 @@
 package no.hials.crosscom.cli;
 
+import java.io.IOException;
 import java.io.StringWriter;
+import java.io.Writer;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -43,6 +45,13 @@ final class Cli {
     all.putAll(environment);
     int code = Main.run(args, new Console(out, err, all));
     return new Result(code, out.toString(), err.toString());
+  }
+
+  /** Runs it with a stdout that is closed already, and gives the exit code. */
+  static int runUnread(String... args) throws IOException {
+    Writer out = Writer.nullWriter();
+    out.close();
+    return Main.run(args, new Console(out, new StringWriter(), NO_CONFIGURATION));
   }
 
   static Result runOn(MockServer server, String command, String... args) {

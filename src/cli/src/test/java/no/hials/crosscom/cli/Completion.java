@@ -39,12 +39,10 @@ final class Completion {
         }
 
         function _jopenshowvar_or_robot() {
-          local word="${COMP_WORDS[COMP_CWORD]}" before=""
+          # $2 is what is replaced; in COMP_WORDS an @ may be a word of its own
+          local word="$2" before=""
           [ "$COMP_CWORD" -gt 0 ] && before="${COMP_WORDS[COMP_CWORD-1]}"
-          if [[ "$COMP_WORDBREAKS" == *@* ]] && [[ "$word" == @ || "$before" == @ ]]; then
-            # bash has taken @ for a word of its own
-            COMPREPLY=( $(compgen -W "$(_jopenshowvar_robots)" -- "${word#@}") )
-          elif [[ "$word" == @* ]]; then
+          if [[ "$word" == @* ]]; then
             COMPREPLY=( $(compgen -P @ -W "$(_jopenshowvar_robots)" -- "${word#@}") )
           elif [[ "$before" == --robot ]]; then
             COMPREPLY=( $(compgen -W "$(_jopenshowvar_robots)" -- "$word") )

@@ -50,10 +50,10 @@ class CompletionTest {
         "-c",
         """
         source "$0"
-        COMP_WORDS=($1); [[ $1 == *' ' ]] && COMP_WORDS+=('')
+        COMP_WORDS=(${1//@/@ }); [[ $1 == *' ' ]] && COMP_WORDS+=('')
         COMP_CWORD=$(( ${#COMP_WORDS[@]} - 1 ))
         COMP_LINE=$1; COMP_POINT=${#1}
-        _jopenshowvar_or_robot
+        _jopenshowvar_or_robot jopenshowvar "${1##* }"
         printf '%s\\n' "${COMPREPLY[@]}"
         """,
         script.toString(),
@@ -69,8 +69,8 @@ class CompletionTest {
         "jopenshowvar mock --no          | --no-discovery",
         "jopenshowvar mock --mode A      | AUT",
         "jopenshowvar read --server k    | kukavarproxy",
-        "jopenshowvar read @ cell1       | cell1",
-        "jopenshowvar read @ cell-       | cell-2",
+        "jopenshowvar read @cell1        | @cell1",
+        "jopenshowvar read @cell-        | @cell-2",
         "jopenshowvar read --robot cell- | cell-2"
       })
   void completesInBash(String words, String candidate) throws Exception {
@@ -79,7 +79,7 @@ class CompletionTest {
 
   @Test
   void givesAllRobotsBehindTheAtSign() throws Exception {
-    assertThat(inBash("jopenshowvar read @")).containsExactly("cell1", "cell-2");
+    assertThat(inBash("jopenshowvar read @")).containsExactly("@cell1", "@cell-2");
   }
 
   @Test

@@ -2,6 +2,7 @@ package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.io.StringWriter;
@@ -330,6 +331,19 @@ class DriveCommandTest {
 
     assertThat(result.code()).isEqualTo(2);
     assertThat(result.err()).startsWith("jopenshowvar: the keyboard needs a terminal");
+  }
+
+  @Test
+  void aFullDiskDoesNotHideWhyItEnded() throws IOException {
+    Path full = Path.of("/dev/full");
+    assumeThat(full).exists();
+
+    Cli.Result result =
+        Cli.run(patient("--device=udp:0", "--for=100ms", "--yes", "--record=" + full));
+
+    assertThat(result.code()).isEqualTo(74);
+    assertThat(result.lines()).last().isEqualTo("stopped: the time of 100 ms is over");
+    assertThat(result.errLines()).last().asString().contains("could not write /dev/full");
   }
 
   @Test

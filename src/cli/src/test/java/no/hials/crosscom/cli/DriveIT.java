@@ -8,6 +8,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import no.hials.crosscom.cli.experiment.KrlPrograms;
 import no.hials.crosscom.mock.MockServer;
@@ -67,6 +68,15 @@ class DriveIT {
       process.getOutputStream().flush();
     }
 
+    /** Gives the process of the command itself. */
+    ProcessHandle command() {
+      return process
+          .descendants()
+          .filter(each -> each.info().command().orElse("").endsWith("java"))
+          .findAny()
+          .orElseThrow();
+    }
+
     /** Reads to the end, and gives all. */
     String rest() throws IOException {
       shown.append(
@@ -74,9 +84,14 @@ class DriveIT {
       return shown.toString();
     }
 
+    /** Takes the terminal away from the command, as when its window is closed. */
+    void hangUp() {
+      process.destroyForcibly();
+    }
+
     @Override
     public void close() {
-      process.destroyForcibly();
+      hangUp();
     }
   }
 
@@ -127,22 +142,62 @@ class DriveIT {
     }
   }
 
+  /** Waits for the keys to be taken, and moves the third axis, so that there is what to stop. */
+  private static void move(MockServer server, Terminal terminal) throws IOException {
+    terminal.await(READY);
+    double start = server.controller().axes().a3();
+    while (server.controller().axes().a3() > start - 0.5) {
+      terminal.press("f");
+      Thread.onSpinWait();
+    }
+  }
+
+  private static void assertToldToStand(MockServer server) {
+    assertThat(Cli.runOn(server, "read", "MYAXIS").out()).containsPattern("A3 0(\\.0*)?,");
+  }
+
   @Test
-  void ctrlCStopsTheRobotFirst() throws Exception {
+  void ctrlCStopsTheRobotFirstAndLeavesTheTerminalAsItWas() throws Exception {
+    assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
     try (MockServer server = robot();
         Terminal terminal = new Terminal(server, "--frame=joints", "--max-delay=2s")) {
-      terminal.await(READY);
-      double start = server.controller().axes().a3();
-      while (server.controller().axes().a3() > start - 0.5) {
-        terminal.press("f");
-        Thread.onSpinWait();
-      }
+      move(server, terminal);
 
       terminal.press(PseudoTerminal.CTRL_C);
 
       String shown = terminal.rest();
       assertThat(shown).contains("stopped: the loop was asked to stop", "code=0");
-      assertThat(Cli.runOn(server, "read", "MYAXIS").out()).containsPattern("A3 0(\\.0*)?,");
+      assertRestored(shown);
+      assertToldToStand(server);
+    }
+  }
+
+  @Test
+  void sigtermDoesTheSame() throws Exception {
+    try (MockServer server = robot();
+        Terminal terminal = new Terminal(server, "--frame=joints", "--max-delay=2s")) {
+      move(server, terminal);
+
+      terminal.command().destroy();
+
+      String shown = terminal.rest();
+      assertThat(shown).contains("stopped: the loop was asked to stop", "code=0");
+      assertRestored(shown);
+      assertToldToStand(server);
+    }
+  }
+
+  @Test
+  void aTerminalThatIsClosedStopsTheRobot() throws Exception {
+    try (MockServer server = robot();
+        Terminal terminal = new Terminal(server, "--frame=joints", "--max-delay=2s")) {
+      move(server, terminal);
+
+      ProcessHandle command = terminal.command();
+      terminal.hangUp();
+
+      command.onExit().get(60, TimeUnit.SECONDS);
+      assertToldToStand(server);
     }
   }
 

@@ -23,11 +23,14 @@ class ExperimentCommandTest {
   @TempDir private Path folder;
 
   private Cli.Result experiment(String... args) {
-    return Cli.run(
-        Stream.concat(
-                Stream.of("experiment", "--latency", "none", "--out", folder.toString()),
-                Arrays.stream(args))
-            .toArray(String[]::new));
+    return Cli.run(args(args));
+  }
+
+  private String[] args(String... args) {
+    return Stream.concat(
+            Stream.of("experiment", "--latency", "none", "--out", folder.toString()),
+            Arrays.stream(args))
+        .toArray(String[]::new);
   }
 
   private Path file(String name) {
@@ -141,6 +144,16 @@ class ExperimentCommandTest {
     assertThat(result.err())
         .contains("position-circle: the robot was stopped: the speed of path must be at most");
     assertThat(file("position-circle.png")).exists();
+  }
+
+  @Test
+  void allFilesAreThereAlsoIfNobodyReadsWhatItPrints() throws IOException {
+    int code = Cli.runUnread(args("line-dls", "--for", "200ms", "--csv"));
+
+    assertThat(code).isEqualTo(74);
+    assertThat(file("line-dls.png")).isNotEmptyFile();
+    assertThat(file("line-dls-krc.csv")).isNotEmptyFile();
+    assertThat(file("line-dls-dls-figures.csv")).isNotEmptyFile();
   }
 
   @Test

@@ -101,6 +101,20 @@ class FileCommandsTest {
     assertThat(result.lines()).hasSize(1801).contains("-     -     -           FILE1000.TXT");
   }
 
+  @Test
+  void asksForOneTypeAfterTheOtherIfTheNamesDoNotFitEither() throws IOException {
+    for (int i = 1000; i < 2800; i++) {
+      server.files().put("KRC:\\R1\\TP\\FILE" + i + ".TXT", "");
+      server.files().put("KRC:\\R1\\TP\\FILE" + i + ".ZIP", "");
+    }
+
+    Cli.Result result = run("file ls", "KRC:\\R1\\TP");
+
+    assertThat(result.lines()).hasSize(3601).anyMatch(line -> line.matches("text .* FILE2799.TXT"));
+    assertThat(result.errLines()).singleElement().asString().startsWith("too many for one answer");
+    assertThat(result.code()).isZero();
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"KRC:\\R1\\NOPE", "/R1/A.SRC"})
   void saysThatItCannotList(String name) {
@@ -287,6 +301,9 @@ class FileCommandsTest {
       assertThat(result.errLines().get(0))
           .startsWith("jopenshowvar: this server cannot do the ")
           .endsWith("the server is KUKAVARPROXY");
+      assertThat(result.errLines())
+          .last()
+          .isEqualTo("KUKAVARPROXY has no files: that needs C3 Bridge Interface on the controller");
       assertThat(result.code()).isEqualTo(1);
     }
   }

@@ -93,6 +93,7 @@ class FileTransferTest {
         .asString()
         .endsWith("a.src\",\"name\":\"KRC:\\\\R1\\\\TP\\\\a.src\",\"size\":32}");
     assertThat(server.files().text("KRC:\\R1\\TP\\\u00e4\u4e2d b.txt")).hasValue("x");
+    assertThat(put(b, "/R1/ONE.TXT").lines()).containsExactly(b + " -> /R1/ONE.TXT, 1 byte");
   }
 
   @Test

@@ -6,9 +6,12 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.WriteDataRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -85,6 +88,28 @@ class FilesOnATerminalIT {
         .contains("KRC:\\R1\\TP\\a.txt: all of 196 KB, checking\u001B[K\u001B[?7h\r")
         .endsWith("\r\u001B[K" + local + " -> KRC:\\R1\\TP\\a.txt, 200000 bytes\r\n");
     assertThat(shown.code()).isZero();
+  }
+
+  @Test
+  void takesTheProgressAwayAndUploadsNothingAfterCtrlC() throws Exception {
+    assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
+    // many parts, so that the end is far away
+    server.fault(
+        request -> request.request() instanceof WriteDataRequest,
+        Fault.delay(Duration.ofMillis(20)));
+    String local = file(20_000_000);
+
+    PseudoTerminal.Shown shown =
+        PseudoTerminal.run(
+            "xterm",
+            " 0 % of ",
+            PseudoTerminal.CTRL_C,
+            Cli.argsOn(server, "file put", "--yes", local, "KRC:\\R1\\TP\\"));
+
+    assertThat(shown.text())
+        .endsWith("\r\u001B[Kjopenshowvar: stopped\r\nnot uploaded: KRC:\\R1\\TP\\a.txt\r\n");
+    assertThat(shown.code()).isEqualTo(130);
+    assertThat(server.files().text("KRC:\\R1\\TP\\a.txt")).hasValue("old");
   }
 
   @Test

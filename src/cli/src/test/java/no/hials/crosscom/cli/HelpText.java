@@ -11,10 +11,12 @@ import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
+import picocli.CommandLine.Model.UsageMessageSpec;
 
 /** What a command says of itself, for pages in other forms than {@code --help}. */
 final class HelpText {
   private static final String INDENT = "  ";
+  private static final int SYNOPSIS_WIDTH = 10_000;
 
   private HelpText() {}
 
@@ -48,8 +50,14 @@ final class HelpText {
 
   /** Gives what stands behind {@code Usage:}, in one line. */
   static String synopsis(CommandSpec command) {
+    UsageMessageSpec usage = command.usageMessage();
+    int width = usage.width();
+    // else a line may end inside of a label, as FILE.dat
+    usage.width(SYNOPSIS_WIDTH);
     Help help = new Help(command, Help.defaultColorScheme(Help.Ansi.OFF));
-    return help.synopsis(0).replaceAll("\\s+", " ").strip();
+    String synopsis = help.synopsis(0).replaceAll("\\s+", " ").strip();
+    usage.width(width);
+    return synopsis;
   }
 
   /** Gives an option with its names and its argument. */

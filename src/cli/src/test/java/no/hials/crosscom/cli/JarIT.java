@@ -10,10 +10,14 @@ import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.ReadDataRequest;
+import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -111,6 +115,39 @@ class JarIT {
       mock.destroyForcibly();
     }
     assertThat(dir.resolve("err")).isEmptyFile();
+  }
+
+  @Test
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no SIGTERM")
+  void leavesNothingOfADownloadThatSigtermEnds() throws Exception {
+    try (MockServer bridge =
+        MockServer.start(
+            cfg ->
+                cfg.server(ServerType.C3_BRIDGE).latency(Latency.fixed(Duration.ofMillis(20))))) {
+      // many parts, so that the end is far away
+      bridge.files().put("KRC:\\R1\\TP\\a.bin", new byte[20_000_000]);
+      Path folder = Files.createDirectory(dir.resolve("here"));
+      Process get =
+          jar(Cli.argsOn(bridge, "file get", "KRC:\\R1\\TP\\a.bin", folder.toString()))
+              .redirectError(dir.resolve("err").toFile())
+              .start();
+      try {
+        while (!(bridge.takeRequest(Duration.ofSeconds(60)).orElseThrow().request()
+            instanceof ReadDataRequest)) {
+          // not that far yet
+        }
+        assertThat(folder).isNotEmptyDirectory();
+        get.toHandle().destroy();
+
+        assertThat(get.waitFor()).isEqualTo(128 + 15);
+      } finally {
+        get.destroyForcibly();
+      }
+      assertThat(folder).isEmptyDirectory();
+      assertThat(dir.resolve("err"))
+          .content()
+          .isEqualTo("jopenshowvar: stopped\nnot downloaded: KRC:\\R1\\TP\\a.bin\n");
+    }
   }
 
   @Test
@@ -294,5 +331,17 @@ class JarIT {
     builder.environment().put("LC_ALL", "C");
 
     assertThat(run(builder).lines()).containsExactly("MYSTRING[] = \"B\u00FChne\"");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void readsUmlautsAlsoWhereNoCharsetIsChosen() throws Exception {
+    Path lines = Files.writeString(dir.resolve("lines"), "MYSTRING[] = \"B\u00FChne\"\n");
+    ProcessBuilder builder =
+        jar(Cli.argsOn(server, "shell", "--yes")).redirectInput(lines.toFile());
+    builder.environment().put("LC_ALL", "C");
+
+    assertThat(run(builder).code()).isZero();
+    assertThat(server.variables().get("MYSTRING[]")).isEqualTo("\"B\u00FChne\"");
   }
 }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class PlotCommandTest {
   private static final String RECORDING =
@@ -150,6 +151,49 @@ class PlotCommandTest {
         .containsExactly("run.csv", "force [N] over distance [m]; force");
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"NaN", "nan", "inf", "-Infinity", "", " "})
+  void leavesAGapWhereThereIsNoNumber(String cell) throws IOException {
+    Files.writeString(csv, "s,force [N]\n0,1\n1," + cell + "\n2,3\n3,4\n");
+
+    Cli.Result result = plot();
+
+    assertThat(result.err()).isEmpty();
+    assertThat(Pictures.texts(svg).lines()).containsExactly("run.csv", "force [N] over s; force");
+  }
+
+  @Test
+  void saysWhichTextKeepsAColumnOfNumbersFromBeingDrawn() throws IOException {
+    Files.writeString(csv, "s,a,b\n0,1,1\n1,3,two\n");
+
+    Cli.Result all = plot();
+
+    assertThat(all.errLines()).containsExactly("not drawn: b, which has also two");
+    assertThat(all.code()).isZero();
+    assertThat(plot("b", "--yes").errLines().get(0))
+        .isEqualTo("jopenshowvar: b cannot be drawn: it has texts, such as two");
+  }
+
+  @Test
+  void drawsAFileWithAByteOrderMark() throws IOException {
+    Files.writeString(csv, "\ufeff" + RECORDING);
+
+    assertThat(plot("$OV_PRO").err()).isEmpty();
+    assertThat(Pictures.texts(svg)).contains("$OV_PRO [%] over time [s]");
+  }
+
+  @Test
+  void saysThatSemicolonsAreNoCommas() throws IOException {
+    Files.writeString(csv, "s;a\n0;1,5\n1;2\n");
+
+    assertThat(plot().errLines())
+        .containsExactly(
+            "jopenshowvar: cannot draw "
+                + csv
+                + ": line 1 must have commas between the names, has semicolons; numbers need a"
+                + " decimal point");
+  }
+
   @Test
   void doesNotOverwriteUnlessToldTo() throws IOException {
     Files.writeString(svg, "mine");
@@ -170,7 +214,7 @@ class PlotCommandTest {
       value = {
         "$POS_AC                   | there is no column $POS_AC in FILE, it has: $POS_ACT $OV_PRO"
             + " $MODE_OP $PERI_RDY access_ms",
-        "$MODE_OP                  | $MODE_OP cannot be drawn: it has texts, or nothing",
+        "$MODE_OP                  | $MODE_OP cannot be drawn: it has texts, such as #T1",
         "--xy=$POS_ACT.X           | --xy must be two names with a comma between them, is $POS_ACT.X",
         "--xy=$POS_ACT.X,$POS_ACT  | --xy must be two columns, $POS_ACT is 6, such as $POS_ACT.X",
         "--size=100x100            | invalid value for option '--size': width must be 300 to 10000"
@@ -195,6 +239,14 @@ class PlotCommandTest {
         "''                 | cannot draw FILE: it must have a line of names and lines of numbers",
         "'a,b;1,2;x,3'      | cannot draw FILE: line 3 must begin with a number, begins with x",
         "'1,2;3,4'          | cannot draw FILE: the first line must name the columns, begins with 1",
+        "'a;1'              | nothing in FILE can be drawn: it has no numbers",
+        "'a,b;1,2;3'        | cannot draw FILE: line 3 must have 2 fields, has 1",
+        "'a,b;1,2;3,\"4;5,6' | cannot read FILE: unclosed quoted field at end of input (record"
+            + " starting at line 3)",
+        "'a,\"b\"c;1,2'     | cannot read FILE: unexpected character after closing quote: 'c'"
+            + " (0x63) (record starting at line 1)",
+        "'a\tb;1\t2'        | cannot draw FILE: line 1 must have commas between the names, has"
+            + " tabs; numbers need a decimal point",
         "'a,b;1,x;2,y'      | nothing in FILE can be drawn: it has no numbers",
         "'time,seconds,x;1,2,3' | FILE is not a recording: the first line must be"
             + " time,seconds,...,access_ms,status, is time,seconds,x",

@@ -239,8 +239,10 @@ class RecordCommandTest {
     Cli.Result result = record("--count", "1", "MYINT");
 
     assertThat(result.errLines())
-        .containsExactly("jopenshowvar: cannot write " + file + ": there is no such file");
+        .containsExactly(
+            "jopenshowvar: cannot write " + file + ": there is no folder " + dir.resolve("none"));
     assertThat(result.code()).isEqualTo(2);
+    assertThat(server.requestCount()).isZero();
   }
 
   @Test

@@ -121,6 +121,25 @@ class RecordedDataTest {
   }
 
   @Test
+  void saysWhichQuoteHidesTheRowsBehindIt() {
+    assertThatThrownBy(
+            () ->
+                read(
+                    "time,seconds,R,access_ms,status",
+                    FIRST + ",0.0,1,2,",
+                    FIRST + ",0.1,\"1,2,",
+                    FIRST + ",0.2,1,2,"))
+        .isInstanceOf(FileException.class)
+        .hasMessageEndingWith("line 3 has a quote that is never closed");
+  }
+
+  @Test
+  void skipsAByteOrderMark() throws IOException {
+    assertThat(read("\ufefftime,seconds,R,access_ms,status", FIRST + ",0.0,1,2,").series())
+        .hasSize(1);
+  }
+
+  @Test
   void saysThatThereIsNoFile() {
     assertThatThrownBy(() -> RecordedData.read(dir.resolve("none.csv")))
         .isInstanceOf(FileException.class)

@@ -108,6 +108,15 @@ class RunCommandTest {
   }
 
   @Test
+  void skipsAByteOrderMark() throws IOException {
+    String file = file("\ufeff$OV_PRO = 10");
+
+    assertThat(Cli.runOn(server, "run", file, "--yes").lines()).containsExactly("$OV_PRO = 10");
+    Cli.Result piped = ShellInput.runOn(server, "\ufeff$OV_PRO\n", "shell");
+    assertThat(piped.lines()).containsExactly("$OV_PRO = 10");
+  }
+
+  @Test
   void runsStdin() {
     Cli.Result result = ShellInput.runOn(server, "MYINT = 5\nNOPE\n", "run", "-", "--yes");
 

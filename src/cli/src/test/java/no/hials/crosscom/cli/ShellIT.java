@@ -173,6 +173,44 @@ class ShellIT {
   }
 
   @Test
+  void worksWithoutAHistoryThatCannotBeRead() throws Exception {
+    Path history = Files.createDirectory(state.resolve("jopenshowvar")).resolve("history");
+    byte[] noText = {(byte) 0xFF, '\n'};
+    Files.write(history, noText);
+    try (Dialogue shell = shell(Map.of())) {
+      shell.until("history: it is not in UTF-8");
+      shell.until(PROMPT).type("$OV_PRO\r").until("$OV_PRO = 100");
+      shell.until(PROMPT).type(CTRL_D).end();
+    }
+    assertThat(history).hasBinaryContent(noText);
+  }
+
+  @Test
+  void worksWithoutAHistoryThatCannotBeWritten() throws Exception {
+    Files.createFile(state.resolve("jopenshowvar"));
+    try (Dialogue shell = shell(Map.of())) {
+      shell.until("what is typed is not kept: ");
+      shell.until(PROMPT).type("$OV_PRO\r").until("$OV_PRO = 100");
+
+      assertThat(shell.until(PROMPT).type(CTRL_D).end()).doesNotContain("WARNING");
+    }
+  }
+
+  @Test
+  void runsPastedLinesOneByOneUpToTheFirstThatFails() throws Exception {
+    try (Dialogue shell = shell(Map.of("NO_COLOR", "1"), "--yes")) {
+      shell.until(PROMPT).type(pasted("$OV_PRO = 40\r$OV_PRO\r50\rMYINT = 5\r") + "\r");
+      shell.until("must be the name of a variable").until(PROMPT).type(CTRL_D).end();
+    }
+    assertThat(server.variables().get("$OV_PRO")).isEqualTo("40");
+    assertThat(server.requests().stream().filter(RecordedRequest::isWrite)).hasSize(1);
+  }
+
+  private static String pasted(String text) {
+    return "\u001B[200~" + text + "\u001B[201~";
+  }
+
+  @Test
   void comesBackToThePromptOnCtrlC() throws Exception {
     needsCtrlC();
     server.fault(request -> request.toString().contains("$POS_ACT"), Fault.dropAnswer());

@@ -121,7 +121,7 @@ class WriteCommandTest {
         .startsWith(
             "jopenshowvar: MYFRAME: an aggregate to be written must have at most 255 bytes");
     assertThat(result.code()).isEqualTo(2);
-    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+    assertThat(server.requestCount()).isZero();
   }
 
   @Test
@@ -203,6 +203,16 @@ class WriteCommandTest {
     assertThat(result.err()).contains("$MODE_OP is unknown, which needs --yes");
     assertThat(result.code()).isEqualTo(5);
     assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void keepsWhatAControllerSaysFromSteeringTheTerminal() {
+    server.enqueue(Fault.answer("\u001B[2J#T1", Tail.SUCCESS));
+
+    assertThat(Cli.runOn(server, "write", "MYINT", "5").err())
+        .isEqualTo(
+            "jopenshowvar: did not write MYINT: $MODE_OP is \\x1B[2J#T1, which needs --yes"
+                + System.lineSeparator());
   }
 
   @Test

@@ -19,7 +19,8 @@ import org.slf4j.LoggerFactory;
  * limits of {@link Safety}. Whatever breaks one, any exception, and any access that fails ends the
  * loop: the robot is told once to stand, if the connection allows, and nothing is written after
  * that. {@link #stopReason} then says which limit it was. A loop does not start again; a write is
- * never repeated.
+ * never repeated. A reading that the client repeats on a new connection, as it does unless told not
+ * to reconnect, has not failed if it is fresh enough ({@link Safety#maxFeedbackAge}).
  *
  * <p>If the robot could not be told to stand, it is the watchdog's turn: without heartbeat the
  * program on the controller stops. Except after a planned end, the watchdog stays armed, so that
@@ -106,6 +107,8 @@ public final class ControlLoop implements AutoCloseable {
       LOG.warn("control stops the robot: {}", reason.message());
       LOG.debug("the reason of the stop was {}", reason.kind(), reason.cause());
     }
+    // an access refuses to begin in an interrupted thread, and the robot would go on moving
+    Thread.interrupted();
     try {
       toldToStand = runner.halt(reason);
     } catch (ControlRefusedException | RuntimeException | Error e) {

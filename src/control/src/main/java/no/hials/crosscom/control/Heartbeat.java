@@ -23,6 +23,11 @@ final class Heartbeat {
   private final long limitMillis;
   private final long interval;
   private final KRLInt beat = new KRLInt(BEAT);
+
+  /** What the watchdog is set to, and the last beat it saw; to be read while the loop runs. */
+  final KRLInt limit = new KRLInt(LIMIT);
+
+  final KRLInt seen = new KRLInt(SEEN);
   private int limitBefore;
   private long next;
 
@@ -35,7 +40,7 @@ final class Heartbeat {
 
   /** Switches the watchdog on, and makes sure that it looks. */
   void start() throws ControlRefusedException {
-    if (limitMillis == 0) {
+    if (!isOn()) {
       return;
     }
     try {
@@ -85,8 +90,46 @@ final class Heartbeat {
     beat.setValue(beat.intValue() == Integer.MAX_VALUE ? 0 : beat.intValue() + 1);
   }
 
+  /** Says whether there is a watchdog. */
+  boolean isOn() {
+    return limitMillis > 0;
+  }
+
+  /** Refuses a watchdog, as it was read last, that somebody has set to something else. */
+  void checkLimit() throws ControlRefusedException {
+    if (limit.intValue() != limitMillis) {
+      throw new ControlRefusedException(
+          Kind.WATCHDOG,
+          LIMIT
+              + " must be "
+              + limitMillis
+              + " as this loop has set it, is "
+              + limit.intValue()
+              + "; another client uses the watchdog");
+    }
+  }
+
+  /** Refuses a watchdog that has not seen, as it was read last, any of the latest beats. */
+  void checkSeen() throws ControlRefusedException {
+    // the beat after the greatest is 0
+    long behind = Math.floorMod(beat.intValue() - (long) seen.intValue(), 1L << 31);
+    if (behind > BEATS) {
+      throw new ControlRefusedException(
+          Kind.WATCHDOG,
+          "the watchdog does not see the heartbeat any more: "
+              + SEEN
+              + " must be at most "
+              + BEATS
+              + " behind "
+              + beat.intValue()
+              + ", is "
+              + seen.intValue()
+              + "; JOV_SPS has stopped, or another client sends a heartbeat");
+    }
+  }
+
   boolean isDue() {
-    return limitMillis > 0 && time.nanoTime() - next >= 0;
+    return isOn() && time.nanoTime() - next >= 0;
   }
 
   /** Gives the next beat to be written. */
@@ -98,7 +141,7 @@ final class Heartbeat {
 
   /** Sets the watchdog to what it was before, once the robot stands. */
   void end() throws ControlRefusedException {
-    if (limitMillis > 0) {
+    if (isOn()) {
       channel.writeInt(LIMIT, limitBefore);
     }
   }

@@ -38,6 +38,7 @@ public record LoopConfig(
 
   private static final Duration SHORTEST = Duration.ofMillis(4);
   private static final Duration LONGEST = Duration.ofSeconds(1);
+  private static final Duration LONGEST_DURATION = Duration.ofDays(365);
   private static final int LONGEST_TRACE = 1_000_000;
 
   /** Checks every field. */
@@ -45,7 +46,7 @@ public record LoopConfig(
     Checks.between("period", period, SHORTEST, LONGEST);
     Checks.between("time of a step", stepTime, SHORTEST, LONGEST);
     Checks.holds(gain > 0 && gain <= 1, "gain must be more than 0 and at most 1, is " + gain);
-    Checks.holds(!duration.isNegative(), "duration must be 0 or more, is " + duration);
+    Checks.between("duration", duration, Duration.ZERO, LONGEST_DURATION);
     Checks.holds(
         traceLength >= 0 && traceLength <= LONGEST_TRACE,
         "length of the trace must be 0 to " + LONGEST_TRACE + ", is " + traceLength);

@@ -33,6 +33,8 @@ public final class PathPlayer {
   private static final int BUSY = 0;
   private static final int DONE = 1;
   private static final int REFUSED = 2;
+  private static final Duration SHORTEST_LIMIT = Duration.ofMillis(1);
+  private static final Duration LONGEST_LIMIT = Duration.ofDays(1);
   private static final Duration READY_TIME = Duration.ofSeconds(5);
   private static final long PAUSE = Duration.ofMillis(20).toNanos();
 
@@ -60,15 +62,15 @@ public final class PathPlayer {
    * Plays a path in the space of the axes (PTP, approximated), and waits for its end.
    *
    * @param points 1 to 50 points, degrees
-   * @param limit how long the motion may take; after that the heartbeat ends, and the watchdog
-   *     stops the robot
+   * @param limit how long the motion may take, 1 ms to 1 day; after that the heartbeat ends, and
+   *     the watchdog stops the robot
    * @throws ControlRefusedException if a limit is broken, in which case nothing was written that
    *     moves the robot, or if the motion did not come to its end
    * @throws InterruptedException if the waiting was interrupted; the watchdog stops the robot
    */
   public void playAxes(List<Axes> points, Duration limit)
       throws ControlRefusedException, InterruptedException {
-    checkCount(points);
+    check(points, limit);
     Guard guard = Preflight.check(channel, safety, false);
     List<KRLVariable> variables = new ArrayList<>();
     for (Axes point : points) {
@@ -84,15 +86,15 @@ public final class PathPlayer {
    * to the first point with the Status and Turn that it has.
    *
    * @param points 1 to 50 points in {@code $BASE}
-   * @param limit how long the motion may take; after that the heartbeat ends, and the watchdog
-   *     stops the robot
+   * @param limit how long the motion may take, 1 ms to 1 day; after that the heartbeat ends, and
+   *     the watchdog stops the robot
    * @throws ControlRefusedException if a limit is broken, in which case nothing was written that
    *     moves the robot, or if the motion did not come to its end
    * @throws InterruptedException if the waiting was interrupted; the watchdog stops the robot
    */
   public void playPositions(List<Frame> points, Duration limit)
       throws ControlRefusedException, InterruptedException {
-    checkCount(points);
+    check(points, limit);
     Guard guard = Preflight.check(channel, safety, true);
     List<KRLVariable> variables = new ArrayList<>();
     for (Frame point : points) {
@@ -104,7 +106,8 @@ public final class PathPlayer {
     play(POSITIONS, variables, limit);
   }
 
-  private static void checkCount(List<?> points) {
+  private static void check(List<?> points, Duration limit) {
+    Checks.between("the limit of the motion's time", limit, SHORTEST_LIMIT, LONGEST_LIMIT);
     Checks.holds(
         !points.isEmpty() && points.size() <= MAX_POINTS,
         "a path must have 1 to " + MAX_POINTS + " points, has " + points.size());

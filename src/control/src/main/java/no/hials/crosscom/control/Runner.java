@@ -1,6 +1,5 @@
 package no.hials.crosscom.control;
 
-import java.io.IOException;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.control.Space.Quantity;
 import no.hials.crosscom.control.StopReason.Kind;
@@ -13,8 +12,11 @@ import org.jspecify.annotations.Nullable;
  * @param <P> the position that the law works with
  */
 final class Runner<P> {
-  /** How many things are looked at in turn, one in a cycle. */
+  /** What is looked at in turn, one in a cycle: the mode, the program, the other feedback. */
   private static final int CHECKS = 3;
+
+  /** And of the watchdog, what it is set to and what it saw. */
+  private static final int CHECKS_OF_WATCHDOG = 2;
 
   private static final double[] ZEROS = new double[6];
 
@@ -30,6 +32,12 @@ final class Runner<P> {
   private final Trace trace;
   private final Feedback<P> feedback;
   private final long period;
+
+  /** From one of the checks to the next. */
+  private final long checkInterval;
+
+  private final int checks;
+
   private final double[] differences;
 
   private volatile boolean stopAsked;
@@ -71,6 +79,8 @@ final class Runner<P> {
     this.heartbeat = heartbeat;
     this.time = time;
     this.period = config.period().toNanos();
+    this.checks = CHECKS + (heartbeat.isOn() ? CHECKS_OF_WATCHDOG : 0);
+    this.checkInterval = safety.checkInterval().toNanos() / checks;
     this.meter = new Meter(space.quantities);
     this.trace = new Trace(space.names, config.traceLength());
     this.feedback = new Feedback<>(space, safety, meter);
@@ -138,15 +148,16 @@ final class Runner<P> {
     begun = true;
     meter.began(sinceLast, late);
     boolean beat = heartbeat.isDue();
-    read(!beat && begin - nextCheck >= 0, begin);
+    // in a slow loop a beat is due each time, which must not put off the checks for ever
+    read(begin - nextCheck >= (beat ? checkInterval : 0), begin);
     long readEnd = time.nanoTime();
     readNanos = readEnd - begin;
     P actual = space.actual();
     space.check(guard, actual, true);
     feedback.check(actual, readEnd);
-    Input input = input(readEnd);
+    Input input = input();
     boolean moving = input != null;
-    double[] sent = moving ? move(actual, input, elapsed) : hold(actual);
+    double[] sent = moving ? move(actual, input, elapsed, begin) : hold(actual);
     space.setTarget(sent);
     long writeBegin = time.nanoTime();
     channel.write(space.target(), beat ? heartbeat.next() : null);
@@ -167,48 +178,71 @@ final class Runner<P> {
   private void read(boolean withCheck, long begin) throws ControlRefusedException {
     if (!withCheck) {
       channel.read(space.feedback());
-      checkAge(begin);
+      checkReading(begin);
       return;
     }
-    nextCheck = begin + safety.checkInterval().toNanos() / CHECKS;
-    check = (check + 1) % CHECKS;
+    nextCheck = begin + checkInterval;
+    check = (check + 1) % checks;
     KRLVariable variable =
-        check == 0 ? channel.mode : check == 1 ? channel.program : space.otherFeedback();
+        switch (check) {
+          case 0 -> channel.mode;
+          case 1 -> channel.program;
+          case 2 -> space.otherFeedback();
+          case 3 -> heartbeat.limit;
+          default -> heartbeat.seen;
+        };
     channel.read(space.feedback(), variable);
-    checkAge(begin);
+    checkReading(begin);
     switch (check) {
       case 0 -> channel.checkMode(safety);
       case 1 -> channel.checkProgram();
-      default -> space.checkOther(guard);
+      case 2 -> space.checkOther(guard);
+      case 3 -> heartbeat.checkLimit();
+      default -> heartbeat.checkSeen();
     }
   }
 
-  private void checkAge(long begin) throws ControlRefusedException {
+  private void checkReading(long begin) throws ControlRefusedException {
+    checkAge("the time of reading " + space.feedback().getName(), begin);
+  }
+
+  private void checkAge(String what, long begin) throws ControlRefusedException {
     Guard.most(
         Kind.STALE_FEEDBACK,
-        "the time of reading " + space.feedback().getName(),
+        what,
         "ms",
         safety.maxFeedbackAge().toNanos() / 1e6,
         (time.nanoTime() - begin) / 1e6);
   }
 
   /** Gives the input; nothing if the robot has to stand. */
-  private @Nullable Input input(long now) throws ControlRefusedException {
+  private @Nullable Input input() throws ControlRefusedException {
     if (config.input() == null) {
       return Input.NONE;
     }
     Input input;
     try {
       input = config.input().read();
-    } catch (IOException | RuntimeException e) {
+    } catch (Throwable e) { // as of the law
       throw new ControlRefusedException(
           new StopReason(Kind.INPUT, "the input device failed: " + e, e));
     }
-    boolean fresh = now - input.nanoTime() <= safety.maxInputAge().toNanos();
-    return input.deadMan() && fresh ? input : null;
+    if (!input.deadMan()) {
+      return null;
+    }
+    long age = time.nanoTime() - input.nanoTime();
+    if (age < 0) { // such as from another clock: it would be fresh for ever
+      throw new ControlRefusedException(
+          Kind.INPUT,
+          "the time of the input must be that of System.nanoTime, is "
+              + -age / 1_000_000
+              + " ms ahead of it");
+    }
+    return age <= safety.maxInputAge().toNanos() ? input : null;
   }
 
-  private double[] move(P actual, Input input, long elapsed) throws ControlRefusedException {
+  private double[] move(P actual, Input input, long elapsed, long begin)
+      throws ControlRefusedException {
     boolean first = previous == null;
     if (!first) {
       lawPeriods += elapsed;
@@ -217,6 +251,7 @@ final class Runner<P> {
         new State(
             lawPeriods * period / 1e9, period / 1e9, channel.joints(), channel.frame(), input);
     P desired = ask(state, actual);
+    checkAge("the age of " + space.feedback().getName() + " when the law has decided", begin);
     P from = first || space.isVelocity() ? actual : previous;
     checkStep(from, desired, space.isVelocity() || first ? 1 : elapsed);
     space.check(guard, desired, false);
@@ -238,7 +273,7 @@ final class Runner<P> {
     P desired;
     try {
       desired = space.ask(state, actual);
-    } catch (Exception | LinkageError | AssertionError | StackOverflowError e) {
+    } catch (Throwable e) { // in another language a law need not declare what it throws
       throw new ControlRefusedException(new StopReason(Kind.LAW, "the law failed: " + e, e));
     }
     if (desired == null) {

@@ -22,9 +22,10 @@ import org.jspecify.annotations.Nullable;
  *     300 mm from where it is at the start for Cartesian laws, and no limit for joint laws
  * @param workspaceMargin the distance to keep from the workspace's sides, mm; default 10
  * @param modes the operating modes in which the loop may run; default T1 only
- * @param checkInterval how often the mode, the program's state, and the axes (Cartesian laws) or
- *     the position (joint laws) are read; default 300 ms
- * @param maxFeedbackAge how long reading where the robot is may take; default 100 ms
+ * @param checkInterval how often the mode, the program's state, the axes (Cartesian laws) or the
+ *     position (joint laws), and the watchdog are read; default 300 ms
+ * @param maxFeedbackAge how long reading where the robot is may take, and together with it the law;
+ *     default 100 ms
  * @param maxStall how long the robot may stand although it was told to move; default 500 ms
  * @param maxInputAge how old the input may be for motion; default 200 ms
  * @param watchdog how long the watchdog on the controller waits for a heartbeat until it stops the
@@ -216,7 +217,7 @@ public record Safety(
     }
 
     /**
-     * Sets how long reading where the robot is may take.
+     * Sets how long reading where the robot is may take, and together with it the law.
      *
      * @param time 1 ms to 10 s
      * @return this

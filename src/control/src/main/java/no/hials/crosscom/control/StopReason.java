@@ -35,7 +35,7 @@ public record StopReason(Kind kind, String message, @Nullable Throwable cause) {
     MODE,
     /** The robot's program does not run. */
     PROGRAM,
-    /** The watchdog on the controller does not see the heartbeat. */
+    /** The watchdog on the controller does not see the heartbeat, or is not set as it was. */
     WATCHDOG,
     /** The law threw an exception, or gave what is no command. */
     LAW,

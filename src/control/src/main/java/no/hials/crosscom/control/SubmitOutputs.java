@@ -14,10 +14,14 @@ import no.hials.crosscom.control.StopReason.Kind;
  *
  * <p><b>An output can move a gripper or another machine.</b>
  *
+ * <p>When the submit program starts, it takes the outputs as they are, so that none is switched by
+ * that. Until then an output cannot be set; {@code JOV_OUT_READY} says so.
+ *
  * <p>It can be used by several threads, and starts none.
  */
 public final class SubmitOutputs {
   private static final int COUNT = 16;
+  private static final String READY = "JOV_OUT_READY";
 
   private final CrossComClient client;
 
@@ -31,11 +35,13 @@ public final class SubmitOutputs {
   }
 
   /**
-   * Switches an output. The submit program does it in its next turn; {@link #output} shows when.
+   * Switches an output. The submit program does it in its next turn; {@link #output} shows when, or
+   * that it did not, as if somebody starts the submit program again at this moment.
    *
    * @param number 1 to 16
    * @param value on or off
-   * @throws ControlRefusedException if no submit program runs, which would copy the value
+   * @throws ControlRefusedException if no submit program runs, which would copy the value, or if it
+   *     has only just begun, and would overwrite it
    * @throws IOException if an access failed
    */
   public void setOutput(int number, boolean value) throws IOException {
@@ -47,6 +53,11 @@ public final class SubmitOutputs {
           Kind.PROGRAM,
           "$PRO_STATE0 must be #P_ACTIVE, so that JOV_SPS sets the output, is "
               + state.stringValue());
+    }
+    if (!read(READY)) {
+      throw new ControlRefusedException(
+          Kind.PROGRAM,
+          READY + " must be TRUE, so that JOV_SPS does not overwrite the output, is FALSE");
     }
     KRLBool output = new KRLBool("JOV_OUT[" + number + "]");
     output.setValue(value);

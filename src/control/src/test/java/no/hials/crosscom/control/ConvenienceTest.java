@@ -75,6 +75,9 @@ class ConvenienceTest extends ControlTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> player().playAxes(Collections.nCopies(51, START), LIMIT))
         .withMessage("a path must have 1 to 50 points, has 51");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> player().playAxes(List.of(START), Duration.ZERO))
+        .withMessage("the limit of the motion's time must be PT0.001S to PT24H, is PT0S");
     assertNothingWritten();
   }
 
@@ -149,6 +152,30 @@ class ConvenienceTest extends ControlTest {
         .isThrownBy(() -> new SubmitOutputs(client).setOutput(3, true))
         .withMessage("$PRO_STATE0 must be #P_ACTIVE, so that JOV_SPS sets the output, is #P_STOP");
     assertNothingWritten();
+  }
+
+  @Test
+  void aSubmitProgramThatBeginsDoesNotOverwriteAnOutput() throws Exception {
+    server.variables().set("$OUT[4]", "TRUE");
+    server.variables().set("JOV_OUT_READY", "FALSE"); // as config.dat declares it
+    controller.submit().stop();
+    controller.submit().reset();
+    controller.submit().start();
+    SubmitOutputs outputs = new SubmitOutputs(client);
+
+    assertThatExceptionOfType(ControlRefusedException.class)
+        .isThrownBy(() -> outputs.setOutput(3, true))
+        .withMessage(
+            "JOV_OUT_READY must be TRUE, so that JOV_SPS does not overwrite the output, is FALSE");
+    assertNothingWritten();
+
+    while (!client.readText("JOV_OUT_READY").equals("TRUE")) {
+      controller.step(Duration.ofMillis(12));
+    }
+    outputs.setOutput(3, true);
+    controller.step(Duration.ofMillis(48));
+    assertThat(outputs.output(3)).isTrue();
+    assertThat(outputs.output(4)).isTrue();
   }
 
   @Test

@@ -166,6 +166,25 @@ class StoppingTest extends ControlTest {
     }
   }
 
+  @Test
+  void theAxesAreCheckedInALoopTooThatSendsAHeartbeatInEachCycle() throws Exception {
+    run("actuator.src");
+
+    StopReason reason =
+        runToStop(
+            safe(
+                s ->
+                    s.maxFeedbackAge(Duration.ofMillis(200))
+                        .axisLimits(new AxisLimits(START.plus(five(-10)), START.plus(five(10))))),
+            Law.cartesianVelocity(
+                s -> {
+                  time.pass(Duration.ofMillis(130)); // a beat goes out every 125 ms
+                  return Twist.linear(-20, 0, 0);
+                }));
+
+    assertThat(reason.kind()).isEqualTo(Kind.AXIS_LIMIT);
+  }
+
   private static Axes five(double angle) {
     return new Axes(angle, angle, angle, angle, angle, angle);
   }
@@ -357,6 +376,19 @@ class StoppingTest extends ControlTest {
   }
 
   @Test
+  void aDeadManWithTheTimeOfAnotherClockStopsTheRobot() throws Exception {
+    run("ext_move_axis.src");
+    InputDevice ahead =
+        () -> new Input(List.of(), List.of(), true, time.nanoTime() + 5_000_000_000L);
+
+    StopReason reason = runToStop(config(cfg -> cfg.input(ahead)), Law.jointVelocity(s -> TURNING));
+
+    assertThat(reason.kind()).isEqualTo(Kind.INPUT);
+    assertThat(reason.message())
+        .isEqualTo("the time of the input must be that of System.nanoTime, is 5000 ms ahead of it");
+  }
+
+  @Test
   void aLoopWithoutADeadManHasToBeAskedFor() {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> LoopConfig.create(cfg -> {}))
@@ -442,6 +474,26 @@ class StoppingTest extends ControlTest {
     assertThat(reason.kind()).isEqualTo(Kind.STALE_FEEDBACK);
     assertThat(reason.message())
         .isEqualTo("the time of reading $AXIS_ACT must be at most 100 ms, is 101");
+  }
+
+  @Test
+  void aLawThatTakesTooLongStopsTheRobot() throws Exception {
+    run("ext_move_axis.src");
+
+    StopReason reason =
+        runToStop(
+            config(cfg -> {}),
+            Law.jointVelocity(
+                s -> {
+                  if (s.time() > 1) {
+                    time.pass(Duration.ofMillis(101));
+                  }
+                  return TURNING;
+                }));
+
+    assertThat(reason.kind()).isEqualTo(Kind.STALE_FEEDBACK);
+    assertThat(reason.message())
+        .isEqualTo("the age of $AXIS_ACT when the law has decided must be at most 100 ms, is 101");
   }
 
   // the controller
@@ -543,6 +595,43 @@ class StoppingTest extends ControlTest {
   }
 
   @Test
+  void aLawThatLeavesItsThreadInterruptedStopsTheRobot() throws Exception {
+    run("ext_move_axis.src");
+
+    StopReason reason =
+        runToStop(
+            config(cfg -> {}),
+            Law.jointVelocity(
+                s -> {
+                  if (s.time() > 1) {
+                    Thread.currentThread().interrupt();
+                    throw new InterruptedException("no plan");
+                  }
+                  return TURNING;
+                }));
+
+    assertThat(reason.kind()).isEqualTo(Kind.LAW);
+    assertThat(reason.message()).contains("no plan");
+  }
+
+  @Test
+  void whateverTheLawThrowsStopsTheRobot() throws Exception {
+    run("ext_move_axis.src");
+    Throwable thrown = new Throwable("neither exception nor error");
+
+    StopReason reason =
+        runToStop(config(cfg -> {}), Law.jointVelocity(s -> throwUndeclared(thrown)));
+
+    assertThat(reason.kind()).isEqualTo(Kind.LAW);
+    assertThat(reason.cause()).isSameAs(thrown);
+  }
+
+  @SuppressWarnings("unchecked") // the point: E is not what is thrown
+  private static <T extends Throwable> Axes throwUndeclared(Throwable thrown) throws T {
+    throw (T) thrown;
+  }
+
+  @Test
   void aNumberThatIsNoneStopsTheRobot() throws Exception {
     run("actuator.src");
 
@@ -631,6 +720,46 @@ class StoppingTest extends ControlTest {
 
     assertThat(server.variables().get("JOV_LIMIT")).isEqualTo("0");
     assertThat(writesTo("MYAXIS")).isEmpty();
+  }
+
+  @Test
+  void aWatchdogThatAnotherClientSwitchesOffStopsTheRobot() throws Exception {
+    run("ext_move_axis.src");
+
+    StopReason reason =
+        runToStop(
+            config(cfg -> {}),
+            Law.jointVelocity(
+                s -> {
+                  if (s.time() > 1) {
+                    server.variables().set("JOV_LIMIT", "0");
+                  }
+                  return TURNING;
+                }));
+
+    assertThat(reason.kind()).isEqualTo(Kind.WATCHDOG);
+    assertThat(reason.message())
+        .isEqualTo(
+            "JOV_LIMIT must be 500 as this loop has set it, is 0; another client uses the watchdog");
+  }
+
+  @Test
+  void aWatchdogThatStopsLookingStopsTheRobot() throws Exception {
+    run("ext_move_axis.src");
+
+    StopReason reason =
+        runToStop(
+            config(cfg -> {}),
+            Law.jointVelocity(
+                s -> {
+                  if (s.time() > 1) {
+                    controller.submit().stop();
+                  }
+                  return TURNING;
+                }));
+
+    assertThat(reason.kind()).isEqualTo(Kind.WATCHDOG);
+    assertThat(reason.message()).contains("JOV_SEEN must be at most 4 behind");
   }
 
   @Test

@@ -23,6 +23,8 @@ import java.util.function.LongSupplier;
  * not be further apart than half the greatest age of the input.
  */
 public final class CsvReplay implements InputDevice {
+  private static final String BYTE_ORDER_MARK = "\uFEFF";
+
   private final List<Row> rows;
   private final LongSupplier clock;
   private boolean begun;
@@ -70,6 +72,9 @@ public final class CsvReplay implements InputDevice {
     int number = 0;
     for (String line = lines.readLine(); line != null; line = lines.readLine()) {
       number++;
+      if (number == 1 && line.startsWith(BYTE_ORDER_MARK)) {
+        line = line.substring(1); // as spreadsheets write it
+      }
       if (line.isBlank() || line.startsWith("#")) {
         continue;
       }

@@ -12,8 +12,6 @@ import org.jline.terminal.Attributes.InputFlag;
 import org.jline.terminal.Attributes.LocalFlag;
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
-import org.jline.terminal.impl.AbstractPosixTerminal;
-import org.jline.terminal.spi.Pty;
 import org.jline.utils.ClosedException;
 import org.jline.utils.NonBlockingReader;
 import org.jspecify.annotations.Nullable;
@@ -41,10 +39,10 @@ import org.jspecify.annotations.Nullable;
  * only that one repeats. A repeat slower than {@code HOLD} gives a motion with stops.
  *
  * <p>Keys come at once and are not shown, and Ctrl-Z and Ctrl-S do nothing, as a suspended program
- * could not stop a robot; Ctrl-C is the signal that it always is. The terminal is as it was before
- * when this is closed; if the JVM ends at the same time, as after Ctrl-C, that may fail. It needs
- * JLine ({@code org.jline:jline}), which this library does not bring along, and runs the daemon
- * thread {@code crosscom-input-keyboard} until it is closed.
+ * could not stop a robot; Ctrl-C is the signal that it always is. Once this is closed, the terminal
+ * is as it was before, also while the JVM ends, as after Ctrl-C. It needs JLine ({@code
+ * org.jline:jline}), which this library does not bring along, and runs the daemon thread {@code
+ * crosscom-input-keyboard} until it is closed.
  */
 public final class KeyboardInput implements InputDevice {
   /** How long a key counts as held after it came, in ms: longer than the repeat of keyboards. */
@@ -75,8 +73,6 @@ public final class KeyboardInput implements InputDevice {
   private static final int STRING_END = '\\';
 
   private final Terminal terminal;
-  private final @Nullable Pty pty;
-  private final Attributes before;
   private final LongSupplier clock;
   private final Thread thread;
   private volatile Press last = new Press(0, 0, 0);
@@ -91,9 +87,7 @@ public final class KeyboardInput implements InputDevice {
   private KeyboardInput(Terminal terminal, LongSupplier clock) {
     this.terminal = terminal;
     this.clock = clock;
-    pty = terminal instanceof AbstractPosixTerminal posix ? posix.getPty() : null;
-    before = terminal.getAttributes();
-    Attributes keys = new Attributes(before);
+    Attributes keys = new Attributes(terminal.getAttributes());
     keys.setLocalFlags(EnumSet.of(LocalFlag.ICANON, LocalFlag.ECHO), false);
     keys.setInputFlag(InputFlag.IXON, false);
     keys.setControlChar(ControlChar.VSUSP, 0);
@@ -129,8 +123,14 @@ public final class KeyboardInput implements InputDevice {
     return on(terminal, System::nanoTime);
   }
 
-  static KeyboardInput on(Terminal terminal, LongSupplier clock) {
-    KeyboardInput keyboard = new KeyboardInput(terminal, clock);
+  static KeyboardInput on(Terminal terminal, LongSupplier clock) throws IOException {
+    KeyboardInput keyboard;
+    try {
+      keyboard = new KeyboardInput(terminal, clock);
+    } catch (IllegalStateException e) {
+      terminal.close();
+      throw new IOException("the terminal is closed already, as when the JVM ends", e);
+    }
     keyboard.thread.start();
     return keyboard;
   }
@@ -252,17 +252,8 @@ public final class KeyboardInput implements InputDevice {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    try {
-      if (pty != null) {
-        // JLine refuses it on a terminal that it is about to give back itself as the JVM ends, and
-        // the JVM may end before JLine does so
-        pty.setAttr(before);
-      } else {
-        terminal.setAttributes(before);
-      }
-      terminal.close();
-    } catch (IllegalStateException e) {
-      // JLine has closed it already
-    }
+    // this sets the attributes back whatever else goes on: as the JVM ends, JLine closes its
+    // terminals by itself; from then on setAttributes is refused, while close waits for that
+    terminal.close();
   }
 }

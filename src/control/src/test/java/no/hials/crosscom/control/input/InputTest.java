@@ -90,6 +90,13 @@ class InputTest {
     assertThat(replay.isOver()).isTrue();
   }
 
+  @Test
+  void aByteOrderMarkIsPassedOver() throws IOException {
+    CsvReplay replay = Replays.of("\uFEFFtime,dead_man\n0,1\n", () -> 5);
+
+    assertThat(replay.read()).isEqualTo(new Input(List.of(), List.of(), true, 5));
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = ';',

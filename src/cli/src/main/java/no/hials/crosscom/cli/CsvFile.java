@@ -1,0 +1,50 @@
+package no.hials.crosscom.cli;
+
+import de.siegmar.fastcsv.reader.CsvParseException;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.CsvRecord;
+import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
+import java.io.IOException;
+import java.nio.file.Path;
+
+/** Reads CSV files (RFC 4180, UTF-8), with a byte order mark or without. */
+final class CsvFile {
+  private CsvFile() {}
+
+  /**
+   * Opens a file. The rows may differ in their number of fields, see {@link #checkFields}.
+   *
+   * @param torn whether the file may end inside quotes, as after a power failure
+   */
+  static CsvReader<CsvRecord> open(Path file, boolean torn) throws IOException {
+    return CsvReader.builder()
+        .detectBomHeader(true)
+        .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
+        .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
+        .allowUnclosedQuote(torn)
+        .ofCsvRecord(file);
+  }
+
+  /** Says in which line a file has no CSV. */
+  static FileException unreadable(Path file, CsvParseException e) {
+    String reason = Main.lowerFirst(String.valueOf(e.getMessage()));
+    return new FileException("cannot read " + file + ": " + reason, e);
+  }
+
+  /**
+   * Checks that a row has as many fields as the first one.
+   *
+   * @throws IllegalArgumentException if it has not
+   */
+  static void checkFields(CsvRecord row, int columns) {
+    if (row.getFieldCount() != columns) {
+      throw new IllegalArgumentException(
+          "line "
+              + row.getStartingLineNumber()
+              + " must have "
+              + columns
+              + " fields, has "
+              + row.getFieldCount());
+    }
+  }
+}

@@ -5,6 +5,7 @@ import de.siegmar.fastcsv.reader.CsvReader;
 import de.siegmar.fastcsv.reader.CsvRecord;
 import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** Reads CSV files (RFC 4180, UTF-8), with a byte order mark or without. */
@@ -15,8 +16,12 @@ final class CsvFile {
    * Opens a file. The rows may differ in their number of fields, see {@link #checkFields}.
    *
    * @param torn whether the file may end inside quotes, as after a power failure
+   * @throws FileException if it cannot hold rows
    */
   static CsvReader<CsvRecord> open(Path file, boolean torn) throws IOException {
+    if (Files.isDirectory(file)) {
+      throw new FileException("cannot read " + file + ": it is a folder");
+    }
     return CsvReader.builder()
         .detectBomHeader(true)
         .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
@@ -27,7 +32,10 @@ final class CsvFile {
 
   /** Says in which line a file has no CSV. */
   static FileException unreadable(Path file, CsvParseException e) {
-    String reason = Main.lowerFirst(String.valueOf(e.getMessage()));
+    String reason =
+        file.toString().endsWith(".jsonl")
+            ? "it must be CSV, not JSON Lines"
+            : Main.lowerFirst(String.valueOf(e.getMessage()));
     return new FileException("cannot read " + file + ": " + reason, e);
   }
 

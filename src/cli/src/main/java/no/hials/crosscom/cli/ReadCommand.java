@@ -155,8 +155,9 @@ final class ReadCommand extends ConsoleCommand {
           console.failure(label, e, isVerbose());
           result = result.orGraver(ExitCode.ofFailedRead(e));
           if (endsTheConnection(e)) {
-            List<String> left = names.subList(i + 1, names.size());
-            if (!left.isEmpty()) {
+            if (names.size() > 1) {
+              // with the one that was due, as not every failure of a connection names it
+              List<String> left = names.subList(i, names.size());
               console.hint(label + "not read: " + String.join(" ", left));
             }
             break;

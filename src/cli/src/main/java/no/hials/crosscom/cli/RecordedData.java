@@ -71,6 +71,8 @@ final class RecordedData {
     List<CsvRecord> records = new ArrayList<>();
     try (CsvReader<CsvRecord> csv = CsvFile.open(file, true)) {
       csv.forEach(records::add);
+    } catch (FileException e) {
+      throw e;
     } catch (IOException e) {
       throw FileException.cannot("read", file, e);
     } catch (CsvParseException e) {

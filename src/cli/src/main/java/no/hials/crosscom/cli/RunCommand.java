@@ -96,10 +96,11 @@ final class RunCommand extends ConsoleCommand {
     if (file.equals(STDIN)) {
       return new BufferedReader(console().in()).lines().toList();
     }
+    Path path = LocalFiles.path(this, file);
     try {
-      return Files.readAllLines(Path.of(file), StandardCharsets.UTF_8);
+      return Files.readAllLines(path, StandardCharsets.UTF_8);
     } catch (IOException e) {
-      throw FileException.cannot("read", Path.of(file), e);
+      throw FileException.cannot("read", path, e);
     }
   }
 

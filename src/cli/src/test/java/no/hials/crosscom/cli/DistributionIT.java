@@ -119,6 +119,24 @@ class DistributionIT {
   }
 
   @Test
+  void runsInAFolderWithOtherLettersWithoutALocale() throws Exception {
+    // the shell makes the name, as this process may have no locale either
+    String home = program.getParent().getParent().toString();
+    ProcessBuilder builder =
+        command(
+            Path.of("sh"),
+            "-c",
+            "o=$(printf '\\303\\266'); cp -r \"$1\" \"$2/$o\" && \"$2/$o/bin/jopenshowvar\" --version",
+            "sh",
+            home,
+            dir.toString());
+    builder.environment().keySet().removeAll(List.of("LANG", "LC_CTYPE"));
+    builder.environment().put("LC_ALL", "C");
+
+    isTheVersion(run(builder));
+  }
+
+  @Test
   void isFoundInPathAndFindsJavaThere() throws Exception {
     ProcessBuilder builder = command(Path.of("sh"), "-c", "jopenshowvar --version");
     builder.environment().remove("JAVA_HOME");

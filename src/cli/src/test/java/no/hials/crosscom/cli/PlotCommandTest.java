@@ -262,6 +262,24 @@ class PlotCommandTest {
   }
 
   @Test
+  void saysThatAFolderIsNoTable() {
+    csv = folder;
+
+    assertThat(plot().errLines())
+        .containsExactly("jopenshowvar: cannot read " + folder + ": it is a folder");
+    assertThat(plot().code()).isEqualTo(2);
+  }
+
+  @Test
+  void saysThatJsonLinesAreNoCsv() throws IOException {
+    csv = folder.resolve("run.jsonl");
+    Files.writeString(csv, "{\"time\":\"2026-01-02T03:04:05Z\",\"seconds\":0.0}\n");
+
+    assertThat(plot().errLines())
+        .containsExactly("jopenshowvar: cannot read " + csv + ": it must be CSV, not JSON Lines");
+  }
+
+  @Test
   void saysWhichFileIsNotThere() {
     csv = folder.resolve("none.csv");
 

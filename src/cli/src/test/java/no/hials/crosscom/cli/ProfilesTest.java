@@ -198,7 +198,7 @@ class ProfilesTest {
       assertThat(result.errLines().get(2))
           .startsWith("jopenshowvar: cell2: the controller refused to read NOPE");
       assertThat(result.errLines().get(3)).contains("cell2: ").contains("read of MYINT");
-      assertThat(result.errLines().get(4)).isEqualTo("cell2: not read: MYBOOL");
+      assertThat(result.errLines().get(4)).isEqualTo("cell2: not read: MYINT MYBOOL");
       assertThat(result.code()).isEqualTo(4);
     } finally {
       gone.close();

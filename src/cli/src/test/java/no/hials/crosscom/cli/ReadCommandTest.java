@@ -101,7 +101,7 @@ class ReadCommandTest {
     assertThat(result.lines()).containsExactly("MYINT = 0");
     assertThat(result.errLines()).hasSize(2);
     assertThat(result.errLines().get(0)).startsWith("jopenshowvar: ").contains("read of MYREAL");
-    assertThat(result.errLines().get(1)).isEqualTo("not read: MYBOOL MYCHAR");
+    assertThat(result.errLines().get(1)).isEqualTo("not read: MYREAL MYBOOL MYCHAR");
     assertThat(result.code()).isEqualTo(4);
     assertThat(server.requestCount()).isEqualTo(2);
   }

@@ -26,7 +26,7 @@ final class Timers {
   /** Whether a timer counts. */
   private boolean running;
 
-  /** The contents of the variables after the last look: as long as they stay nothing is to do. */
+  /** The contents of the variables at the last look: as long as they stay nothing is to do. */
   private List<@Nullable Node> seen = List.of();
 
   Timers(Machine machine) {
@@ -42,7 +42,8 @@ final class Timers {
     List<@Nullable Node> contents = contents();
     if (running || !contents.equals(seen)) {
       count(millis);
-      seen = contents();
+      // those of before: what a client has written meanwhile is looked at the next time
+      seen = contents;
     }
     for (Iterator<Pulse> it = pulses.iterator(); it.hasNext(); ) {
       Pulse pulse = it.next();

@@ -74,12 +74,16 @@ final class Feedback<P> {
     space.differences(oldest.place(), actual, differences);
     for (int i = 0; i < differences.length; i++) {
       Quantity quantity = space.quantities.get(i);
-      Guard.most(
-          Kind.SPEED,
-          "the measured speed of " + quantity.name(),
-          quantity.unit() + "/s",
-          quantity.limits().speed() * CATCHING_UP,
-          differences[i] / seconds);
+      double limit = quantity.limits().speed() * CATCHING_UP;
+      double speed = differences[i] / seconds;
+      if (Guard.isMore(speed, limit)) {
+        throw Guard.tooMuch(
+            Kind.SPEED,
+            "the measured speed of " + quantity.name(),
+            quantity.unit() + "/s",
+            limit,
+            speed);
+      }
     }
   }
 
@@ -114,12 +118,15 @@ final class Feedback<P> {
   private void checkError() throws ControlRefusedException {
     for (int i = 0; i < differences.length; i++) {
       Quantity quantity = space.quantities.get(i);
-      Guard.most(
-          Kind.TRACKING_ERROR,
-          "the tracking error of " + quantity.name(),
-          quantity.unit(),
-          quantity.limits().trackingError(),
-          differences[i]);
+      double limit = quantity.limits().trackingError();
+      if (Guard.isMore(differences[i], limit)) {
+        throw Guard.tooMuch(
+            Kind.TRACKING_ERROR,
+            "the tracking error of " + quantity.name(),
+            quantity.unit(),
+            limit,
+            differences[i]);
+      }
     }
   }
 }

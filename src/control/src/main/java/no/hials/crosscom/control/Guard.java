@@ -76,14 +76,16 @@ final class Guard {
             + number(value));
   }
 
+  /** Says whether a value is more than a limit; one computed to be at it may be a little above. */
+  static boolean isMore(double value, double limit) {
+    return value > limit * (1 + 1e-9);
+  }
+
   /** Refuses what is more than a limit. */
-  static void most(Kind kind, String what, String unit, double limit, double value)
-      throws ControlRefusedException {
-    // a value that was computed to be at the limit may come out a little above
-    if (value > limit * (1 + 1e-9)) {
-      throw new ControlRefusedException(
-          kind, what + " must be at most " + number(limit) + " " + unit + ", is " + number(value));
-    }
+  static ControlRefusedException tooMuch(
+      Kind kind, String what, String unit, double limit, double value) {
+    return new ControlRefusedException(
+        kind, what + " must be at most " + number(limit) + " " + unit + ", is " + number(value));
   }
 
   static String number(double value) {

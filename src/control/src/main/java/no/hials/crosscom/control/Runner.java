@@ -18,6 +18,12 @@ final class Runner<P> {
   /** And of the watchdog, what it is set to and what it saw. */
   private static final int CHECKS_OF_WATCHDOG = 2;
 
+  /**
+   * An increment below this, mm or degrees, is what rounding has left of none: no robot resolves
+   * it, and its text would be as long as 1.23457E-17.
+   */
+  private static final double NEGLIGIBLE = 1e-6;
+
   private static final double[] ZEROS = new double[6];
 
   private final LoopConfig config;
@@ -203,16 +209,16 @@ final class Runner<P> {
   }
 
   private void checkReading(long begin) throws ControlRefusedException {
-    checkAge("the time of reading " + space.feedback().getName(), begin);
+    checkAge("the time of reading %s", begin);
   }
 
   private void checkAge(String what, long begin) throws ControlRefusedException {
-    Guard.most(
-        Kind.STALE_FEEDBACK,
-        what,
-        "ms",
-        safety.maxFeedbackAge().toNanos() / 1e6,
-        (time.nanoTime() - begin) / 1e6);
+    double limit = safety.maxFeedbackAge().toNanos() / 1e6;
+    double age = (time.nanoTime() - begin) / 1e6;
+    if (Guard.isMore(age, limit)) {
+      throw Guard.tooMuch(
+          Kind.STALE_FEEDBACK, what.formatted(space.feedback().getName()), "ms", limit, age);
+    }
   }
 
   /** Gives the input; nothing if the robot has to stand. */
@@ -251,7 +257,7 @@ final class Runner<P> {
         new State(
             lawPeriods * period / 1e9, period / 1e9, channel.joints(), channel.frame(), input);
     P desired = ask(state, actual);
-    checkAge("the age of " + space.feedback().getName() + " when the law has decided", begin);
+    checkAge("the age of %s when the law has decided", begin);
     P from = first || space.isVelocity() ? actual : previous;
     checkStep(from, desired, space.isVelocity() || first ? 1 : elapsed);
     space.check(guard, desired, false);
@@ -265,6 +271,11 @@ final class Runner<P> {
     double[] increment = space.increment(actual, desired, config.part(space.isVelocity()));
     if (space.cut(increment)) {
       meter.cut();
+    }
+    for (int i = 0; i < increment.length; i++) {
+      if (Math.abs(increment[i]) < NEGLIGIBLE) {
+        increment[i] = 0;
+      }
     }
     return increment;
   }
@@ -286,18 +297,24 @@ final class Runner<P> {
     space.differences(from, to, differences);
     for (int i = 0; i < differences.length; i++) {
       Quantity quantity = space.quantities.get(i);
-      Guard.most(
-          Kind.STEP,
-          "the step of " + quantity.name() + " in one cycle",
-          quantity.unit(),
-          quantity.limits().step(),
-          differences[i]);
-      Guard.most(
-          Kind.SPEED,
-          "the speed of " + quantity.name(),
-          quantity.unit() + "/s",
-          quantity.limits().speed(),
-          differences[i] / (periods * period / 1e9));
+      MotionLimits limits = quantity.limits();
+      if (Guard.isMore(differences[i], limits.step())) {
+        throw Guard.tooMuch(
+            Kind.STEP,
+            "the step of " + quantity.name() + " in one cycle",
+            quantity.unit(),
+            limits.step(),
+            differences[i]);
+      }
+      double speed = differences[i] / (periods * period / 1e9);
+      if (Guard.isMore(speed, limits.speed())) {
+        throw Guard.tooMuch(
+            Kind.SPEED,
+            "the speed of " + quantity.name(),
+            quantity.unit() + "/s",
+            limits.speed(),
+            speed);
+      }
     }
   }
 

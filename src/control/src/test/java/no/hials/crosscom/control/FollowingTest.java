@@ -187,6 +187,9 @@ class FollowingTest extends ControlTest {
                 s -> Twist.linear(MM * OMEGA * Math.cos(OMEGA * s.time()), 0, 0)));
 
     assertThat(amplitude(cycles, 0)).isBetween(0.7 * MM, 1.05 * MM);
+    assertThat(cycles)
+        .as("what rounding leaves in the other coordinates is not sent")
+        .allSatisfy(cycle -> assertThat(cycle.sent().subList(1, 6)).containsOnly(0.0));
     assertStands();
   }
 

@@ -20,7 +20,7 @@ final class Pauses implements AutoCloseable {
   private final List<NotificationEmitter> emitters = new ArrayList<>();
   private final NotificationListener listener = (notification, handback) -> note(notification);
 
-  /** When the time of the loop began, ms since the start of this process. */
+  /** When {@link #begin} was called, ms by the clock of the computer. */
   private long begin = -1;
 
   /**
@@ -43,7 +43,7 @@ final class Pauses implements AutoCloseable {
   /** Says that the loop is at its first cycle; what comes later is no news. */
   synchronized void begin() {
     if (begin < 0) {
-      begin = ManagementFactory.getRuntimeMXBean().getUptime();
+      begin = System.currentTimeMillis();
     }
   }
 
@@ -54,15 +54,22 @@ final class Pauses implements AutoCloseable {
             .equals(GarbageCollectionNotificationInfo.GARBAGE_COLLECTION_NOTIFICATION)) {
       return;
     }
-    var info =
+    long length =
         GarbageCollectionNotificationInfo.from((CompositeData) notification.getUserData())
-            .getGcInfo();
-    pauses.add(new Pause((info.getStartTime() - begin) / 1e3, info.getDuration() / 1e3));
+            .getGcInfo()
+            .getDuration();
+    // made at the end of the pause; the start in the data is by a clock that starts sooner or
+    // later than every other one
+    pauses.add(new Pause((notification.getTimeStamp() - length - begin) / 1e3, length / 1e3));
   }
 
-  /** Gives those since the begin of the loop. */
-  synchronized List<Pause> seen() {
-    return List.copyOf(pauses);
+  /**
+   * Gives those since {@link #begin}.
+   *
+   * @param past how long the loop had run then, s
+   */
+  synchronized List<Pause> seen(double past) {
+    return pauses.stream().map(pause -> new Pause(pause.begin() + past, pause.length())).toList();
   }
 
   /** Gives for how many ms there were pauses in a time. */

@@ -27,8 +27,10 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
   /** Cycles beyond those that should be, as the first and the last are both in the time. */
   private static final int SPARE_CYCLES = 10;
 
-  /** How long a loop lets the robot stand before: the first cycles of a process are slow. */
-  private static final Duration WARM_UP = Duration.ofSeconds(1);
+  /**
+   * How long a loop lets the robot stand before, at most: the first cycles of a process are slow.
+   */
+  private static final Duration WARM_UP = Duration.ofSeconds(10);
 
   /**
    * Runs a loop on a robot of its own, until its time is over or it stops the robot.
@@ -38,6 +40,23 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
   static Run of(
       String name, Experiment.Settings settings, Axes start, RobotProgram program, Law law)
       throws ControlRefusedException, IOException {
+    return of(name, settings, start, program, program.standing(), law);
+  }
+
+  /**
+   * Does the same.
+   *
+   * @param standing lets the robot stand, in the way of the law if its first cycle is not to be
+   *     slower than the others
+   */
+  static Run of(
+      String name,
+      Experiment.Settings settings,
+      Axes start,
+      RobotProgram program,
+      Law standing,
+      Law law)
+      throws ControlRefusedException, IOException {
     try (SimulatedRobot robot = SimulatedRobot.start(settings.latency(), start, program)) {
       Duration length = settings.length();
       Duration warmUp = length.dividedBy(10);
@@ -45,7 +64,7 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
           "",
           robot,
           config(settings, warmUp.compareTo(WARM_UP) < 0 ? warmUp : WARM_UP, program),
-          program.standing());
+          standing);
       return run(name, robot, config(settings, length, program), law);
     }
   }

@@ -170,7 +170,8 @@ final class PanelPainter {
     styler.setPlotGridLinesColor(Look.GRID);
     styler.setPlotGridLinesStroke(THIN);
     styler.setPlotMargin(0);
-    styler.setXAxisTickMarkSpacingHint(MIN_PLOT);
+    // XChart may set them at two thirds of the hint, where longer numbers would touch
+    styler.setXAxisTickMarkSpacingHint(Math.max(MIN_PLOT, width / 12));
     styler.setYAxisTickMarkSpacingHint(MIN_PLOT);
     styler.setXAxisMin(x.min());
     styler.setXAxisMax(x.max());

@@ -30,39 +30,57 @@ class MissesTest {
 
   @Test
   void accessesThatLeaveNothingOfThePeriodCountForTheController() {
-    assertThat(of(24.5, NONE)).isEqualTo(new Misses(2, 0, 0));
-    assertThat(of(11.5, NONE)).isEqualTo(new Misses(1, 0, 1));
-    assertThat(of(10.5, NONE)).isEqualTo(new Misses(0, 0, 2));
+    assertThat(of(24.5, NONE)).isEqualTo(new Misses(2, 0, 0, 0));
+    assertThat(of(11.9, NONE)).isEqualTo(new Misses(1, 0, 0, 1));
+    assertThat(of(11.7, NONE)).isEqualTo(new Misses(0, 0, 0, 2));
   }
 
   @Test
   void aCollectionOfGarbageCountsForItselfAlsoDuringAnAccess() {
     List<Pauses.Pause> pause = List.of(new Pauses.Pause(0.014, 0.020));
 
-    assertThat(of(24.5, pause)).isEqualTo(new Misses(0, 2, 0));
-    assertThat(of(4.5, pause)).isEqualTo(new Misses(0, 2, 0));
+    assertThat(of(24.5, pause)).isEqualTo(new Misses(0, 0, 2, 0));
+    assertThat(of(4.5, pause)).isEqualTo(new Misses(0, 0, 2, 0));
   }
 
   @Test
   void aShortCollectionDoesNotExcuseALongAccess() {
-    assertThat(of(24.5, List.of(new Pauses.Pause(0.014, 0.001)))).isEqualTo(new Misses(2, 0, 0));
+    assertThat(of(25.5, List.of(new Pauses.Pause(0.014, 0.001)))).isEqualTo(new Misses(2, 0, 0, 0));
   }
 
   @Test
   void aLongAccessDoesNotExcuseACollectionThatMissesMore() {
-    assertThat(of(24.5, List.of(new Pauses.Pause(0.014, 0.012)))).isEqualTo(new Misses(1, 1, 0));
+    assertThat(of(24.5, List.of(new Pauses.Pause(0.014, 0.012)))).isEqualTo(new Misses(1, 0, 1, 0));
   }
 
   @Test
   void aCycleThatBeginsLateIsNotMissed() {
     List<Trace.Cycle> cycles = List.of(cycle(0, 0, 2, 2), cycle(0.021, 21, 2, 0.5));
 
-    assertThat(Misses.of(cycles, NONE, PERIOD)).isEqualTo(new Misses(0, 0, 0));
+    assertThat(Misses.of(cycles, NONE, PERIOD)).isEqualTo(new Misses(0, 0, 0, 0));
+  }
+
+  private static Misses ofOneBegunLate(double late, List<Pauses.Pause> pauses) {
+    List<Trace.Cycle> cycles =
+        List.of(cycle(0, 0, 2, 2), cycle(0.012 + late, 12, 4, 2), cycle(0.036, 24 - late, 2, 2));
+    return Misses.of(cycles, pauses, PERIOD);
+  }
+
+  @Test
+  void aCycleThatMissesTheNextSinceItWasWokenLateCountsForTheComputer() {
+    assertThat(ofOneBegunLate(0.0059, NONE)).isEqualTo(new Misses(0, 1, 0, 0));
+    assertThat(ofOneBegunLate(0.0057, NONE)).isEqualTo(new Misses(0, 0, 0, 1));
+  }
+
+  @Test
+  void aCycleThatACollectionOfGarbageMadeLateCountsForThat() {
+    assertThat(ofOneBegunLate(0.0059, List.of(new Pauses.Pause(0.010, 0.007))))
+        .isEqualTo(new Misses(0, 0, 1, 0));
   }
 
   @Test
   void whatNeitherExplainsCountsForTheRest() {
-    assertThat(of(4.5, NONE)).isEqualTo(new Misses(0, 0, 2));
-    assertThat(of(4.5, List.of(new Pauses.Pause(0.050, 0.020)))).isEqualTo(new Misses(0, 0, 2));
+    assertThat(of(4.5, NONE)).isEqualTo(new Misses(0, 0, 0, 2));
+    assertThat(of(4.5, List.of(new Pauses.Pause(0.050, 0.020)))).isEqualTo(new Misses(0, 0, 0, 2));
   }
 }

@@ -323,6 +323,10 @@ final class DriveCommand extends ConsoleCommand {
         reason = await(loop, space, opened, stop, line);
       }
       console().print(summary(loop));
+      if (loop.statistics().holding() == loop.statistics().cycles()) {
+        console()
+            .hint("it was never told to move: the dead-man was not held, or all input too old");
+      }
       if (!loop.toldToStand()) {
         console().error("the robot could not be told to stand: the watchdog has to stop it");
       }

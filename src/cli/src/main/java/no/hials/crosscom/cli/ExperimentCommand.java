@@ -2,6 +2,7 @@ package no.hials.crosscom.cli;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -36,7 +37,7 @@ import picocli.CommandLine.Parameters;
     footer = {
       "",
       "The robot is a KR 6 R900 sixx that runs krl/actuator.src or krl/ext_move_axis.src, with the"
-          + " watchdog of krl/jov_sps.sub, simulated in this process in real time. The other"
+          + " watchdog of krl/jov_sps.sub, simulated in a process of its own in real time. The other"
           + " programs of this computer disturb it: a loop that must keep a period needs a quiet"
           + " one.",
       "",
@@ -175,6 +176,9 @@ final class ExperimentCommand extends ConsoleCommand {
       Files.createDirectories(folder);
     } catch (IOException e) {
       throw FileException.cannot("make", folder, e);
+    }
+    if (!Files.isWritable(folder)) { // before the run, which may take ten minutes
+      throw FileException.cannot("write to", folder, new AccessDeniedException(folder.toString()));
     }
     for (Experiment each : chosen) {
       PictureOptions.check(this, pictureOf(each), yes);

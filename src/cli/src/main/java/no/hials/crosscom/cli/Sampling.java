@@ -35,6 +35,9 @@ final class Sampling implements Closeable {
   private final List<SampledRobot> robots = new ArrayList<>();
   private @Nullable Instant start;
 
+  /** The gravest failure to connect. */
+  private ExitCode connected = ExitCode.DONE;
+
   /** Takes what is read. */
   interface Listener {
     /** Takes a sample. */
@@ -118,11 +121,7 @@ final class Sampling implements Closeable {
     this.options = options;
   }
 
-  /**
-   * Connects to all controllers that the user chose.
-   *
-   * @throws CrossComException if one cannot be reached
-   */
+  /** Connects to all controllers that the user chose; one that cannot be reached is printed. */
   static Sampling open(
       ConsoleCommand command, ControllerOptions controllerOptions, SamplingOptions options)
       throws IOException {
@@ -130,12 +129,21 @@ final class Sampling implements Closeable {
     Sampling sampling = new Sampling(command, options);
     try {
       for (Target target : controllerOptions.targets(command, ServerType.KUKAVARPROXY)) {
-        sampling.robots.add(new SampledRobot(target, sampling.queue));
+        sampling.connect(target);
       }
       return sampling;
     } catch (IOException | RuntimeException e) {
       sampling.close();
       throw e;
+    }
+  }
+
+  private void connect(Target target) throws IOException {
+    try {
+      robots.add(new SampledRobot(target, queue));
+    } catch (CrossComException e) {
+      command.console().failure(target.label(), e, command.isVerbose());
+      connected = connected.orGraver(ExitCode.ofFailedRead(e));
     }
   }
 
@@ -155,10 +163,10 @@ final class Sampling implements Closeable {
   /**
    * Reads all variables once, so that a name that is wrong is told before anything begins.
    *
-   * @return the gravest failure; all are printed
+   * @return the gravest failure, also to connect; all are printed
    */
   ExitCode readFirst() {
-    ExitCode result = ExitCode.DONE;
+    ExitCode result = connected;
     for (SampledRobot robot : robots) {
       List<CrossComException> failures;
       try {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
 import no.hials.crosscom.ClientConfig;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
@@ -21,6 +22,9 @@ final class ShellCommands {
   /** What the language has another form for, or what has no sense in a shell. */
   private static final Set<String> LEFT_OUT =
       Set.of("read", "write", "mock", "shell", "run", "drive");
+
+  /** The options that choose a controller. */
+  private static final Pattern CONTROLLER = Pattern.compile("--(host|port|mock|robot)(=.*)?");
 
   private ShellCommands() {}
 
@@ -42,6 +46,7 @@ final class ShellCommands {
    * @throws ShellSyntaxException if they are wrong usage
    */
   static void check(Console console, List<String> words) throws ShellSyntaxException {
+    checkController(words);
     String[] args = ControllerOptions.withNamesAsOptions(words.toArray(String[]::new));
     try {
       Main.commandLine(console, args).parseArgs(args);
@@ -55,9 +60,12 @@ final class ShellCommands {
    *
    * @param writeOptions those of the shell, which hold for the command
    * @return how it ended
+   * @throws ShellSyntaxException if it names another controller
    */
   static ExitCode run(
-      Console console, List<String> words, Controller controller, WriteOptions writeOptions) {
+      Console console, List<String> words, Controller controller, WriteOptions writeOptions)
+      throws ShellSyntaxException {
+    checkController(words);
     String[] args = words.toArray(String[]::new);
     CommandLine command = Main.commandLine(console, args);
     int place = 0;
@@ -68,6 +76,17 @@ final class ShellCommands {
     List<String> all = new ArrayList<>(words);
     all.addAll(place, options(command.getCommandSpec(), controller, writeOptions));
     return ExitCode.of(Main.run(all.toArray(String[]::new), console));
+  }
+
+  private static void checkController(List<String> words) throws ShellSyntaxException {
+    for (String word : words) {
+      String option = ControllerOptions.withNamesAsOptions(word)[0];
+      if (CONTROLLER.matcher(option).matches()) {
+        throw new ShellSyntaxException(
+            word
+                + ": commands here go to the controller of the shell; another needs its own shell");
+      }
+    }
   }
 
   private static List<String> options(

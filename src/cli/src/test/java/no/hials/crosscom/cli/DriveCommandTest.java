@@ -129,6 +129,7 @@ class DriveCommandTest {
     Cli.Result result = Cli.run(patient("--device=csv:" + csv, "--record=" + record));
 
     assertThat(result.code()).as(result.err()).isZero();
+    assertThat(result.errLines()).last().asString().contains("the dead-man was not held");
     assertThat(recorded(record, "X")).isNotEmpty().containsOnly(recorded(record, "X")[0]);
   }
 

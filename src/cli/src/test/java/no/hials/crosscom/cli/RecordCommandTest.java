@@ -290,30 +290,46 @@ class RecordCommandTest {
     assertThat(Files.readString(file)).startsWith("{\"time\":");
   }
 
-  @Test
-  void recordsSeveralRobotsInRowsOfTheirOwn() throws IOException {
+  private Cli.Result recordTwo(MockServer other) throws IOException {
     Path profiles = dir.resolve("config.toml");
     List<String> lines = new ArrayList<>();
+    for (MockServer one : List.of(server, other)) {
+      lines.add("[robots.cell" + (lines.size() / 3 + 1) + "]");
+      lines.add("host = \"" + one.host() + "\"");
+      lines.add("port = " + one.port());
+    }
+    Files.write(profiles, lines);
+    return Cli.runIn(
+        Map.of("JOPENSHOWVAR_CONFIG", profiles.toString()),
+        "record",
+        "@cell1",
+        "@cell2",
+        "MYINT",
+        "--count",
+        "2",
+        "--out",
+        file.toString());
+  }
+
+  @Test
+  void saysWhichOfSeveralRobotsCannotBeReached() throws IOException {
+    try (MockServer other = MockServer.start()) {
+      other.refuseConnections();
+
+      Cli.Result result = recordTwo(other);
+
+      assertThat(result.errLines()).singleElement().asString().startsWith("jopenshowvar: cell2: ");
+      assertThat(result.code()).isEqualTo(3);
+      assertThat(file).doesNotExist();
+    }
+  }
+
+  @Test
+  void recordsSeveralRobotsInRowsOfTheirOwn() throws IOException {
     try (MockServer other = MockServer.start()) {
       other.variables().set("MYINT", "7");
-      for (MockServer one : List.of(server, other)) {
-        lines.add("[robots.cell" + (lines.size() / 3 + 1) + "]");
-        lines.add("host = \"" + one.host() + "\"");
-        lines.add("port = " + one.port());
-      }
-      Files.write(profiles, lines);
 
-      Cli.Result result =
-          Cli.runIn(
-              Map.of("JOPENSHOWVAR_CONFIG", profiles.toString()),
-              "record",
-              "@cell1",
-              "@cell2",
-              "MYINT",
-              "--count",
-              "2",
-              "--out",
-              file.toString());
+      Cli.Result result = recordTwo(other);
 
       assertThat(result.code()).as(result.err()).isZero();
     }

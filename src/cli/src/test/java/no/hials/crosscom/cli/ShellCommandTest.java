@@ -10,6 +10,8 @@ import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ShellCommandTest {
   private MockServer server;
@@ -104,6 +106,17 @@ class ShellCommandTest {
 
     assertThat(result.out()).contains("$TORQUE_AXIS_MAX[12]").doesNotContain("$OV_PRO");
     assertThat(result.code()).isZero();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"@cell2", "--robot=cell2", "--host=127.0.0.1", "--port=7", "--mock"})
+  void sendsNoCommandToAnotherController(String option) {
+    Cli.Result result = ShellInput.runOn(server, "watch $OV_PRO " + option + "\n", "shell");
+
+    assertThat(result.err())
+        .contains(option + ": commands here go to the controller of the shell; another");
+    assertThat(result.code()).isEqualTo(2);
+    assertThat(server.requestCount()).isZero();
   }
 
   @Test

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
@@ -15,12 +16,20 @@ import no.hials.crosscom.mock.MockServer;
  * and ends when its input does, as also happens if who started it is killed.
  */
 final class RobotProcess {
+  /** Quick to start, and no threads of the JVM that take the CPUs of the loop. */
+  private static final List<String> THRIFT = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
+
+  /** These are meant for the loop, and may exclude the ones above. */
+  private static final Set<String> USERS_OPTIONS =
+      Set.of("JDK_JAVA_OPTIONS", "JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS");
+
   private RobotProcess() {}
 
   /** Starts the process, on the Java and with the classes of this one. */
   static Process start(String latency, Axes start, RobotProgram program) throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(THRIFT);
     command.add("-cp");
     command.add(System.getProperty("java.class.path"));
     command.add(RobotProcess.class.getName());
@@ -29,7 +38,9 @@ final class RobotProcess {
     for (double axis : start.toArray()) {
       command.add(Double.toString(axis));
     }
-    return new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.environment().keySet().removeAll(USERS_OPTIONS);
+    return builder.redirectError(ProcessBuilder.Redirect.INHERIT).start();
   }
 
   /**

@@ -34,8 +34,9 @@ if %MAJOR% LSS 17 (
 )
 
 rem Commands that end at once do not wait for the better compiler and the bigger collector.
-set "OPTIONS=-XX:TieredStopAtLevel=1 -XX:+UseSerialGC"
-for %%c in (bench mock plot record run shell watch) do if "%~1"=="%%c" set "OPTIONS="
+set "OPTIONS=-XX:TieredStopAtLevel=1"
+if not defined JDK_JAVA_OPTIONS if not defined JAVA_TOOL_OPTIONS set "OPTIONS=%OPTIONS% -XX:+UseSerialGC"
+for %%c in (bench drive experiment mock plot record run shell watch) do if "%~1"=="%%c" set "OPTIONS="
 
 java.exe %OPTIONS% -jar "%JAR%" %*
 exit /b %ERRORLEVEL%

@@ -165,6 +165,9 @@ final class ExperimentCommand extends ConsoleCommand {
   @Override
   ExitCode run() throws IOException {
     if (names.contains(LIST)) {
+      if (names.size() > 1) {
+        throw wrongUsage("list stands alone");
+      }
       Table table = Table.ofValues();
       Experiment.all().forEach(each -> table.add(each.name(), each.description()));
       table.print(console());
@@ -358,9 +361,22 @@ final class ExperimentCommand extends ConsoleCommand {
     List<Path> files = new ArrayList<>();
     for (Run run : outcome.runs()) {
       files.add(write(csvOf(experiment, run.name()), run.trace()::writeCsv));
-      files.add(write(figuresOf(experiment, run.name()), run.statistics()::writeCsv));
+      files.add(
+          write(
+              figuresOf(experiment, run.name()),
+              text -> {
+                run.statistics().writeCsv(text);
+                writeCsv(outcome.figures(), text);
+              }));
     }
     return files;
+  }
+
+  private static void writeCsv(List<Outcome.Figure> figures, Appendable text) throws IOException {
+    for (Outcome.Figure figure : figures) {
+      String unit = figure.unit().isEmpty() ? "" : " [" + figure.unit() + "]";
+      text.append("\"" + figure.name() + unit + "\"," + number(figure) + "\n");
+    }
   }
 
   /** Writes the contents of a file. */

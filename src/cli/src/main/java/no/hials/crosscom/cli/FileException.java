@@ -28,6 +28,7 @@ final class FileException extends IOException {
   static String reason(IOException e) {
     return switch (e.getClass().getSimpleName()) {
       case "NoSuchFileException" -> "there is no such file";
+      case "FileAlreadyExistsException" -> "there is a file of that name";
       case "AccessDeniedException" -> "access is denied";
       case "MalformedInputException" -> "it is not in UTF-8";
       default -> String.valueOf(e.getMessage());

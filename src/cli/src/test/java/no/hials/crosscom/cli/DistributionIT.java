@@ -137,6 +137,17 @@ class DistributionIT {
   }
 
   @Test
+  void takesTheCollectorOfGarbageThatTheUserWants() throws Exception {
+    ProcessBuilder builder = command(program, "--version");
+    builder.environment().put("JDK_JAVA_OPTIONS", "-Dx=y -XX:+UseParallelGC");
+
+    Cli.Result result = run(builder);
+
+    assertThat(result.code()).as(result.err()).isZero();
+    assertThat(result.out()).isNotBlank();
+  }
+
+  @Test
   void isFoundInPathAndFindsJavaThere() throws Exception {
     ProcessBuilder builder = command(Path.of("sh"), "-c", "jopenshowvar --version");
     builder.environment().remove("JAVA_HOME");

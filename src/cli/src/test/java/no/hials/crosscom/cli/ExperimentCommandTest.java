@@ -125,8 +125,8 @@ class ExperimentCommandTest {
   }
 
   @Test
-  void theLongRunSaysWhoseFaultMissedCyclesAre() {
-    Cli.Result result = experiment("endurance", "--for", "500ms");
+  void theLongRunSaysWhoseFaultMissedCyclesAre() throws IOException {
+    Cli.Result result = experiment("endurance", "--for", "500ms", "--csv");
 
     assertThat(result.code()).isZero();
     assertThat(result.lines())
@@ -134,6 +134,10 @@ class ExperimentCommandTest {
         .anyMatch(line -> line.matches("missed, garbage collection: \\d+"))
         .anyMatch(line -> line.matches("missed, anything else: \\d+"))
         .anyMatch(line -> line.matches("garbage collections, longest: \\d+\\.\\d\\d ms"));
+    assertThat(Files.readAllLines(file("endurance-figures.csv")))
+        .anyMatch(line -> line.matches("missed,\\d+"))
+        .anyMatch(line -> line.matches("\"missed, garbage collection\",\\d+"))
+        .anyMatch(line -> line.matches("\"garbage collections, longest \\[ms\\]\",[\\d.]+"));
   }
 
   @Test
@@ -157,6 +161,17 @@ class ExperimentCommandTest {
   }
 
   @Test
+  void aFileIsNoFolder() throws IOException {
+    Path occupied = Files.writeString(file("a"), "mine");
+
+    Cli.Result result = Cli.run("experiment", "position-circle", "--out", occupied.toString());
+
+    assertThat(result.code()).isEqualTo(2);
+    assertThat(result.err()).contains("cannot make " + occupied + ": there is a file of that name");
+    assertThat(occupied).hasContent("mine");
+  }
+
+  @Test
   void nothingIsWrittenOver() throws IOException {
     Files.writeString(file("line-dls-dls.csv"), "mine");
 
@@ -171,6 +186,7 @@ class ExperimentCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
+        "position-circle list          | list stands alone",
         "position-triangle             | there is no experiment position-triangle",
         "position-circle --period 3ms  | --period must be 4ms to 1s, is 3ms",
         "position-circle --step 2s     | --step must be 4ms to 1s, is 2000ms",

@@ -30,6 +30,9 @@ final class ShellTerminal implements Closeable {
 
   ShellTerminal(Console console, ShellSymbols symbols) throws IOException {
     coloured = console.environment("NO_COLOR") == null;
+    // else JLine makes a signal of a Ctrl-C that is typed into a line as well, and where that is
+    // quicker than the key, the key takes back the line after it
+    System.setProperty(TerminalBuilder.PROP_SOFTWARE_SIGNALS, "false");
     terminal =
         TerminalBuilder.builder()
             .system(true)

@@ -64,8 +64,12 @@ class DriveIT {
     }
 
     void press(String keys) throws IOException {
-      process.getOutputStream().write(keys.getBytes(StandardCharsets.ISO_8859_1));
-      process.getOutputStream().flush();
+      try {
+        process.getOutputStream().write(keys.getBytes(StandardCharsets.ISO_8859_1));
+        process.getOutputStream().flush();
+      } catch (IOException e) {
+        throw new AssertionError("it takes no more keys, and showed: " + rest(), e);
+      }
     }
 
     /** Gives the process of the command itself. */

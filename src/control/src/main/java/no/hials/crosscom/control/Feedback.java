@@ -21,6 +21,12 @@ final class Feedback<P> {
   /** How much faster than the law may ask for a robot may be that catches up. */
   private static final double CATCHING_UP = 1.5;
 
+  /**
+   * So many readings have to be the same for a stall: where the time of one reading is long, two
+   * that are the same may both be from before the robot could move.
+   */
+  private static final int READINGS_OF_STALL = 3;
+
   /** So far, mm or degrees, the robot has to be told to go for the value to change. */
   private static final double NOTICEABLE = 0.01;
 
@@ -35,6 +41,7 @@ final class Feedback<P> {
   private @Nullable P last;
   private @Nullable P target;
   private long changed;
+  private int unchanged;
 
   Feedback(Space<P> space, Safety safety, Meter meter) {
     this.space = space;
@@ -76,14 +83,13 @@ final class Feedback<P> {
       Quantity quantity = space.quantities.get(i);
       double limit = quantity.limits().speed() * CATCHING_UP;
       double speed = differences[i] / seconds;
-      if (Guard.isMore(speed, limit)) {
-        throw Guard.tooMuch(
-            Kind.SPEED,
-            "the measured speed of " + quantity.name(),
-            quantity.unit() + "/s",
-            limit,
-            speed);
-      }
+      Guard.checkAtMost(
+          Kind.SPEED,
+          "the measured speed of %s must be at most %s %s/s, is %s",
+          quantity.name(),
+          limit,
+          quantity.unit(),
+          speed);
     }
   }
 
@@ -91,7 +97,11 @@ final class Feedback<P> {
     boolean moves = last == null || !last.equals(actual);
     if (moves || !isToldToMove()) {
       changed = now;
-    } else if (now - changed > maxStall) {
+      unchanged = 0;
+      return;
+    }
+    unchanged++;
+    if (now - changed > maxStall && unchanged >= READINGS_OF_STALL) {
       throw new ControlRefusedException(
           Kind.STALLED_FEEDBACK,
           space.feedback().getName()
@@ -118,15 +128,13 @@ final class Feedback<P> {
   private void checkError() throws ControlRefusedException {
     for (int i = 0; i < differences.length; i++) {
       Quantity quantity = space.quantities.get(i);
-      double limit = quantity.limits().trackingError();
-      if (Guard.isMore(differences[i], limit)) {
-        throw Guard.tooMuch(
-            Kind.TRACKING_ERROR,
-            "the tracking error of " + quantity.name(),
-            quantity.unit(),
-            limit,
-            differences[i]);
-      }
+      Guard.checkAtMost(
+          Kind.TRACKING_ERROR,
+          "the tracking error of %s must be at most %s %s, is %s",
+          quantity.name(),
+          quantity.limits().trackingError(),
+          quantity.unit(),
+          differences[i]);
     }
   }
 }

@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 final class Guard {
   private static final String XYZ = "XYZ";
   private static final int SHOWN_DIGITS = 3;
+  private static final double ROUNDING = 1e-9;
 
   private final Safety safety;
   private final AxisLimits axisLimits;
@@ -76,16 +77,19 @@ final class Guard {
             + number(value));
   }
 
-  /** Says whether a value is more than a limit; one computed to be at it may be a little above. */
-  static boolean isMore(double value, double limit) {
-    return value > limit * (1 + 1e-9);
-  }
-
-  /** Refuses what is more than a limit. */
-  static ControlRefusedException tooMuch(
-      Kind kind, String what, String unit, double limit, double value) {
-    return new ControlRefusedException(
-        kind, what + " must be at most " + number(limit) + " " + unit + ", is " + number(value));
+  /**
+   * Refuses what is more than a limit; a value computed to be at it may be a little above.
+   *
+   * @param words a pattern for the name, the limit, its unit and the value, filled in for a refusal
+   *     only
+   */
+  static void checkAtMost(
+      Kind kind, String words, String name, double limit, String unit, double value)
+      throws ControlRefusedException {
+    if (value > limit * (1 + ROUNDING)) {
+      throw new ControlRefusedException(
+          kind, words.formatted(name, number(limit), unit, number(value)));
+    }
   }
 
   static String number(double value) {

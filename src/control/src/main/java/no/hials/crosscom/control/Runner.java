@@ -209,16 +209,13 @@ final class Runner<P> {
   }
 
   private void checkReading(long begin) throws ControlRefusedException {
-    checkAge("the time of reading %s", begin);
+    checkAge("the time of reading %s must be at most %s %s, is %s", begin);
   }
 
-  private void checkAge(String what, long begin) throws ControlRefusedException {
+  private void checkAge(String words, long begin) throws ControlRefusedException {
     double limit = safety.maxFeedbackAge().toNanos() / 1e6;
     double age = (time.nanoTime() - begin) / 1e6;
-    if (Guard.isMore(age, limit)) {
-      throw Guard.tooMuch(
-          Kind.STALE_FEEDBACK, what.formatted(space.feedback().getName()), "ms", limit, age);
-    }
+    Guard.checkAtMost(Kind.STALE_FEEDBACK, words, space.feedback().getName(), limit, "ms", age);
   }
 
   /** Gives the input; nothing if the robot has to stand. */
@@ -257,7 +254,7 @@ final class Runner<P> {
         new State(
             lawPeriods * period / 1e9, period / 1e9, channel.joints(), channel.frame(), input);
     P desired = ask(state, actual);
-    checkAge("the age of %s when the law has decided", begin);
+    checkAge("the age of %s when the law has decided must be at most %s %s, is %s", begin);
     P from = first || space.isVelocity() ? actual : previous;
     checkStep(from, desired, space.isVelocity() || first ? 1 : elapsed);
     space.check(guard, desired, false);
@@ -298,23 +295,21 @@ final class Runner<P> {
     for (int i = 0; i < differences.length; i++) {
       Quantity quantity = space.quantities.get(i);
       MotionLimits limits = quantity.limits();
-      if (Guard.isMore(differences[i], limits.step())) {
-        throw Guard.tooMuch(
-            Kind.STEP,
-            "the step of " + quantity.name() + " in one cycle",
-            quantity.unit(),
-            limits.step(),
-            differences[i]);
-      }
+      Guard.checkAtMost(
+          Kind.STEP,
+          "the step of %s in one cycle must be at most %s %s, is %s",
+          quantity.name(),
+          limits.step(),
+          quantity.unit(),
+          differences[i]);
       double speed = differences[i] / (periods * period / 1e9);
-      if (Guard.isMore(speed, limits.speed())) {
-        throw Guard.tooMuch(
-            Kind.SPEED,
-            "the speed of " + quantity.name(),
-            quantity.unit() + "/s",
-            limits.speed(),
-            speed);
-      }
+      Guard.checkAtMost(
+          Kind.SPEED,
+          "the speed of %s must be at most %s %s/s, is %s",
+          quantity.name(),
+          limits.speed(),
+          quantity.unit(),
+          speed);
     }
   }
 

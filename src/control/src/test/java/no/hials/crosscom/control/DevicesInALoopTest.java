@@ -156,11 +156,10 @@ class DevicesInALoopTest extends ControlTest {
         ControlLoop loop = start(with(inSimulatedTime(device), cfg -> {}), alongX())) {
       sendUntil(device, loop, start.x() + 5);
       // what is no input does not keep it going
-      while (loop.status() != ControlLoop.Status.HOLDING) {
+      while (device.refusedDatagrams() == 0 || loop.status() != ControlLoop.Status.HOLDING) {
         send(device.port(), "{\"axes\": [1], \"deadMan\": tru");
       }
       sendUntil(device, loop, start.x() + 10);
-      assertThat(device.refusedDatagrams()).isPositive();
     }
     assertThat(controller.stepUntil(controller::standing, LIMIT)).isTrue();
   }

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import no.hials.crosscom.control.StopReason.Kind;
@@ -420,6 +421,38 @@ class StoppingTest extends ControlTest {
             "$AXIS_ACT must change within 500 ms when the robot is told to move,"
                 + " has not for 504 ms");
     assertThat(writesTo("MYAXIS")).last().asString().startsWith("{A1 0");
+  }
+
+  @Test
+  void aSlowReadingIsNotTakenForAStall() throws Exception {
+    run("ext_move_axis.src");
+    String before = client.readText("$AXIS_ACT");
+    AtomicInteger writes = new AtomicInteger();
+    server.fault(
+        r -> {
+          if (r.name().equals("MYAXIS")) {
+            writes.incrementAndGet();
+            return false;
+          }
+          boolean slow = r.name().equals("$AXIS_ACT") && writes.get() == 1;
+          if (slow) {
+            time.pass(Duration.ofMillis(600));
+          }
+          return slow;
+        },
+        Fault.answer(before, Tail.SUCCESS)); // from before the robot could move
+
+    StopReason reason =
+        runLoop(
+            config(
+                cfg ->
+                    cfg.duration(Duration.ofSeconds(3))
+                        .safety(
+                            s ->
+                                inAutomatic(s).noWatchdog().maxFeedbackAge(Duration.ofSeconds(1)))),
+            Law.jointVelocity(s -> TURNING));
+
+    assertThat(reason.kind()).as(reason.message()).isEqualTo(Kind.TIME_OVER);
   }
 
   @Test

@@ -333,10 +333,11 @@ class ExamplesTest {
   }
 
   @Test
-  void followALineStaysNearTheLine() {
+  void followALineGoesAlongTheLine() {
     assertThat(run(() -> FollowALine.main(new String[0])))
         .contains("TIME_OVER")
-        .containsPattern("[1-9][0-9]\\.[0-9] mm along the line, [0-9]\\.[0-9] mm from where");
+        // how near depends on what else this computer does; FollowingTest has simulated time
+        .containsPattern("[1-9][0-9]\\.[0-9] mm along the line, [0-9]+\\.[0-9] mm from where");
   }
 
   @Test

@@ -276,15 +276,15 @@ class ReconnectTest extends RobotTest {
 
   @Test
   void keepAliveHoldsAnIdleConnection() throws Exception {
-    try (MockServer strict = MockServer.start(cfg -> cfg.idleTimeout(Duration.ofMillis(400)));
+    try (MockServer strict = MockServer.start(cfg -> cfg.idleTimeout(Duration.ofMillis(1500)));
         CrossComClient its =
             new CrossComClient(
                 ClientConfig.create(
                     strict.host(),
-                    cfg -> cfg.port(strict.port()).keepAlive(Duration.ofMillis(50))))) {
+                    cfg -> cfg.port(strict.port()).keepAlive(Duration.ofMillis(100))))) {
       int port = its.getLocalPort();
-      // twelve times 50 ms are well above the 400
-      for (int i = 0; i < 12; i++) {
+      // twenty times 100 ms are well above the 1500
+      for (int i = 0; i < 20; i++) {
         assertThat(strict.takeRequest(Duration.ofSeconds(60)))
             .hasValueSatisfying(r -> assertThat(r.name()).isEqualTo("PING"));
       }

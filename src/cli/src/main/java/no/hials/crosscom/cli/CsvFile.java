@@ -12,26 +12,41 @@ import java.nio.file.Path;
 final class CsvFile {
   private CsvFile() {}
 
+  /** Makes something of rows. */
+  @FunctionalInterface
+  interface Contents<T> {
+    T of(Iterable<CsvRecord> rows) throws IOException;
+  }
+
   /**
-   * Opens a file. The rows may differ in their number of fields, see {@link #checkFields}.
+   * Reads a file. The rows may differ in their number of fields, see {@link #checkFields}.
    *
    * @param torn whether the file may end inside quotes, as after a power failure
-   * @throws FileException if it cannot hold rows
+   * @throws FileException if it cannot be read, or has no rows of CSV
    */
-  static CsvReader<CsvRecord> open(Path file, boolean torn) throws IOException {
+  static <T> T read(Path file, boolean torn, Contents<T> contents) throws FileException {
     if (Files.isDirectory(file)) {
       throw new FileException("cannot read " + file + ": it is a folder");
     }
-    return CsvReader.builder()
-        .detectBomHeader(true)
-        .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
-        .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
-        .allowUnclosedQuote(torn)
-        .ofCsvRecord(file);
+    try (CsvReader<CsvRecord> csv =
+        CsvReader.builder()
+            .detectBomHeader(true)
+            .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
+            .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
+            .allowUnclosedQuote(torn)
+            .ofCsvRecord(file)) {
+      return contents.of(csv);
+    } catch (FileException e) {
+      throw e;
+    } catch (IOException e) {
+      throw FileException.cannot("read", file, e);
+    } catch (CsvParseException e) {
+      throw unreadable(file, e);
+    }
   }
 
   /** Says in which line a file has no CSV. */
-  static FileException unreadable(Path file, CsvParseException e) {
+  private static FileException unreadable(Path file, CsvParseException e) {
     String reason =
         file.toString().endsWith(".jsonl")
             ? "it must be CSV, not JSON Lines"

@@ -1,10 +1,6 @@
 package no.hials.crosscom.cli;
 
-import de.siegmar.fastcsv.reader.CsvParseException;
-import de.siegmar.fastcsv.reader.CsvReader;
 import de.siegmar.fastcsv.reader.CsvRecord;
-import java.io.IOException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.time.ZoneOffset;
@@ -130,26 +126,22 @@ final class PlotData {
    * @throws FileException if it cannot be read, or has another form
    */
   static PlotData read(Path file) throws FileException {
-    try (CsvReader<CsvRecord> csv = CsvFile.open(file, false)) {
-      List<CsvRecord> rows = new ArrayList<>();
-      for (CsvRecord row : csv) {
-        if (rows.isEmpty() && isHeaderOfRecord(row)) {
-          return of(file, RecordedData.read(file));
-        }
-        rows.add(row);
-      }
-      return of(file, rows);
-    } catch (NoSuchFileException e) {
-      throw new FileException("there is no file " + file, e);
-    } catch (FileException e) {
-      throw e;
-    } catch (IOException e) {
-      throw FileException.cannot("read", file, e);
-    } catch (CsvParseException e) {
-      throw CsvFile.unreadable(file, e);
+    try {
+      return CsvFile.read(file, false, csv -> recordedOrOther(file, csv));
     } catch (IllegalArgumentException e) {
       throw new FileException("cannot draw " + file + ": " + e.getMessage(), e);
     }
+  }
+
+  private static PlotData recordedOrOther(Path file, Iterable<CsvRecord> csv) throws FileException {
+    List<CsvRecord> rows = new ArrayList<>();
+    for (CsvRecord row : csv) {
+      if (rows.isEmpty() && isHeaderOfRecord(row)) {
+        return of(file, RecordedData.read(file));
+      }
+      rows.add(row);
+    }
+    return of(file, rows);
   }
 
   // what record wrote

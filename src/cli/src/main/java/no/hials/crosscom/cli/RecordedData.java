@@ -1,9 +1,6 @@
 package no.hials.crosscom.cli;
 
-import de.siegmar.fastcsv.reader.CsvParseException;
-import de.siegmar.fastcsv.reader.CsvReader;
 import de.siegmar.fastcsv.reader.CsvRecord;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.time.DateTimeException;
 import java.time.Instant;
@@ -68,16 +65,15 @@ final class RecordedData {
    * @throws FileException if it cannot be read, or was not written by {@code record}
    */
   static RecordedData read(Path file) throws FileException {
-    List<CsvRecord> records = new ArrayList<>();
-    try (CsvReader<CsvRecord> csv = CsvFile.open(file, true)) {
-      csv.forEach(records::add);
-    } catch (FileException e) {
-      throw e;
-    } catch (IOException e) {
-      throw FileException.cannot("read", file, e);
-    } catch (CsvParseException e) {
-      throw CsvFile.unreadable(file, e);
-    }
+    List<CsvRecord> records =
+        CsvFile.read(
+            file,
+            true,
+            csv -> {
+              List<CsvRecord> rows = new ArrayList<>();
+              csv.forEach(rows::add);
+              return rows;
+            });
     try {
       return new Rows(records).data();
     } catch (IllegalArgumentException e) {

@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import no.hials.crosscom.cli.experiment.KrlPrograms;
 import no.hials.crosscom.mock.MockServer;
+import org.assertj.core.api.ThrowingConsumer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -160,14 +161,13 @@ class DriveIT {
     assertThat(Cli.runOn(server, "read", "MYAXIS").out()).containsPattern("A3 0(\\.0*)?,");
   }
 
-  @Test
-  void ctrlCStopsTheRobotFirstAndLeavesTheTerminalAsItWas() throws Exception {
-    assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
+  /** Moves the robot, and lets the command end. */
+  private static void assertStopsTheRobotFirst(ThrowingConsumer<Terminal> end) throws IOException {
     try (MockServer server = robot();
         Terminal terminal = new Terminal(server, "--frame=joints", "--max-delay=2s")) {
       move(server, terminal);
 
-      terminal.press(PseudoTerminal.CTRL_C);
+      end.accept(terminal);
 
       String shown = terminal.rest();
       assertThat(shown).contains("stopped: the loop was asked to stop", "code=0");
@@ -177,18 +177,14 @@ class DriveIT {
   }
 
   @Test
+  void ctrlCStopsTheRobotFirstAndLeavesTheTerminalAsItWas() throws Exception {
+    assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
+    assertStopsTheRobotFirst(terminal -> terminal.press(PseudoTerminal.CTRL_C));
+  }
+
+  @Test
   void sigtermDoesTheSame() throws Exception {
-    try (MockServer server = robot();
-        Terminal terminal = new Terminal(server, "--frame=joints", "--max-delay=2s")) {
-      move(server, terminal);
-
-      terminal.command().destroy();
-
-      String shown = terminal.rest();
-      assertThat(shown).contains("stopped: the loop was asked to stop", "code=0");
-      assertRestored(shown);
-      assertToldToStand(server);
-    }
+    assertStopsTheRobotFirst(terminal -> terminal.command().destroy());
   }
 
   @Test

@@ -283,7 +283,8 @@ class PlotCommandTest {
   void saysWhichFileIsNotThere() {
     csv = folder.resolve("none.csv");
 
-    assertThat(plot().errLines()).containsExactly("jopenshowvar: there is no file " + csv);
+    assertThat(plot().errLines())
+        .containsExactly("jopenshowvar: cannot read " + csv + ": there is no such file");
     assertThat(plot().code()).isEqualTo(2);
   }
 

@@ -22,10 +22,10 @@ final class Feedback<P> {
   private static final double CATCHING_UP = 1.5;
 
   /**
-   * So many readings have to be the same for a stall: where the time of one reading is long, two
-   * that are the same may both be from before the robot could move.
+   * At least so many readings have to be the same for a stall, each counting for its share of the
+   * time at most: while this computer stands still, the value cannot be seen to change.
    */
-  private static final int READINGS_OF_STALL = 3;
+  private static final int READINGS_OF_STALL = 5;
 
   /** So far, mm or degrees, the robot has to be told to go for the value to change. */
   private static final double NOTICEABLE = 0.01;
@@ -40,8 +40,10 @@ final class Feedback<P> {
   private final ArrayDeque<Fix<P>> fixes = new ArrayDeque<>();
   private @Nullable P last;
   private @Nullable P target;
-  private long changed;
-  private int unchanged;
+  private long lastNanos;
+
+  /** How long the value has not changed, ns. */
+  private long unchanged;
 
   Feedback(Space<P> space, Safety safety, Meter meter) {
     this.space = space;
@@ -94,21 +96,21 @@ final class Feedback<P> {
   }
 
   private void checkStall(P actual, long now) throws ControlRefusedException {
-    boolean moves = last == null || !last.equals(actual);
-    if (moves || !isToldToMove()) {
-      changed = now;
+    long since = now - lastNanos;
+    lastNanos = now;
+    if (last == null || !last.equals(actual) || !isToldToMove()) {
       unchanged = 0;
       return;
     }
-    unchanged++;
-    if (now - changed > maxStall && unchanged >= READINGS_OF_STALL) {
+    unchanged += Math.min(since, maxStall / READINGS_OF_STALL);
+    if (unchanged > maxStall) {
       throw new ControlRefusedException(
           Kind.STALLED_FEEDBACK,
           space.feedback().getName()
               + " must change within "
               + maxStall / 1_000_000
               + " ms when the robot is told to move, has not for "
-              + (now - changed) / 1_000_000
+              + unchanged / 1_000_000
               + " ms");
     }
   }

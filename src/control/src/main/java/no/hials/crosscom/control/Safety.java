@@ -26,8 +26,9 @@ import org.jspecify.annotations.Nullable;
  *     position (joint laws), and the watchdog are read; default 300 ms
  * @param maxFeedbackAge how long reading where the robot is may take, and together with it the law;
  *     default 100 ms
- * @param maxStall how long the robot may stand although it was told to move, and in at least three
- *     readings, so that a slow one is not taken for a stall; default 500 ms
+ * @param maxStall how long the robot may stand although it was told to move; from one reading to
+ *     the next a fifth of it is counted at most, so that a pause of this computer is not taken for
+ *     a stall; default 500 ms
  * @param maxInputAge how old the input may be for motion; default 200 ms
  * @param watchdog how long the watchdog on the controller waits for a heartbeat until it stops the
  *     robot ({@code JOV_LIMIT} of {@code krl/config.dat}); zero for no heartbeat; default 500 ms
@@ -229,8 +230,8 @@ public record Safety(
     }
 
     /**
-     * Sets how long the robot may stand although it was told to move. It has to be seen in three
-     * readings, however long they take.
+     * Sets how long the robot may stand although it was told to move. It takes more than five
+     * readings to be seen, however far apart they are.
      *
      * @param time 1 ms to 10 s
      * @return this

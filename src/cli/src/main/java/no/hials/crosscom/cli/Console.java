@@ -102,7 +102,7 @@ final class Console {
     return questions != null || Terminal.isTerminal();
   }
 
-  /** Asks a question; only y and yes are a yes. */
+  /** Asks a question; only y and yes are a yes, and only if they are typed after it. */
   boolean confirm(String question) {
     String answer = answer(Printable.of(question) + " [y/N] ");
     return answer != null && answer.strip().matches("(?i)y(es)?");
@@ -112,6 +112,7 @@ final class Console {
     if (questions != null) {
       return questions.ask(question);
     }
+    Terminal.dropTyped();
     err.print(question);
     err.flush();
     String answer = Terminal.readLine();

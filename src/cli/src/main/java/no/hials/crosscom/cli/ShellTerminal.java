@@ -105,8 +105,15 @@ final class ShellTerminal implements Closeable {
     return read(reader, text, "");
   }
 
-  /** Gives an answer, null for none. */
+  /** Gives an answer that is typed after the question, null for none. */
   @Nullable String ask(String question) {
+    try {
+      while (terminal.reader().read(1) >= 0) {
+        // was typed before
+      }
+    } catch (IOException e) {
+      return null;
+    }
     return read(questions, question, null);
   }
 

@@ -55,6 +55,17 @@ final class Terminal {
     }
   }
 
+  /** Drops the lines that were typed before now, so that they do not answer a question. */
+  static void dropTyped() {
+    try {
+      for (int typed = System.in.available(); typed > 0; typed = System.in.available()) {
+        System.in.readNBytes(typed);
+      }
+    } catch (IOException e) {
+      // the terminal is gone; who reads the answer finds that out
+    }
+  }
+
   /** Reads what the user types; null at its end, or without a terminal. */
   @SuppressWarnings("SystemConsoleNull") // as above
   static @Nullable String readLine() {

@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
+import java.time.Duration;
+import java.util.Map;
+import java.util.concurrent.CountDownLatch;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -75,6 +79,22 @@ class ConfirmationIT {
     PseudoTerminal.Shown shown = answer("xterm", PseudoTerminal.CTRL_C, "MYINT", "5");
 
     assertThat(shown.code()).isEqualTo(130);
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void anAnswerThatWasTypedBeforeTheQuestionIsNone() throws Exception {
+    CountDownLatch typed = new CountDownLatch(1);
+    server.fault(request -> request.name().equals("$MODE_OP"), Fault.hold(typed));
+    try (PseudoTerminal terminal =
+        PseudoTerminal.start(Map.of(), "exec %s", Cli.argsOn(server, "write", "MYINT", "5"))) {
+      assertThat(server.takeRequest(Duration.ofSeconds(60))).isPresent();
+      terminal.type("y\r").until("y\r\n");
+      typed.countDown();
+      terminal.until(QUESTION).type("\r");
+
+      assertThat(terminal.end().text()).contains("did not write MYINT: not confirmed");
+    }
     assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
   }
 

@@ -206,6 +206,7 @@ class DistributionIT {
   }
 
   @Test
+  @Timeout(600) // the archive is made by a process that leaves others all they want of the computer
   @EnabledOnOs(OS.LINUX)
   void archivesItsClassesOnTheFirstRunAndDoesNotMindIfTheArchiveIsBad() throws Exception {
     Path cache = Files.createDirectories(dir.resolve("cache").resolve("jopenshowvar"));

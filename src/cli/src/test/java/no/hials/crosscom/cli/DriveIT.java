@@ -4,12 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import no.hials.crosscom.cli.experiment.KrlPrograms;
 import no.hials.crosscom.mock.MockServer;
 import org.assertj.core.api.ThrowingConsumer;
@@ -30,74 +29,15 @@ class DriveIT {
     assumeThat(PseudoTerminal.isAvailable()).isTrue();
   }
 
-  /** The command on a terminal, between two looks at what the terminal is set to. */
-  private static final class Terminal implements AutoCloseable {
-    private final Process process;
-    private final StringBuilder shown = new StringBuilder();
-
-    Terminal(MockServer server, String... options) throws IOException {
-      String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-      String command =
-          "trap : INT; stty -a; '%s' -jar target/jopenshowvar.jar %s %s; echo code=$?; stty -a"
-              .formatted(
-                  java,
-                  String.join(" ", Cli.argsOn(server, "drive", "--yes", "--no-watchdog")),
-                  String.join(" ", options));
-      ProcessBuilder builder = new ProcessBuilder("/usr/bin/script", "-qec", command, "/dev/null");
-      builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
-      builder.environment().put("TERM", "xterm");
-      builder.environment().put("SHELL", "/bin/sh");
-      builder.redirectErrorStream(true);
-      process = builder.start();
-    }
-
-    /** Reads on until a text is shown. */
-    void await(String text) throws IOException {
-      InputStream terminal = process.getInputStream();
-      int from = shown.length();
-      while (shown.indexOf(text, from) < 0) {
-        int next = terminal.read();
-        if (next < 0) {
-          throw new AssertionError("it ended, and showed: " + shown);
-        }
-        shown.append((char) next);
-      }
-    }
-
-    void press(String keys) throws IOException {
-      try {
-        process.getOutputStream().write(keys.getBytes(StandardCharsets.ISO_8859_1));
-        process.getOutputStream().flush();
-      } catch (IOException e) {
-        throw new AssertionError("it takes no more keys, and showed: " + rest(), e);
-      }
-    }
-
-    /** Gives the process of the command itself. */
-    ProcessHandle command() {
-      return process
-          .descendants()
-          .filter(each -> each.info().command().orElse("").endsWith("java"))
-          .findAny()
-          .orElseThrow();
-    }
-
-    /** Reads to the end, and gives all. */
-    String rest() throws IOException {
-      shown.append(
-          new String(process.getInputStream().readAllBytes(), StandardCharsets.ISO_8859_1));
-      return shown.toString();
-    }
-
-    /** Takes the terminal away from the command, as when its window is closed. */
-    void hangUp() {
-      process.destroyForcibly();
-    }
-
-    @Override
-    public void close() {
-      hangUp();
-    }
+  /** Starts the command, between two looks at what the terminal is set to. */
+  private static PseudoTerminal drive(MockServer server, String... options) throws IOException {
+    return PseudoTerminal.start(
+        Map.of(),
+        "trap : INT; stty -a; %s; echo code=$?; stty -a",
+        Stream.concat(
+                Stream.of(Cli.argsOn(server, "drive", "--yes", "--no-watchdog")),
+                Stream.of(options))
+            .toArray(String[]::new));
   }
 
   /** Gives what {@code stty} shows twice, the same before and after. */
@@ -123,23 +63,23 @@ class DriveIT {
   @Test
   void aHeldKeyMovesTheRobotAndItStandsWhenItIsLetGo() throws Exception {
     try (MockServer server = robot();
-        Terminal terminal = new Terminal(server, "--frame=joints", "--max-delay=2s")) {
-      terminal.await(READY);
+        PseudoTerminal terminal = drive(server, "--frame=joints", "--max-delay=2s")) {
+      terminal.until(READY);
       double start = server.controller().axes().a1();
       // as a keyboard repeats
       while (server.controller().axes().a1() < start + 1) {
-        terminal.press("w");
+        terminal.type("w");
         Thread.onSpinWait();
       }
 
-      terminal.await("| standing | none |");
+      terminal.until("| standing | none |");
       while (!server.controller().standing()) {
         Thread.onSpinWait();
       }
       double stoodAt = server.controller().axes().a1();
-      terminal.press("q");
+      terminal.type("q");
 
-      String shown = terminal.rest();
+      String shown = terminal.finish();
       assertThat(shown).contains("| moving | A1 +100% |", "stopped: the loop was asked to stop");
       assertThat(shown).contains("code=0");
       assertRestored(shown);
@@ -148,11 +88,11 @@ class DriveIT {
   }
 
   /** Waits for the keys to be taken, and moves the third axis, so that there is what to stop. */
-  private static void move(MockServer server, Terminal terminal) throws IOException {
-    terminal.await(READY);
+  private static void move(MockServer server, PseudoTerminal terminal) throws IOException {
+    terminal.until(READY);
     double start = server.controller().axes().a3();
     while (server.controller().axes().a3() > start - 0.5) {
-      terminal.press("f");
+      terminal.type("f");
       Thread.onSpinWait();
     }
   }
@@ -162,14 +102,15 @@ class DriveIT {
   }
 
   /** Moves the robot, and lets the command end. */
-  private static void assertStopsTheRobotFirst(ThrowingConsumer<Terminal> end) throws IOException {
+  private static void assertStopsTheRobotFirst(ThrowingConsumer<PseudoTerminal> end)
+      throws Exception {
     try (MockServer server = robot();
-        Terminal terminal = new Terminal(server, "--frame=joints", "--max-delay=2s")) {
+        PseudoTerminal terminal = drive(server, "--frame=joints", "--max-delay=2s")) {
       move(server, terminal);
 
       end.accept(terminal);
 
-      String shown = terminal.rest();
+      String shown = terminal.finish();
       assertThat(shown).contains("stopped: the loop was asked to stop", "code=0");
       assertRestored(shown);
       assertToldToStand(server);
@@ -179,7 +120,7 @@ class DriveIT {
   @Test
   void ctrlCStopsTheRobotFirstAndLeavesTheTerminalAsItWas() throws Exception {
     assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
-    assertStopsTheRobotFirst(terminal -> terminal.press(PseudoTerminal.CTRL_C));
+    assertStopsTheRobotFirst(terminal -> terminal.type(PseudoTerminal.CTRL_C));
   }
 
   @Test
@@ -190,7 +131,7 @@ class DriveIT {
   @Test
   void aTerminalThatIsClosedStopsTheRobot() throws Exception {
     try (MockServer server = robot();
-        Terminal terminal = new Terminal(server, "--frame=joints", "--max-delay=2s")) {
+        PseudoTerminal terminal = drive(server, "--frame=joints", "--max-delay=2s")) {
       move(server, terminal);
 
       ProcessHandle command = terminal.command();
@@ -204,8 +145,8 @@ class DriveIT {
   @Test
   void theTerminalIsRestoredWhenALimitEndsIt() throws Exception {
     try (MockServer server = MockServer.start(cfg -> {});
-        Terminal terminal = new Terminal(server)) {
-      String shown = terminal.rest();
+        PseudoTerminal terminal = drive(server)) {
+      String shown = terminal.finish();
 
       assertThat(shown).contains("PROGRAM: $PRO_STATE1 must be #P_ACTIVE, is #P_FREE", "code=1");
       assertRestored(shown);

@@ -1,23 +1,52 @@
 package no.hials.crosscom.cli;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.IOException;
-import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.Reader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Runs the jar on a terminal, which {@code script} of util-linux makes. */
-final class PseudoTerminal {
+/** The jar on a terminal, which {@code script} of util-linux makes: what is typed and shown. */
+final class PseudoTerminal implements AutoCloseable {
   static final String CTRL_C = "\u0003";
   static final String CTRL_D = "\u0004";
 
   private static final Path SCRIPT = Path.of("/usr/bin/script");
   private static final int SIGINT_BIT = 1 << 1;
+  private static final int LIMIT_SECONDS = 60;
 
-  private PseudoTerminal() {}
+  private final Process process;
+  private final Reader reader;
+  private final StringBuilder shown = new StringBuilder();
+  private final CompletableFuture<Process> limit;
+  private int seen;
+
+  /**
+   * What was shown.
+   *
+   * @param code the exit code
+   * @param text all that came, with the echo of what was typed
+   */
+  record Shown(int code, String text) {}
+
+  private PseudoTerminal(Process process) {
+    this.process = process;
+    this.reader = new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8);
+    // a test that waits for what does not come fails, as the stream ends
+    this.limit =
+        CompletableFuture.supplyAsync(
+            process::destroyForcibly,
+            CompletableFuture.delayedExecutor(LIMIT_SECONDS, TimeUnit.SECONDS));
+  }
 
   static boolean isAvailable() {
     return Files.isExecutable(SCRIPT);
@@ -36,54 +65,122 @@ final class PseudoTerminal {
   }
 
   /**
-   * What was shown.
+   * Starts a command.
    *
-   * @param code the exit code
-   * @param text all that came, with the echo of what was typed
+   * @param environment beside that of this process; the kind of the terminal is xterm
+   * @param form what {@code sh} is to do, with {@code %s} for the command
    */
-  record Shown(int code, String text) {}
+  static PseudoTerminal start(Map<String, String> environment, String form, String... args)
+      throws IOException {
+    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    String command =
+        Stream.concat(Stream.of(java, "-jar", "target/jopenshowvar.jar"), Stream.of(args))
+            .map(arg -> "'" + arg + "'")
+            .collect(Collectors.joining(" "));
+    ProcessBuilder builder =
+        new ProcessBuilder(SCRIPT.toString(), "-qec", form.formatted(command), "/dev/null");
+    builder
+        .environment()
+        .keySet()
+        .removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", "NO_COLOR"));
+    builder.environment().put("TERM", "xterm");
+    builder.environment().put("SHELL", "/bin/sh");
+    builder.environment().putAll(environment);
+    return new PseudoTerminal(builder.redirectErrorStream(true).start());
+  }
 
   /**
    * Runs a command until it ends.
    *
    * @param term the kind of the terminal
-   * @param until a text, after which the keys are pressed
+   * @param until a text, after which the keys are pressed, if it comes
    */
   static Shown run(String term, String until, String keys, String... args)
       throws IOException, InterruptedException {
-    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-    String command =
-        Stream.concat(Stream.of(java, "-jar", "target/jopenshowvar.jar"), Stream.of(args))
-            .map(arg -> "'" + arg + "'")
-            .collect(Collectors.joining(" ", "exec ", ""));
-    ProcessBuilder builder = new ProcessBuilder(SCRIPT.toString(), "-qec", command, "/dev/null");
-    builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
-    builder.environment().put("TERM", term);
-    builder.redirectErrorStream(true);
-    Process process = builder.start();
-    try {
-      String shown = type(process, until, keys);
-      return new Shown(process.waitFor(), shown);
-    } finally {
-      process.destroyForcibly();
+    try (PseudoTerminal terminal = start(Map.of("TERM", term), "exec %s", args)) {
+      if (terminal.shows(until)) {
+        terminal.type(keys);
+      }
+      return terminal.end();
     }
   }
 
-  private static String type(Process process, String until, String keys) throws IOException {
-    StringBuilder shown = new StringBuilder();
-    InputStream terminal = process.getInputStream();
-    byte[] bytes = new byte[1000];
-    boolean pressed = false;
-    int length = terminal.read(bytes);
-    while (length > 0) {
-      shown.append(new String(bytes, 0, length, StandardCharsets.ISO_8859_1));
-      if (!pressed && shown.indexOf(until) >= 0) {
-        pressed = true;
-        process.getOutputStream().write(keys.getBytes(StandardCharsets.ISO_8859_1));
-        process.getOutputStream().flush();
+  /** Waits until a text is shown that was not there when the last keys were pressed. */
+  PseudoTerminal until(String text) throws IOException {
+    if (!shows(text)) {
+      throw new AssertionError("waiting for '" + text + "' it ended, and showed: " + shown);
+    }
+    return this;
+  }
+
+  private boolean shows(String text) throws IOException {
+    int at = shown.indexOf(text, seen);
+    while (at < 0) {
+      if (!read()) {
+        return false;
       }
-      length = terminal.read(bytes);
+      at = shown.indexOf(text, seen);
+    }
+    seen = at + text.length();
+    return true;
+  }
+
+  private boolean read() throws IOException {
+    char[] chars = new char[1000];
+    int length = reader.read(chars);
+    if (length > 0) {
+      shown.append(chars, 0, length);
+    }
+    return length > 0;
+  }
+
+  PseudoTerminal type(String keys) throws IOException {
+    try {
+      process.getOutputStream().write(keys.getBytes(StandardCharsets.UTF_8));
+      process.getOutputStream().flush();
+    } catch (IOException e) {
+      throw new AssertionError("it takes no more keys, and showed: " + rest(), e);
+    }
+    return this;
+  }
+
+  private String rest() throws IOException {
+    while (read()) {
+      // to the end
     }
     return shown.toString();
+  }
+
+  /** Waits for the end. */
+  Shown end() throws IOException, InterruptedException {
+    String text = rest();
+    return new Shown(process.waitFor(), text);
+  }
+
+  /** Waits for the end, which has to be without an error, and gives all that was shown. */
+  String finish() throws IOException, InterruptedException {
+    Shown all = end();
+    assertThat(all.code()).as(all.text()).isZero();
+    return all.text();
+  }
+
+  /** Gives the process of the command itself. */
+  ProcessHandle command() {
+    return process
+        .descendants()
+        .filter(each -> each.info().command().orElse("").endsWith("java"))
+        .findAny()
+        .orElseThrow();
+  }
+
+  /** Takes the terminal away, as when its window is closed. */
+  void hangUp() {
+    process.destroyForcibly();
+  }
+
+  @Override
+  public void close() {
+    limit.cancel(false);
+    hangUp();
   }
 }

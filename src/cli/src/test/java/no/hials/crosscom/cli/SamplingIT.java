@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -24,7 +22,6 @@ import org.junit.jupiter.api.io.TempDir;
 /** Runs {@code watch} and {@code record} from the jar, on a terminal and without one. */
 @Timeout(120)
 class SamplingIT {
-  private static final Path SCRIPT = Path.of("/usr/bin/script");
   @TempDir private Path dir;
   private MockServer server;
 
@@ -57,47 +54,26 @@ class SamplingIT {
    * Runs a command on a terminal, presses a key when a text is there, and gives all that was shown.
    */
   private String show(
-      Map<String, String> environment, String until, int key, String name, String... args)
+      Map<String, String> environment, String until, String key, String name, String... args)
       throws Exception {
     assumeCtrlCOnATerminal();
-    StringBuilder shell = new StringBuilder("stty rows 24 cols 80; exec");
-    command(name, args).forEach(part -> shell.append(" '").append(part).append('\''));
-    ProcessBuilder builder =
-        process(List.of(SCRIPT.toString(), "-qec", shell.toString(), "/dev/null"));
-    builder.environment().put("TERM", "xterm");
-    builder.environment().putAll(environment);
-    Process process = builder.redirectErrorStream(true).start();
-    try {
-      StringBuilder shown = new StringBuilder();
-      InputStream terminal = process.getInputStream();
-      byte[] bytes = new byte[1000];
-      boolean pressed = false;
-      int length = terminal.read(bytes);
-      while (length > 0) {
-        shown.append(new String(bytes, 0, length, StandardCharsets.ISO_8859_1));
-        if (!pressed && shown.indexOf(until) >= 0) {
-          pressed = true;
-          process.getOutputStream().write(key);
-          process.getOutputStream().flush();
-        }
-        length = terminal.read(bytes);
-      }
-      assertThat(process.waitFor()).as(shown.toString()).isZero();
-      return shown.toString();
-    } finally {
-      process.destroyForcibly();
+    try (PseudoTerminal terminal =
+        PseudoTerminal.start(
+            environment, "stty rows 24 cols 80; exec %s", Cli.argsOn(server, name, args))) {
+      return terminal.until(until).type(key).finish();
     }
   }
 
   private static void assumeCtrlCOnATerminal() throws IOException {
-    assumeThat(Files.isExecutable(SCRIPT)).isTrue();
+    assumeThat(PseudoTerminal.isAvailable()).isTrue();
     assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
   }
 
   @Test
   @EnabledOnOs(OS.LINUX)
   void watchShowsATableAndLeavesTheTerminalAsItWasOnCtrlC() throws Exception {
-    String shown = show(Map.of(), "MYFRAME.C", 3, "watch", "$OV_PRO", "MYFRAME");
+    String shown =
+        show(Map.of(), "MYFRAME.C", PseudoTerminal.CTRL_C, "watch", "$OV_PRO", "MYFRAME");
 
     int left = shown.indexOf("\u001b[?1049l");
     assertThat(shown.substring(0, left)).contains("\u001b[?1049h", "\u001b[?25l", "MYFRAME.X");
@@ -109,7 +85,7 @@ class SamplingIT {
   @Test
   @EnabledOnOs(OS.LINUX)
   void watchEndsWithTheKeyQAndHasNoColoursIfTheyAreNotWanted() throws Exception {
-    String shown = show(Map.of("NO_COLOR", "1"), "MYINT", 'q', "watch", "MYINT");
+    String shown = show(Map.of("NO_COLOR", "1"), "MYINT", "q", "watch", "MYINT");
 
     assertThat(shown)
         .contains("\u001b[?1049h", "NAME ")
@@ -119,7 +95,7 @@ class SamplingIT {
   @Test
   @EnabledOnOs(OS.LINUX)
   void watchPrintsLinesOnADumbTerminal() throws Exception {
-    assertThat(show(Map.of("TERM", "dumb"), "MYINT = 0", 3, "watch", "MYINT"))
+    assertThat(show(Map.of("TERM", "dumb"), "MYINT = 0", PseudoTerminal.CTRL_C, "watch", "MYINT"))
         .doesNotContain("\u001b");
   }
 
@@ -128,7 +104,15 @@ class SamplingIT {
   void recordShowsHowItGoesAndKeepsEverySampleOnCtrlC() throws Exception {
     Path file = dir.resolve("a.csv");
 
-    String shown = show(Map.of(), "/s, access", 3, "record", "MYINT", "--out", file.toString());
+    String shown =
+        show(
+            Map.of(),
+            "/s, access",
+            PseudoTerminal.CTRL_C,
+            "record",
+            "MYINT",
+            "--out",
+            file.toString());
 
     assertThat(shown).contains("\u001b[?7l").containsPattern("recorded to \\S+a.csv: \\d+ samples");
     String recorded = shown.substring(shown.indexOf("recorded to"));

@@ -135,7 +135,7 @@ final class DriveCommand extends ConsoleCommand {
       converter = Converters.Time.class,
       description = {
         "How long the controller may take to say where the robot is, at most 2s; 100ms if not given. A"
-            + " longer one ends it."
+            + " longer one ends it, when it has answered or --timeout is over."
       })
   private Duration maxDelay = Duration.ofMillis(100);
 
@@ -200,7 +200,7 @@ final class DriveCommand extends ConsoleCommand {
       if (controller.simulation() == null) {
         writeOptions.check(this, controller, what);
       }
-      try (DriveDevice opened = choice.open(zone)) {
+      try (DriveDevice opened = open(choice, zone, stop)) {
         Safety safety = safety(space, fullSpeed, fullTurn, mode);
         LoopConfig config =
             LoopConfig.create(
@@ -212,6 +212,16 @@ final class DriveCommand extends ConsoleCommand {
                         .traceLength(record == null ? 1 : RECORDED_CYCLES));
         return drive(controller, config, space, fullSpeed, fullTurn, opened, stop);
       }
+    }
+  }
+
+  private static DriveDevice open(DriveDevice.Choice choice, double zone, StopSignal stop)
+      throws IOException {
+    try {
+      return choice.open(zone);
+    } catch (IOException e) {
+      stop.check(); // as a terminal cannot be taken any more after Ctrl-C
+      throw e;
     }
   }
 
@@ -327,6 +337,9 @@ final class DriveCommand extends ConsoleCommand {
         console()
             .hint("it was never told to move: the dead-man was not held, or all input too old");
       }
+      if (!noWatchdog && reason.isPlanned()) {
+        DriveEnd.hintOnWatchdog(read(controller, "JOV_LIMIT")).ifPresent(console()::hint);
+      }
       if (!loop.toldToStand()) {
         console().error("the robot could not be told to stand: the watchdog has to stop it");
       }
@@ -417,8 +430,13 @@ final class DriveCommand extends ConsoleCommand {
 
   /** Gives the name of the robot's program, for a message; empty if it is not to be had. */
   private static String selected(Controller controller) {
+    return read(controller, "$PRO_NAME1[]").replace("\"", "").strip();
+  }
+
+  /** Reads what a message is about; gives nothing if it cannot be had. */
+  private static String read(Controller controller, String name) {
     try {
-      return controller.client().readText("$PRO_NAME1[]").replace("\"", "").strip();
+      return controller.client().readText(name);
     } catch (IOException e) {
       return "";
     }

@@ -2,6 +2,7 @@ package no.hials.crosscom.cli;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.control.StopReason;
@@ -92,6 +93,21 @@ final class DriveEnd {
       hints.add(PAGE + "; without a controller, try --mock");
     }
     return hints;
+  }
+
+  /**
+   * Gives a line that helps where the watchdog is on after a planned end.
+   *
+   * @param limit what it is set to, as text; empty if unknown
+   */
+  static Optional<String> hintOnWatchdog(String limit) {
+    return limit.isBlank() || limit.equals("0")
+        ? Optional.empty()
+        : Optional.of(
+            "the watchdog was on before (JOV_LIMIT is "
+                + limit
+                + "), as after an end that was not planned: it stays on and stops the program now;"
+                + " write 0 to JOV_LIMIT and start the program again");
   }
 
   private static String selected(String name) {

@@ -323,8 +323,9 @@ final class ExperimentCommand extends ConsoleCommand {
                   + numbers.saturated()
                   + " increments cut");
     }
-    for (Outcome.Figure figure : outcome.figures()) {
-      console().print(line(figure));
+    if (outcome.runs().stream().allMatch(run -> run.end().isPlanned())) {
+      // else they are those of a part, perhaps of a single cycle
+      outcome.figures().forEach(figure -> console().print(line(figure)));
     }
   }
 

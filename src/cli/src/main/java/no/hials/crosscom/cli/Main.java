@@ -130,6 +130,10 @@ public final class Main {
       console.failure(e, verbose);
       return ExitCode.NOT_SENT;
     }
+    if (e instanceof StoppedException) {
+      console.failure(e, verbose);
+      return ExitCode.STOPPED;
+    }
     if (e instanceof OutputException lost) {
       // whoever read the output has closed it, as head does: it has what it wants
       if (!lost.isBrokenPipe()) {

@@ -94,7 +94,10 @@ final class RecordCommand extends ConsoleCommand {
       description = "csv or jsonl; if not given, jsonl for a FILE.jsonl, else csv.")
   private @Nullable String format;
 
-  @Option(names = "--yes", order = 5, description = "Overwrite FILE.")
+  @Option(
+      names = {"-y", "--yes"},
+      order = 5,
+      description = "Overwrite FILE.")
   private boolean yes;
 
   @Mixin private ControllerOptions controllerOptions = new ControllerOptions();

@@ -79,9 +79,20 @@ final class ShellCommand extends ConsoleCommand {
     return ExitCode.DONE;
   }
 
+  private ShellTerminal terminal(ShellSymbols symbols) throws IOException {
+    try {
+      return new ShellTerminal(console(), symbols);
+    } catch (IOException | IllegalStateException e) {
+      if (StopSignal.isShuttingDown()) { // then JLine gives no terminal, or closes it
+        throw new StoppedException();
+      }
+      throw e;
+    }
+  }
+
   private ExitCode converse(Controller controller, ShellSymbols symbols) throws IOException {
     symbols.preload();
-    try (ShellTerminal terminal = new ShellTerminal(console(), symbols)) {
+    try (ShellTerminal terminal = terminal(symbols)) {
       Console asking = console().asking(terminal::ask);
       ShellSession session = new ShellSession(asking, controller, writeOptions, symbols);
       ShellPrompt prompt = new ShellPrompt(controller);

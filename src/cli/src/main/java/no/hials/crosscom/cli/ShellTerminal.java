@@ -14,6 +14,7 @@ import org.jline.terminal.TerminalBuilder;
 import org.jline.utils.AttributedString;
 import org.jline.utils.AttributedStringBuilder;
 import org.jline.utils.AttributedStyle;
+import org.jline.utils.Signals;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,6 +29,9 @@ final class ShellTerminal implements Closeable {
   private final LineReader questions;
   private final boolean coloured;
 
+  /** What Ctrl-C did before. */
+  private final @Nullable Object interruptBefore;
+
   ShellTerminal(Console console, ShellSymbols symbols) throws IOException {
     coloured = console.environment("NO_COLOR") == null;
     // else JLine makes a signal of a Ctrl-C that is typed into a line as well, and where that is
@@ -39,10 +43,13 @@ final class ShellTerminal implements Closeable {
             // the native library is quicker, and stty is there where it cannot be loaded
             .providers("jni,exec")
             .dumb(true)
-            .nativeSignals(true)
+            // JLine would let a Ctrl-C end this process before the terminal is given back
+            .nativeSignals(false)
             .build();
     Thread runner = Thread.currentThread();
-    terminal.handle(Signal.INT, signal -> runner.interrupt());
+    interruptBefore = Signals.register("INT", runner::interrupt);
+    Signals.register("WINCH", () -> terminal.raise(Signal.WINCH));
+    Signals.register("CONT", () -> terminal.raise(Signal.CONT));
     reader =
         LineReaderBuilder.builder()
             .terminal(terminal)
@@ -148,5 +155,8 @@ final class ShellTerminal implements Closeable {
   @Override
   public void close() throws IOException {
     terminal.close();
+    if (interruptBefore != null) { // as where signals cannot be handled
+      Signals.unregister("INT", interruptBefore);
+    }
   }
 }

@@ -56,7 +56,17 @@ final class StopSignal implements AutoCloseable {
 
   /** Says whether a signal came. */
   boolean isStopped() {
-    return stopped.getCount() == 0;
+    return stopped.getCount() == 0 || isShuttingDown();
+  }
+
+  /** Says whether the JVM shuts down; hooks cannot be changed from then on, which JLine needs. */
+  static boolean isShuttingDown() {
+    try {
+      Runtime.getRuntime().removeShutdownHook(new Thread());
+      return false;
+    } catch (IllegalStateException e) {
+      return true;
+    }
   }
 
   /**

@@ -277,6 +277,15 @@ class DriveCommandTest {
   }
 
   @Test
+  void aWatchdogThatWasOnBeforeIsExplained() {
+    assertThat(DriveEnd.hintOnWatchdog("500"))
+        .hasValueSatisfying(
+            hint -> assertThat(hint).contains("JOV_LIMIT is 500", "write 0 to JOV_LIMIT"));
+    assertThat(DriveEnd.hintOnWatchdog("0")).isEmpty();
+    assertThat(DriveEnd.hintOnWatchdog("")).isEmpty();
+  }
+
+  @Test
   void aControllerWithoutTheWatchdogIsExplained() throws Exception {
     try (MockServer server = robot(DriveSpace.BASE)) {
       server.controller().submit().stop();

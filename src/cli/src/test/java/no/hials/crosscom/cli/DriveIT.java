@@ -11,6 +11,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import no.hials.crosscom.cli.experiment.KrlPrograms;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
 import org.assertj.core.api.ThrowingConsumer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -139,6 +140,20 @@ class DriveIT {
 
       command.onExit().get(60, TimeUnit.SECONDS);
       assertToldToStand(server);
+    }
+  }
+
+  @Test
+  void aTerminalThatGivesWholeLinesIsRefused() throws Exception {
+    try (MockServer server = robot()) {
+      PseudoTerminal.Shown shown =
+          PseudoTerminal.run("dumb", "q ends", "", Cli.argsOn(server, "drive", "--yes"));
+
+      assertThat(shown.code()).isEqualTo(2);
+      assertThat(shown.text())
+          .isEqualTo(
+              "jopenshowvar: the keyboard needs a terminal that gives keys, TERM is dumb\r\n");
+      assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
     }
   }
 

@@ -92,6 +92,11 @@ public final class ControlLoop implements AutoCloseable {
     Guard guard = Preflight.check(channel, safety, space instanceof Space.Cartesian);
     Heartbeat heartbeat = new Heartbeat(channel, time, safety.watchdog());
     heartbeat.start();
+    if (heartbeat.wasOn()) {
+      LOG.warn(
+          "the watchdog was on before this loop, as after one whose end was not planned;"
+              + " it stays on when this one has ended, and stops the program then");
+    }
     ControlLoop loop =
         new ControlLoop(new Runner<>(config, target, channel, space, guard, heartbeat, time));
     LOG.debug("control of {} starts, every {}", target.name(), config.period());

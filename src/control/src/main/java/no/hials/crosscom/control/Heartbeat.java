@@ -95,6 +95,11 @@ final class Heartbeat {
     return limitMillis > 0;
   }
 
+  /** Says whether the watchdog was on already. */
+  boolean wasOn() {
+    return limitBefore > 0;
+  }
+
   /** Refuses a watchdog, as it was read last, that somebody has set to something else. */
   void checkLimit() throws ControlRefusedException {
     if (limit.intValue() != limitMillis) {

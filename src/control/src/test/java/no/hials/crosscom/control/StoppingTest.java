@@ -796,6 +796,20 @@ class StoppingTest extends ControlTest {
   }
 
   @Test
+  void aWatchdogThatWasOnBeforeStopsTheProgramAfterAPlannedEnd() throws Exception {
+    client.writeText("JOV_LIMIT", "400");
+    run("ext_move_axis.src");
+
+    runLoop(config(cfg -> cfg.duration(Duration.ofSeconds(2))), Law.jointVelocity(s -> TURNING));
+    assertThat(server.variables().get("JOV_LIMIT")).isEqualTo("400");
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.ACTIVE);
+    controller.step(Duration.ofMillis(500));
+
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.STOP);
+    assertThat(server.variables().get("JOV_TIMEOUT")).isEqualTo("TRUE");
+  }
+
+  @Test
   void afterAPlannedEndTheWatchdogIsAsItWasAndTheProgramGoesOn() throws Exception {
     run("ext_move_axis.src");
 

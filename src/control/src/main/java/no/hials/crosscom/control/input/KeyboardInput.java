@@ -120,6 +120,10 @@ public final class KeyboardInput implements InputDevice {
     } catch (IOException | IllegalStateException e) {
       throw new IOException("the keyboard needs a terminal: " + e.getMessage(), e);
     }
+    if (terminal.getType().startsWith(Terminal.TYPE_DUMB)) { // it gives whole lines, not keys
+      terminal.close();
+      throw new IOException("the keyboard needs a terminal that gives keys, TERM is dumb");
+    }
     return on(terminal, System::nanoTime);
   }
 

@@ -21,6 +21,9 @@ final class StopSignal implements AutoCloseable {
   /** The exit code; there when the program has done everything. */
   private static final CompletableFuture<Integer> EXIT = new CompletableFuture<>();
 
+  /** Was never added, so that removing it does nothing. */
+  private static final Thread NO_HOOK = new Thread("no-hook");
+
   private final CountDownLatch stopped = new CountDownLatch(1);
   private final Thread hook = new Thread(this::stop, "stop-signal");
 
@@ -62,7 +65,7 @@ final class StopSignal implements AutoCloseable {
   /** Says whether the JVM shuts down; hooks cannot be changed from then on, which JLine needs. */
   static boolean isShuttingDown() {
     try {
-      Runtime.getRuntime().removeShutdownHook(new Thread());
+      Runtime.getRuntime().removeShutdownHook(NO_HOOK);
       return false;
     } catch (IllegalStateException e) {
       return true;

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import no.hials.crosscom.cli.experiment.KrlPrograms;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -35,10 +34,7 @@ class DriveIT {
     return PseudoTerminal.start(
         Map.of(),
         "trap : INT; stty -a; %s; echo code=$?; stty -a",
-        Stream.concat(
-                Stream.of(Cli.argsOn(server, "drive", "--yes", "--no-watchdog")),
-                Stream.of(options))
-            .toArray(String[]::new));
+        Cli.argsOn(server, "drive --yes --no-watchdog", options));
   }
 
   /** Gives what {@code stty} shows twice, the same before and after. */

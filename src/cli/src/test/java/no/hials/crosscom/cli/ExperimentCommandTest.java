@@ -97,12 +97,11 @@ class ExperimentCommandTest {
     Cycles cycles = Cycles.read(file(name + ".csv"));
     boolean joint = name.startsWith("joint-");
     String right = joint ? "A1" : "Y";
-    // it begins the figure; how far it comes depends on what else this computer does
     assertThat(cycles.last("actual_" + right) - cycles.first("actual_" + right))
-        .isBetween(joint ? 0.02 : 0.1, joint ? 8.0 : 40);
+        .isBetween(joint ? 0.1 : 0.5, joint ? 5.0 : 25);
     for (String each : joint ? List.of("A1", "A2", "A3") : List.of("X", "Y", "Z")) {
       assertThat(cycles.largestDifference("desired_" + each, "actual_" + each))
-          .isLessThan(joint ? 8 : 40);
+          .isLessThan(joint ? 4 : 25);
     }
   }
 
@@ -120,9 +119,9 @@ class ExperimentCommandTest {
         .contains("deviation from the line", "damped least squares", "A6 [°] over time [s]");
     Cycles krc = Cycles.read(file("line-dls-krc.csv"));
     Cycles own = Cycles.read(file("line-dls-dls.csv"));
-    assertThat(krc.last("actual_Y") - krc.first("actual_Y")).isBetween(0.2, 12.0);
+    assertThat(krc.last("actual_Y") - krc.first("actual_Y")).isBetween(1.0, 12.0);
     assertThat(krc.last("actual_Z") - krc.first("actual_Z")).isBetween(-0.1, 0.1);
-    assertThat(own.first("actual_A1") - own.last("actual_A1")).isBetween(0.02, 1.5);
+    assertThat(own.first("actual_A1") - own.last("actual_A1")).isBetween(0.1, 1.5);
   }
 
   @Test

@@ -160,6 +160,7 @@ class DevicesInALoopTest extends ControlTest {
         send(device.port(), "{\"axes\": [1], \"deadMan\": tru");
       }
       sendUntil(device, loop, start.x() + 10);
+      assertThat(device.refusedDatagrams()).isPositive();
     }
     assertThat(controller.stepUntil(controller::standing, LIMIT)).isTrue();
   }

@@ -49,17 +49,24 @@ public final class Codec {
   private static byte[] encode(
       int id, MessageType type, Layout<?> layout, Object message, @Nullable Tail tail) {
     WireBuffer out = WireBuffer.forWriting();
-    out.u16(id);
-    out.u16(0); // the length, known at the end
-    out.u8(type.code());
+    begin(out, id, type);
     layout.writeAny(message, out);
     if (tail != null) {
       out.u16(tail.code());
       out.u8(tail.flag());
     }
-    byte[] frame = out.toByteArray();
-    putU16(frame, 2, frame.length - HEADER_LENGTH);
-    return frame;
+    end(out);
+    return out.toByteArray();
+  }
+
+  static void begin(WireBuffer out, int id, MessageType type) {
+    out.u16(id);
+    out.u16(0); // the length, known at the end
+    out.u8(type.code());
+  }
+
+  static void end(WireBuffer out) {
+    putU16(out.array(), 2, out.size() - HEADER_LENGTH);
   }
 
   /**

@@ -35,7 +35,7 @@ final class Ranges {
   }
 
   /** Checks that a text can be sent as a STRING at all. */
-  static void latin1(String field, String value) {
+  static void latin1(String field, CharSequence value) {
     for (int i = 0; i < value.length(); i++) {
       if (value.charAt(i) > 0xFF) {
         throw new IllegalArgumentException(

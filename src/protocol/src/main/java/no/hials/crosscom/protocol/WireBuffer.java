@@ -47,6 +47,20 @@ final class WireBuffer {
     return new WireBuffer(new byte[64], 0, 0, 0);
   }
 
+  /** Starts again at the beginning, in the same memory. */
+  void clear() {
+    pos = 0;
+  }
+
+  /** Returns the bytes, of which the first {@link #size} were written. */
+  byte[] array() {
+    return frame;
+  }
+
+  int size() {
+    return pos;
+  }
+
   byte[] toByteArray() {
     return Arrays.copyOf(frame, pos);
   }
@@ -108,7 +122,7 @@ final class WireBuffer {
   }
 
   /** A STRING: a byte count, then ISO 8859-1, which the message's constructor has checked. */
-  void putString(String value) {
+  void putString(CharSequence value) {
     int count = value.length();
     u16(count);
     reserve(count);

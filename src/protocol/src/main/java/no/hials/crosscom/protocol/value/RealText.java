@@ -70,24 +70,24 @@ final class RealText {
     }
     float magnitude = Math.abs(value);
     if (style == RealStyle.KRC4) {
-      Decimal six = Decimal.of(magnitude, 6);
-      appendG(out, six.is(magnitude) ? six : Decimal.of(magnitude, MAX_DIGITS));
+      long six = Decimal.of(magnitude, 6);
+      appendG(out, Decimal.is(six, magnitude) ? six : Decimal.of(magnitude, MAX_DIGITS));
     } else {
       appendShortest(out, magnitude);
     }
   }
 
   private static void appendShortest(StringBuilder out, float magnitude) {
-    Decimal decimal = shortest(magnitude);
-    int exponent = decimal.exponent;
+    long decimal = shortest(magnitude);
+    int exponent = Decimal.exponent(decimal);
     if (exponent >= -4 && exponent < MAX_DIGITS) {
-      appendFixed(out, decimal, Math.max(1, decimal.precision - 1 - exponent));
+      appendFixed(out, decimal, Math.max(1, Decimal.precision(decimal) - 1 - exponent));
     } else {
       appendScientific(out, decimal);
     }
   }
 
-  private static Decimal shortest(float magnitude) {
+  private static long shortest(float magnitude) {
     // Below a power of two the floats lie twice as close as above it. The nearest decimal, when it
     // lies below, may then be another float's, and the next one above still this float's.
     boolean powerOfTwo = (Float.floatToRawIntBits(magnitude) & 0x7F_FFFF) == 0;
@@ -95,20 +95,21 @@ final class RealText {
     if (magnitude >= Float.MIN_NORMAL) {
       // No two decimals of up to six digits are the same float, so if six digits give this one,
       // fewer can only be the same number without its final zeros.
-      Decimal six = Decimal.of(magnitude, SURE_DIGITS);
-      if (six.is(magnitude)) {
-        return six.withoutFinalZeros();
+      long six = Decimal.of(magnitude, SURE_DIGITS);
+      if (Decimal.is(six, magnitude)) {
+        return Decimal.withoutFinalZeros(six);
       }
       first = SURE_DIGITS;
     }
     for (int precision = first; precision < MAX_DIGITS; precision++) {
-      Decimal nearest = Decimal.of(magnitude, precision);
-      if (nearest.is(magnitude)) {
+      long nearest = Decimal.of(magnitude, precision);
+      if (Decimal.is(nearest, magnitude)) {
         return nearest;
       }
       if (powerOfTwo) {
-        Decimal above = new Decimal(nearest.digits + 1, nearest.exponent, precision);
-        if (above.is(magnitude)) {
+        long above =
+            Decimal.pack(Decimal.digits(nearest) + 1, Decimal.exponent(nearest), precision);
+        if (Decimal.is(above, magnitude)) {
           return above;
         }
       }
@@ -117,41 +118,42 @@ final class RealText {
   }
 
   /** C's {@code %#g}. */
-  private static void appendG(StringBuilder out, Decimal decimal) {
-    if (decimal.exponent < -4 || decimal.exponent >= decimal.precision) {
+  private static void appendG(StringBuilder out, long decimal) {
+    if (Decimal.exponent(decimal) < -4 || Decimal.exponent(decimal) >= Decimal.precision(decimal)) {
       appendScientific(out, decimal);
     } else {
-      appendFixed(out, decimal, Math.max(1, decimal.precision - 1 - decimal.exponent));
+      appendFixed(
+          out, decimal, Math.max(1, Decimal.precision(decimal) - 1 - Decimal.exponent(decimal)));
     }
   }
 
-  private static void appendFixed(StringBuilder out, Decimal decimal, int decimals) {
+  private static void appendFixed(StringBuilder out, long decimal, int decimals) {
     // with at least one digit after the point, which also gives the 0 after a final point
-    int exponent = decimal.exponent;
+    int exponent = Decimal.exponent(decimal);
     if (exponent < 0) {
       out.append("0.");
       for (int i = -1; i > exponent; i--) {
         out.append('0');
       }
-      out.append(decimal.digits);
+      out.append(Decimal.digits(decimal));
       return;
     }
     int start = out.length();
-    out.append(decimal.digits);
-    for (int i = decimal.precision; i <= exponent + decimals; i++) {
+    out.append(Decimal.digits(decimal));
+    for (int i = Decimal.precision(decimal); i <= exponent + decimals; i++) {
       out.append('0');
     }
     out.insert(start + exponent + 1, '.');
   }
 
-  private static void appendScientific(StringBuilder out, Decimal decimal) {
+  private static void appendScientific(StringBuilder out, long decimal) {
     int start = out.length();
-    out.append(decimal.digits);
-    if (decimal.precision == 1) {
+    out.append(Decimal.digits(decimal));
+    if (Decimal.precision(decimal) == 1) {
       out.append('0');
     }
     out.insert(start + 1, '.');
-    int exponent = decimal.exponent;
+    int exponent = Decimal.exponent(decimal);
     out.append('E').append(exponent < 0 ? '-' : '+');
     if (Math.abs(exponent) < 10) {
       out.append('0');
@@ -160,16 +162,33 @@ final class RealText {
   }
 
   /**
-   * A positive number as decimal digits.
-   *
-   * @param digits {@code precision} digits, the first not 0
-   * @param exponent the power of ten of the first digit
-   * @param precision how many digits there are
+   * A positive number as decimal digits, packed into a long, so that printing creates no objects:
+   * up to nine digits, of which the first is not 0; the power of ten of the first digit; and the
+   * number of digits.
    */
-  private record Decimal(long digits, int exponent, int precision) {
+  private static final class Decimal {
+    private static final int EXPONENT_BIAS = 128;
+
+    private Decimal() {}
+
+    static long pack(long digits, int exponent, int precision) {
+      return digits << 16 | (exponent + EXPONENT_BIAS) << 8 | precision;
+    }
+
+    static long digits(long decimal) {
+      return decimal >> 16;
+    }
+
+    static int exponent(long decimal) {
+      return ((int) decimal >> 8 & 0xFF) - EXPONENT_BIAS;
+    }
+
+    static int precision(long decimal) {
+      return (int) decimal & 0xFF;
+    }
 
     /** Rounds half to even, from the exact value of the float. */
-    static Decimal of(float magnitude, int precision) {
+    static long of(float magnitude, int precision) {
       double value = magnitude;
       int exponent = (int) Math.floor(Math.log10(value));
       // twice at most: the estimate may be one off, and rounding up may add a digit
@@ -189,29 +208,30 @@ final class RealText {
         } else if (rounded < POW10[precision - 1]) {
           exponent--;
         } else {
-          return new Decimal((long) rounded, exponent, precision);
+          return pack((long) rounded, exponent, precision);
         }
       }
       BigDecimal exact =
           new BigDecimal(value).round(new MathContext(precision, RoundingMode.HALF_EVEN));
       int leading = exact.precision() - 1 - exact.scale();
-      return new Decimal(
+      return pack(
           exact.scaleByPowerOfTen(precision - 1 - leading).longValueExact(), leading, precision);
     }
 
-    Decimal withoutFinalZeros() {
-      long fewer = digits;
-      int left = precision;
+    static long withoutFinalZeros(long decimal) {
+      long fewer = digits(decimal);
+      int left = precision(decimal);
       while (fewer % 10 == 0) {
         fewer /= 10;
         left--;
       }
-      return new Decimal(fewer, exponent, left);
+      return pack(fewer, exponent(decimal), left);
     }
 
-    /** Says whether this text gives the float again. */
-    boolean is(float magnitude) {
-      int scale = exponent - precision + 1;
+    /** Returns whether the digits, as text, are read as this float. */
+    static boolean is(long decimal, float magnitude) {
+      long digits = digits(decimal);
+      int scale = exponent(decimal) - precision(decimal) + 1;
       double value = exactly(digits, scale);
       if (Double.isNaN(value) || !narrowsSafely(value)) {
         return Float.parseFloat(digits + "E" + scale) == magnitude;

@@ -7,11 +7,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,21 +17,12 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Follows the links of the documentation that stay within the repository. */
 class LinksTest {
-  private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
   private static final Pattern LINK = Pattern.compile("\\]\\(([^)\\s]+)\\)");
   private static final Pattern ELSEWHERE = Pattern.compile("^(https?|mailto):.*");
-  private static final Pattern HEADING = Pattern.compile("^#{1,6} +(.*?)\\s*$");
   private static final Pattern CODE = Pattern.compile("`[^`]*`");
 
-  /** What neither a code host nor the site takes over into an anchor. */
-  private static final Pattern DROPPED = Pattern.compile("[^\\p{L}\\p{N} _-]");
-
   static List<Path> pages() throws IOException {
-    List<Path> pages = new ArrayList<>(List.of(ROOT.resolve("README.md")));
-    try (Stream<Path> docs = Files.walk(ROOT.resolve("docs"))) {
-      docs.filter(p -> p.toString().endsWith(".md")).sorted().forEach(pages::add);
-    }
-    return pages;
+    return MarkdownPages.ofTheDocumentation();
   }
 
   @ParameterizedTest
@@ -68,7 +57,7 @@ class LinksTest {
   private static List<String> broken(Path page) throws IOException {
     List<String> broken = new ArrayList<>();
     int number = 0;
-    for (String line : text(page)) {
+    for (String line : MarkdownPages.withoutCode(page)) {
       number++;
       Matcher link = LINK.matcher(CODE.matcher(line).replaceAll(""));
       while (link.find()) {
@@ -89,38 +78,9 @@ class LinksTest {
     if (!Files.exists(target)) {
       return Optional.of(link + " is not there");
     }
-    if (sign < 0 || anchors(target).contains(link.substring(sign + 1))) {
+    if (sign < 0 || MarkdownPages.anchors(target).contains(link.substring(sign + 1))) {
       return Optional.empty();
     }
     return Optional.of(link + " is no heading");
-  }
-
-  private static List<String> anchors(Path page) throws IOException {
-    return text(page).stream()
-        .map(HEADING::matcher)
-        .filter(Matcher::matches)
-        .map(heading -> anchor(heading.group(1)))
-        .toList();
-  }
-
-  private static String anchor(String heading) {
-    return DROPPED
-        .matcher(heading)
-        .replaceAll("")
-        .strip()
-        .toLowerCase(Locale.ROOT)
-        .replace(' ', '-');
-  }
-
-  /** Gives the lines of a page, those of code blocks blank. */
-  private static List<String> text(Path page) throws IOException {
-    List<String> lines = new ArrayList<>();
-    boolean code = false;
-    for (String line : Files.readAllLines(page)) {
-      boolean fence = line.strip().startsWith("```");
-      code ^= fence;
-      lines.add(code || fence ? "" : line);
-    }
-    return lines;
   }
 }

@@ -14,22 +14,16 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Compares the Java snippets of the documentation with the compiled examples. */
 class SnippetsTest {
-  private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
-
   record Snippet(Path page, int line, List<String> lines) {
     @Override
     public String toString() {
-      return ROOT.relativize(page) + ":" + line;
+      return MarkdownPages.ROOT.relativize(page) + ":" + line;
     }
   }
 
   static List<Snippet> snippets() throws IOException {
     List<Snippet> snippets = new ArrayList<>();
-    List<Path> pages = new ArrayList<>(List.of(ROOT.resolve("README.md")));
-    try (Stream<Path> docs = Files.walk(ROOT.resolve("docs"))) {
-      docs.filter(p -> p.toString().endsWith(".md")).sorted().forEach(pages::add);
-    }
-    for (Path page : pages) {
+    for (Path page : MarkdownPages.ofTheDocumentation()) {
       List<String> open = null;
       int line = 0;
       for (String text : Files.readAllLines(page)) {

@@ -19,12 +19,12 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T> {
   /** Set by whoever is first: the operation that begins, or the caller who cancels. */
   private final AtomicBoolean decided = new AtomicBoolean();
 
-  private final Link link;
+  private final ReconnectingConnection link;
   private @Nullable Thread runner;
 
   private final Executor callbacks;
 
-  private AsyncCall(Link link, Executor callbacks) {
+  private AsyncCall(ReconnectingConnection link, Executor callbacks) {
     this.link = link;
     this.callbacks = callbacks;
   }
@@ -44,7 +44,10 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T> {
    * @param operation the operation
    */
   static <T extends @Nullable Object> CompletableFuture<T> submit(
-      ThreadPoolExecutor executor, Executor callbacks, Link link, Callable<T> operation) {
+      ThreadPoolExecutor executor,
+      Executor callbacks,
+      ReconnectingConnection link,
+      Callable<T> operation) {
     AsyncCall<T> call = new AsyncCall<>(link, callbacks);
     try {
       executor.execute(() -> call.run(operation));

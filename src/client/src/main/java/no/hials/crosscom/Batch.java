@@ -31,7 +31,7 @@ abstract class Batch {
   private static final int ROOM = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 2;
 
   final CrossComClient client;
-  private final Messages messages;
+  private final C3Channel messages;
   private final MessageType type;
   private final String noun;
   private final String done;
@@ -40,7 +40,7 @@ abstract class Batch {
 
   private Batch(
       CrossComClient client,
-      Messages messages,
+      C3Channel messages,
       List<? extends KRLVariable> variables,
       MessageType type,
       String noun,
@@ -55,13 +55,13 @@ abstract class Batch {
 
   /** Reads variables; gives what came of each. */
   static List<VariableResult> read(
-      CrossComClient client, Messages messages, List<? extends KRLVariable> variables) {
+      CrossComClient client, C3Channel messages, List<? extends KRLVariable> variables) {
     return new Reading(client, messages, variables).run();
   }
 
   /** Writes variables, all of which have a value; gives what came of each. */
   static List<VariableResult> write(
-      CrossComClient client, Messages messages, List<? extends KRLVariable> variables) {
+      CrossComClient client, C3Channel messages, List<? extends KRLVariable> variables) {
     return new Writing(client, messages, variables).run();
   }
 
@@ -182,7 +182,7 @@ abstract class Batch {
       return;
     }
     String what = what(some);
-    Messages.Answered answered;
+    C3Channel.Answered answered;
     try {
       answered = messages.exchange(request(some), MultipleResponse.class, what);
     } catch (CrossComUnsupportedException e) {
@@ -231,7 +231,7 @@ abstract class Batch {
   }
 
   private static final class Reading extends Batch {
-    Reading(CrossComClient client, Messages messages, List<? extends KRLVariable> variables) {
+    Reading(CrossComClient client, C3Channel messages, List<? extends KRLVariable> variables) {
       super(client, messages, variables, MessageType.READ_MULTIPLE, "read", "read");
     }
 
@@ -276,7 +276,7 @@ abstract class Batch {
   }
 
   private static final class Writing extends Batch {
-    Writing(CrossComClient client, Messages messages, List<? extends KRLVariable> variables) {
+    Writing(CrossComClient client, C3Channel messages, List<? extends KRLVariable> variables) {
       super(client, messages, variables, MessageType.WRITE_MULTIPLE, "write", "written");
     }
 

@@ -219,9 +219,9 @@ final class Connection {
    * @param effect what it does
    * @param name the variable, or what is done, for error messages
    */
-  void exchange(byte[] frame, int id, MessageType type, Effect effect, String name)
+  void exchange(byte[] frame, int id, MessageType type, Repeatability effect, String name)
       throws CrossComException {
-    boolean write = effect == Effect.CHANGE;
+    boolean write = effect == Repeatability.CHANGE;
     if (out.capacity() < frame.length) {
       out = ByteBuffer.allocateDirect(frame.length);
     }
@@ -301,7 +301,8 @@ final class Connection {
    * @param effect what the request did
    * @param what what was done, for error messages
    */
-  TypedResponse decoded(Class<? extends TypedResponse> answerClass, Effect effect, String what)
+  TypedResponse decoded(
+      Class<? extends TypedResponse> answerClass, Repeatability effect, String what)
       throws CrossComProtocolException {
     try {
       Response response =
@@ -313,7 +314,7 @@ final class Connection {
       }
       throw answer.malformed("must be a " + answerClass.getSimpleName() + ", is " + response);
     } catch (MalformedFrameException e) {
-      throw violated(e, what, effect == Effect.CHANGE);
+      throw violated(e, what, effect == Repeatability.CHANGE);
     }
   }
 

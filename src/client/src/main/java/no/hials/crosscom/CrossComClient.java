@@ -24,7 +24,7 @@ import no.hials.crosscom.KRL.KRLRealArray;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLStruct;
-import no.hials.crosscom.c3.Files;
+import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.Information;
 import no.hials.crosscom.c3.Motion;
 import no.hials.crosscom.c3.Pendant;
@@ -85,12 +85,12 @@ public final class CrossComClient implements Closeable {
   private static final int MAX_UTF16_ANSWER = 32_764;
 
   private final ClientConfig config;
-  private final Link link;
-  private final Messages messages;
+  private final ReconnectingConnection link;
+  private final C3Channel messages;
   private final Programs programs;
   private final Motion motion;
   private final Pendant pendant;
-  private final Files files;
+  private final ControllerFiles files;
   private final Information information;
   private final ThreadPoolExecutor async;
   private final ThreadPoolExecutor transfers;
@@ -121,16 +121,16 @@ public final class CrossComClient implements Closeable {
    */
   public CrossComClient(ClientConfig config) throws CrossComException {
     this.config = Objects.requireNonNull(config, "config");
-    this.link = new Link(config);
+    this.link = new ReconnectingConnection(config);
     this.lock = link.lock();
     this.callbacks = Threads.forCallbacks("crosscom-callback-" + config.port());
     this.async = Threads.lazy("crosscom-async-" + config.port());
     this.transfers = Threads.lazy("crosscom-files-" + config.port());
-    this.messages = new Messages(link, async, transfers, callbacks);
+    this.messages = new C3Channel(link, async, transfers, callbacks);
     this.programs = new Programs(messages);
     this.motion = new Motion(messages);
     this.pendant = new Pendant(messages);
-    this.files = new Files(messages);
+    this.files = new ControllerFiles(messages);
     this.information = new Information(messages);
     link.start();
   }
@@ -152,7 +152,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComException if an exchange failed
    */
   public Server getServer() throws IOException {
-    return messages.find("request for the kind of server", Detection::server);
+    return messages.find("request for the kind of server", ServerDetector::server);
   }
 
   /**
@@ -200,7 +200,7 @@ public final class CrossComClient implements Closeable {
    * @return always the same object; on KUKAVARPROXY its methods throw {@link
    *     CrossComUnsupportedException}
    */
-  public Files files() {
+  public ControllerFiles files() {
     return files;
   }
 
@@ -928,7 +928,7 @@ public final class CrossComClient implements Closeable {
     Exchanged first = exchanged();
     try {
       String what = "read of " + name;
-      return messages.find(what, Detection::type) == ServerType.C3_BRIDGE
+      return messages.find(what, ServerDetector::type) == ServerType.C3_BRIDGE
           ? readUtf16Only(name)
           : first;
     } catch (CrossComUnsupportedException e) {
@@ -946,7 +946,7 @@ public final class CrossComClient implements Closeable {
   }
 
   private Exchanged readUtf16Only(String name) throws CrossComException {
-    Messages.Answered answered =
+    C3Channel.Answered answered =
         messages.exchange(new ReadUtf16Request(0, name), TextResponse.class, "read of " + name);
     Tail tail = answered.response().tail();
     String text = text(answered.response());
@@ -957,7 +957,7 @@ public final class CrossComClient implements Closeable {
   }
 
   private Exchanged writeUtf16(String name, String value) throws CrossComException {
-    Messages.Answered answered;
+    C3Channel.Answered answered;
     try {
       answered =
           messages.exchange(writeUtf16Request(name, value), TextResponse.class, "write of " + name);

@@ -2,7 +2,7 @@ package no.hials.crosscom.cli;
 
 import java.io.IOException;
 import java.util.List;
-import no.hials.crosscom.c3.Files;
+import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -12,8 +12,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     footerHeading = "%n",
     footer = {
-      "If TARGET is a folder or ends with a slash or backslash, the name stays. A file that is there"
-          + " already is overwritten only after a question, or with --yes.",
+      "If TARGET is a folder or ends with a slash or backslash, the name stays. A file that is"
+          + " there already is overwritten only after a question, or with --yes.",
       "",
       "JSON: one object with command, source and name.",
       "",
@@ -43,7 +43,8 @@ abstract class FileCopy extends FileSubcommand {
   }
 
   /** Sends the command. */
-  abstract void send(Files files, String from, String to, CopyFlag... flags) throws IOException;
+  abstract void send(ControllerFiles files, String from, String to, CopyFlag... flags)
+      throws IOException;
 
   @Override
   final ExitCode work() throws IOException {
@@ -53,7 +54,7 @@ abstract class FileCopy extends FileSubcommand {
     Target target = target();
     writeOptions.checkAllowed(target, what);
     try (Controller controller = target.open(writeOptions.connection())) {
-      Files files = controller.client().files();
+      ControllerFiles files = controller.client().files();
       String name =
           isFolder(files, destination)
               ? RemoteName.in(destination, RemoteName.last(source))
@@ -90,7 +91,7 @@ abstract class FileCopy extends FileSubcommand {
     }
 
     @Override
-    void send(Files files, String from, String to, CopyFlag... flags) throws IOException {
+    void send(ControllerFiles files, String from, String to, CopyFlag... flags) throws IOException {
       files.copy(from, to, flags);
     }
   }
@@ -105,7 +106,7 @@ abstract class FileCopy extends FileSubcommand {
     }
 
     @Override
-    void send(Files files, String from, String to, CopyFlag... flags) throws IOException {
+    void send(ControllerFiles files, String from, String to, CopyFlag... flags) throws IOException {
       files.move(from, to, flags);
     }
   }

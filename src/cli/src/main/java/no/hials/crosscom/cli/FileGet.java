@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
-import no.hials.crosscom.c3.Files;
+import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.TransferConfig;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -20,8 +20,8 @@ import picocli.CommandLine.Parameters;
     description = {"Downloads files from the controller. Nothing changes there."},
     footer = {
       "",
-      "LOCAL is a folder that is there, such as . for this one, or for one REMOTE the name that it is"
-          + " to have.",
+      "LOCAL is a folder that is there, such as . for this one, or for one REMOTE the name that it"
+          + " is to have.",
       "",
       "A file of this computer is overwritten only after a question, or with --yes. Each is written"
           + " beside its place, as NAME.RANDOM.part, and takes its place when all of it is there.",
@@ -78,7 +78,7 @@ final class FileGet extends FileSubcommand {
     Path place = place(names.size());
     Target target = target();
     try (Controller controller = target.open(yes ? Target.ONE_SHOT : cfg -> cfg.reconnect(false))) {
-      Files files = controller.client().files();
+      ControllerFiles files = controller.client().files();
       List<Job> jobs = jobs(files, names, place);
       ask(target, jobs);
       return transfer("downloaded", jobs, Job::name, (job, stop) -> download(files, job, stop));
@@ -97,7 +97,7 @@ final class FileGet extends FileSubcommand {
     return place;
   }
 
-  private List<Job> jobs(Files files, List<String> names, Path place) throws IOException {
+  private List<Job> jobs(ControllerFiles files, List<String> names, Path place) throws IOException {
     boolean folder = java.nio.file.Files.isDirectory(place);
     List<Job> jobs = new ArrayList<>();
     for (String name : names) {
@@ -133,7 +133,7 @@ final class FileGet extends FileSubcommand {
     }
   }
 
-  private void download(Files files, Job job, StopSignal stop) throws IOException {
+  private void download(ControllerFiles files, Job job, StopSignal stop) throws IOException {
     try (Progress progress = progress(job.name(), stop)) {
       TransferConfig config =
           TransferConfig.create(cfg -> cfg.overwrite(job.isThere()).progress(progress));

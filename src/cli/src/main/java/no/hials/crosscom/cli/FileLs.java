@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.FileEntry;
 import no.hials.crosscom.c3.FileInfo;
-import no.hials.crosscom.c3.Files;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ItemType;
@@ -27,13 +27,13 @@ import picocli.CommandLine.Parameters;
     },
     footer = {
       "",
-      "The order is the controller's. What it does not say is shown as -. Times are in the time zone"
-          + " of this computer. If the list is too long for one answer, only the names are asked for;"
-          + " with -l the rest, too. If that is too long as well, they are asked for type by type,"
-          + " and come in that order.",
+      "The order is the controller's. What it does not say is shown as -. Times are in the time"
+          + " zone of this computer. If the list is too long for one answer, only the names are"
+          + " asked for; with -l the rest, too. If that is too long as well, they are asked for"
+          + " type by type, and come in that order.",
       "",
-      "JSON: one object an item (JSON Lines), with name, path, type, size and attributes (an array),"
-          + " with -l also created and modified in UTC. What is not known is null.",
+      "JSON: one object an item (JSON Lines), with name, path, type, size and attributes (an"
+          + " array), with -l also created and modified in UTC. What is not known is null.",
       "",
       "In sh and bash a name with backslashes needs single quotes.",
       "",
@@ -87,7 +87,7 @@ final class FileLs extends FileSubcommand {
   ExitCode work() throws IOException {
     checked("FOLDER", folder);
     try (Controller controller = target().open(Target.ONE_SHOT)) {
-      Files files = controller.client().files();
+      ControllerFiles files = controller.client().files();
       List<Item> items = new ArrayList<>();
       for (FileEntry entry : list(files)) {
         String path = RemoteName.in(folder, entry.name());
@@ -102,7 +102,7 @@ final class FileLs extends FileSubcommand {
     return ExitCode.DONE;
   }
 
-  private List<FileEntry> list(Files files) throws IOException {
+  private List<FileEntry> list(ControllerFiles files) throws IOException {
     try {
       return files.list(folder);
     } catch (CrossComRefusedException e) {
@@ -122,7 +122,7 @@ final class FileLs extends FileSubcommand {
     }
   }
 
-  private List<FileEntry> listByType(Files files) throws IOException {
+  private List<FileEntry> listByType(ControllerFiles files) throws IOException {
     List<FileEntry> entries = new ArrayList<>();
     for (ItemType type : EnumSet.complementOf(EnumSet.of(ItemType.UNKNOWN))) {
       for (FileEntry entry : files.list(folder, Set.of(type), Set.of())) {
@@ -141,7 +141,8 @@ final class FileLs extends FileSubcommand {
   }
 
   /** Gives the properties; null if it is there no more. */
-  private static @Nullable FileInfo properties(Files files, String path) throws IOException {
+  private static @Nullable FileInfo properties(ControllerFiles files, String path)
+      throws IOException {
     try {
       return files.getProperties(path);
     } catch (CrossComRefusedException e) {

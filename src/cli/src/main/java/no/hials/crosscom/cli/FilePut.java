@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import no.hials.crosscom.CrossComRefusedException;
-import no.hials.crosscom.c3.Files;
+import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.c3.Verification;
 import no.hials.crosscom.lang.KrlError;
@@ -25,17 +25,17 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "put",
     description = {
-      "Uploads files to the controller, and reads each of them back to make sure that what arrived is"
-          + " what was sent."
+      "Uploads files to the controller, and reads each of them back to make sure that what arrived"
+          + " is what was sent."
     },
     footer = {
       "",
-      "REMOTE is a folder, or for one LOCAL the name that it is to have. One that ends with a slash or"
-          + " backslash is a folder; of another one the controller is asked.",
+      "REMOTE is a folder, or for one LOCAL the name that it is to have. One that ends with a slash"
+          + " or backslash is a folder; of another one the controller is asked.",
       "",
       "A file that is there already is overwritten only after a question, or with --yes. Of a file"
-          + " whose upload fails the controller has nothing, unless the message says otherwise; those"
-          + " behind it are not uploaded.",
+          + " whose upload fails the controller has nothing, unless the message says otherwise;"
+          + " those behind it are not uploaded.",
       "",
       "With --select, what the controller answered is said: a program with errors is uploaded, but"
           + " cannot be selected (exit code 1).",
@@ -109,7 +109,7 @@ final class FilePut extends FileSubcommand {
     Target target = target();
     writeOptions.checkAllowed(target, what);
     try (Controller controller = target.open(writeOptions.connection())) {
-      Files files = controller.client().files();
+      ControllerFiles files = controller.client().files();
       List<Job> jobs = jobs(files, sources, remote);
       List<String> reasons =
           jobs.stream().filter(Job::there).map(job -> job.name() + " is there already").toList();
@@ -157,7 +157,8 @@ final class FilePut extends FileSubcommand {
     return programs.get(0);
   }
 
-  private List<Job> jobs(Files files, List<Source> sources, String remote) throws IOException {
+  private List<Job> jobs(ControllerFiles files, List<Source> sources, String remote)
+      throws IOException {
     boolean folder = isFolder(files, remote);
     if (!folder && arguments.size() > 2) {
       throw wrongUsage("for several files REMOTE must be a folder, " + remote + " is none");
@@ -179,7 +180,7 @@ final class FilePut extends FileSubcommand {
 
   // doing it
 
-  private void upload(Files files, Job job, StopSignal stop) throws IOException {
+  private void upload(ControllerFiles files, Job job, StopSignal stop) throws IOException {
     try (Progress progress = progress(job.name(), stop)) {
       TransferConfig config =
           TransferConfig.create(
@@ -205,7 +206,7 @@ final class FilePut extends FileSubcommand {
     return ExitCode.DONE;
   }
 
-  private static String krcName(Files files, String name) throws IOException {
+  private static String krcName(ControllerFiles files, String name) throws IOException {
     try {
       return files.getKrcName(name);
     } catch (CrossComRefusedException e) {

@@ -5,7 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import no.hials.crosscom.CrossComException;
-import no.hials.crosscom.c3.Files;
+import no.hials.crosscom.c3.ControllerFiles;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -17,8 +17,8 @@ import picocli.CommandLine.Parameters;
     description = {"Deletes files on the controller. It asks before, unless --yes is given."},
     footer = {
       "",
-      "Nothing is deleted unless all of them are there. If one cannot be deleted, those behind it are"
-          + " not tried.",
+      "Nothing is deleted unless all of them are there. If one cannot be deleted, those behind it"
+          + " are not tried.",
       "",
       "JSON: one object a file (JSON Lines), with command and name.",
       "",
@@ -53,7 +53,7 @@ final class FileRm extends FileSubcommand {
     Target target = target();
     writeOptions.checkAllowed(target, what);
     try (Controller controller = target.open(writeOptions.connection())) {
-      Files files = controller.client().files();
+      ControllerFiles files = controller.client().files();
       Set<String> folders = folders(files);
       writeOptions.check(this, controller, what, reasons(folders));
       for (int i = 0; i < names.size(); i++) {
@@ -71,7 +71,7 @@ final class FileRm extends FileSubcommand {
   }
 
   /** Gives the names that are those of folders, which are refused unless they are meant. */
-  private Set<String> folders(Files files) throws IOException {
+  private Set<String> folders(ControllerFiles files) throws IOException {
     Set<String> folders = new LinkedHashSet<>();
     for (String name : names) {
       if (files.getProperties(name).isDirectory()) {

@@ -6,8 +6,8 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.FileInfo;
-import no.hials.crosscom.c3.Files;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
@@ -16,8 +16,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "stat",
     description = {
-      "Prints what the controller knows about files and folders: both forms of the name, type, size,"
-          + " attributes, times and how it may be edited there."
+      "Prints what the controller knows about files and folders: both forms of the name, type,"
+          + " size, attributes, times and how it may be edited there."
     },
     footer = {
       "",
@@ -25,7 +25,8 @@ import picocli.CommandLine.Parameters;
           + " computer. What is not known is shown as -.",
       "",
       "JSON: one object a file (JSON Lines), with name, path, krcName, type, size, attributes (an"
-          + " array), created, accessed, modified (in UTC) and editMode. What is not known is null.",
+          + " array), created, accessed, modified (in UTC) and editMode. What is not known is"
+          + " null.",
       "",
       "In sh and bash a name with backslashes needs single quotes.",
       "",
@@ -49,7 +50,7 @@ final class FileStat extends FileSubcommand {
     checked("NAME", names);
     ExitCode result = ExitCode.DONE;
     try (Controller controller = target().open(Target.ONE_SHOT)) {
-      Files files = controller.client().files();
+      ControllerFiles files = controller.client().files();
       boolean first = true;
       for (String name : names) {
         try {

@@ -12,7 +12,7 @@ import java.util.function.Function;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
-import no.hials.crosscom.c3.Files;
+import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Code;
@@ -125,7 +125,7 @@ abstract class FileSubcommand extends BridgeCommand {
   }
 
   /** Says whether a name means a folder: by its form, or because there is one. */
-  static boolean isFolder(Files files, String name) throws IOException {
+  static boolean isFolder(ControllerFiles files, String name) throws IOException {
     if (RemoteName.isFolder(name)) {
       return true;
     }

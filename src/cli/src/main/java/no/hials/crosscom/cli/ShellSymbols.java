@@ -13,8 +13,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.FileEntry;
-import no.hials.crosscom.c3.Files;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.KrlParser;
@@ -136,7 +136,8 @@ final class ShellSymbols {
     return lists;
   }
 
-  private static void collect(Files files, String directory, int depth, Map<String, DataList> lists)
+  private static void collect(
+      ControllerFiles files, String directory, int depth, Map<String, DataList> lists)
       throws IOException {
     for (FileEntry entry : files.list(directory)) {
       String path = directory + "\\" + entry.name();

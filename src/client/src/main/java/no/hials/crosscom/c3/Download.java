@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.Objects;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.internal.Cancellation;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.BeginReadRequest;
 import no.hials.crosscom.protocol.ContentRequest;
 import no.hials.crosscom.protocol.ContentResponse;
@@ -36,7 +36,11 @@ final class Download extends Transfer {
    * @param limit how many bytes the file may have
    */
   Download(
-      MessageLink link, String name, long limit, TransferConfig config, Cancellation cancellation) {
+      MessageChannel link,
+      String name,
+      long limit,
+      TransferConfig config,
+      Cancellation cancellation) {
     super(link, "download", name, config, cancellation);
     this.limit = limit;
   }
@@ -50,7 +54,7 @@ final class Download extends Transfer {
   }
 
   /** Fetches a file for its digest only. */
-  static byte[] digest(MessageLink link, String name, TransferConfig config) throws IOException {
+  static byte[] digest(MessageChannel link, String name, TransferConfig config) throws IOException {
     TransferConfig quiet =
         TransferConfig.create(
             cfg ->
@@ -62,7 +66,7 @@ final class Download extends Transfer {
   }
 
   private void fetch(OutputStream target) throws IOException {
-    MessageLink one = link.onOneConnection();
+    MessageChannel one = link.onOneConnection();
     try {
       ContentSizeResponse begun =
           one.ask(
@@ -88,7 +92,7 @@ final class Download extends Transfer {
     return new ContentRequest(0, MessageType.READ_CONTENT, Code.of(operation));
   }
 
-  private void fetchParts(long size, OutputStream target, MessageLink one) throws IOException {
+  private void fetchParts(long size, OutputStream target, MessageChannel one) throws IOException {
     tell(size);
     while (bytes < size) {
       long most = Math.min(PART, size - bytes);
@@ -114,7 +118,7 @@ final class Download extends Transfer {
   }
 
   /** Empties the server's buffer, if the connection is still there. */
-  private static void release(MessageLink one) {
+  private static void release(MessageChannel one) {
     try {
       one.ask(request(ContentOperation.END), ContentResponse.class, "end of the download");
     } catch (CrossComException e) {

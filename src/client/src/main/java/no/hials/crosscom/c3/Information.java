@@ -8,7 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.Assignment;
 import no.hials.crosscom.protocol.BenchmarkReadRequest;
 import no.hials.crosscom.protocol.BenchmarkResponse;
@@ -35,7 +35,7 @@ public final class Information {
   /** How many variables the server uses of a benchmark (c3-bridge.md, type 17). */
   private static final int MAX_BENCHMARK = 10;
 
-  private final MessageLink link;
+  private final MessageChannel link;
 
   /**
    * Makes the object of a client. For the client; programs get it from {@link
@@ -43,7 +43,7 @@ public final class Information {
    *
    * @param link sends the messages
    */
-  public Information(MessageLink link) {
+  public Information(MessageChannel link) {
     this.link = link;
   }
 

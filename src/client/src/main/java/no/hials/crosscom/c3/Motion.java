@@ -9,7 +9,7 @@ import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.KRL.structs.KRLStruct;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.MotionRequest;
 import no.hials.crosscom.protocol.MotionResponse;
 import no.hials.crosscom.protocol.code.Code;
@@ -33,7 +33,7 @@ import no.hials.crosscom.protocol.code.MotionType;
  * if the exchange failed.
  */
 public final class Motion {
-  private final MessageLink link;
+  private final MessageChannel link;
 
   /**
    * Makes the object of a client. For the client; programs get it from {@link
@@ -41,7 +41,7 @@ public final class Motion {
    *
    * @param link sends the messages
    */
-  public Motion(MessageLink link) {
+  public Motion(MessageChannel link) {
     this.link = link;
   }
 

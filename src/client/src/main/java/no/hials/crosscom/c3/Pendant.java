@@ -4,7 +4,7 @@ import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.PendantKeyRequest;
 import no.hials.crosscom.protocol.PendantKeyResponse;
 
@@ -28,7 +28,7 @@ import no.hials.crosscom.protocol.PendantKeyResponse;
  * if the exchange failed.
  */
 public final class Pendant {
-  private final MessageLink link;
+  private final MessageChannel link;
 
   /**
    * Makes the object of a client. For the client; programs get it from {@link
@@ -36,7 +36,7 @@ public final class Pendant {
    *
    * @param link sends the messages
    */
-  public Pendant(MessageLink link) {
+  public Pendant(MessageChannel link) {
     this.link = link;
   }
 

@@ -3,16 +3,16 @@ package no.hials.crosscom.c3;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
 import no.hials.crosscom.CrossComException;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 
 /** A pressed key of the pendant, which is released when this is closed. For several threads. */
 public final class PressedKey implements AutoCloseable {
   private final Pendant pendant;
-  private final MessageLink link;
+  private final MessageChannel link;
   private final KeyAction key;
   private final AtomicBoolean released = new AtomicBoolean();
 
-  PressedKey(Pendant pendant, MessageLink link, KeyAction key) {
+  PressedKey(Pendant pendant, MessageChannel link, KeyAction key) {
     this.pendant = pendant;
     this.link = link;
     this.key = key;

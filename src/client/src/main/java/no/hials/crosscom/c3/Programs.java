@@ -5,7 +5,7 @@ import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.ProgramControlRequest;
 import no.hials.crosscom.protocol.ProgramControlResponse;
 import no.hials.crosscom.protocol.ProgramSelectRequest;
@@ -27,7 +27,7 @@ import no.hials.crosscom.protocol.code.ProgramCommand;
  * errors; another {@link CrossComException} if the exchange failed.
  */
 public final class Programs {
-  private final MessageLink link;
+  private final MessageChannel link;
 
   /**
    * Makes the object of a client. For the client; programs get it from {@link
@@ -35,7 +35,7 @@ public final class Programs {
    *
    * @param link sends the messages
    */
-  public Programs(MessageLink link) {
+  public Programs(MessageChannel link) {
     this.link = link;
   }
 

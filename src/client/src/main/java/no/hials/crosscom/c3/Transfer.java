@@ -4,7 +4,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import no.hials.crosscom.CrossComTransferException;
 import no.hials.crosscom.internal.Cancellation;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.ContentSizeResponse;
 import no.hials.crosscom.protocol.code.ContentOperation;
 import org.jspecify.annotations.Nullable;
@@ -17,7 +17,7 @@ abstract class Transfer {
   /** The most bytes that a file can have, since sizes and offsets are u32 (c3-bridge.md). */
   static final long MAX_SIZE = 0xFFFF_FFFFL;
 
-  final MessageLink link;
+  final MessageChannel link;
   final String what;
   final String name;
   final TransferConfig config;
@@ -28,7 +28,7 @@ abstract class Transfer {
   long bytes;
 
   Transfer(
-      MessageLink link,
+      MessageChannel link,
       String what,
       String name,
       TransferConfig config,

@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.CrossComTransferException;
 import no.hials.crosscom.internal.Cancellation;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 
 /**
  * Transfers the files of a client, one after the other: the server keeps the content of one upload
@@ -20,12 +20,12 @@ final class Transfers {
   /** The most bytes of a file that are kept in memory, whatever size a server claims. */
   static final int MAX_IN_MEMORY = 64 << 20;
 
-  private final MessageLink link;
+  private final MessageChannel link;
 
   /** Held for a whole transfer, but guards nothing that others than transfers use. */
   private final ReentrantLock turn = new ReentrantLock(true);
 
-  Transfers(MessageLink link) {
+  Transfers(MessageChannel link) {
     this.link = link;
   }
 

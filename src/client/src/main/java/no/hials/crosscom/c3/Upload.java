@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.EnumSet;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.internal.Cancellation;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.BeginWriteRequest;
 import no.hials.crosscom.protocol.Bytes;
 import no.hials.crosscom.protocol.ContentRequest;
@@ -36,7 +36,11 @@ final class Upload extends Transfer {
   private final long size;
 
   Upload(
-      MessageLink link, String name, long size, TransferConfig config, Cancellation cancellation) {
+      MessageChannel link,
+      String name,
+      long size,
+      TransferConfig config,
+      Cancellation cancellation) {
     super(link, "upload", name, config, cancellation);
     this.size = size;
   }
@@ -47,7 +51,7 @@ final class Upload extends Transfer {
     }
     // first, as otherwise a server that cannot is said not to give properties
     link.require(MessageType.WRITE_CONTENT, what);
-    if (!config.overwrite() && Files.exists(link, name)) {
+    if (!config.overwrite() && ControllerFiles.exists(link, name)) {
       throw failed("the controller has it already, and overwriting was not asked for");
     }
     store(content);
@@ -56,7 +60,7 @@ final class Upload extends Transfer {
 
   private void store(InputStream content) throws IOException {
     // on another connection the buffer would be empty, and its end would store an empty file
-    MessageLink one = link.onOneConnection();
+    MessageChannel one = link.onOneConnection();
     boolean stored = false;
     try {
       checkSize(
@@ -89,7 +93,7 @@ final class Upload extends Transfer {
     return Flags.of(CopyFlag.class, flags);
   }
 
-  private void sendParts(InputStream content, MessageLink one) throws IOException {
+  private void sendParts(InputStream content, MessageChannel one) throws IOException {
     byte[] part = new byte[(int) Math.min(PART, size)];
     tell(size);
     while (bytes < size) {
@@ -105,7 +109,7 @@ final class Upload extends Transfer {
     }
   }
 
-  private void sendPart(byte[] part, int length, MessageLink one) throws CrossComException {
+  private void sendPart(byte[] part, int length, MessageChannel one) throws CrossComException {
     WriteDataResponse answer =
         one.ask(
             new WriteDataRequest(0, bytes, Bytes.of(part, 0, length)),
@@ -126,7 +130,7 @@ final class Upload extends Transfer {
   }
 
   /** Empties the server's buffer, if the connection is still there. */
-  private static void release(MessageLink one) {
+  private static void release(MessageChannel one) {
     try {
       one.ask(new BeginWriteRequest(0, 0), ContentSizeResponse.class, "end of the upload");
     } catch (CrossComException e) {

@@ -47,7 +47,7 @@ abstract class FilesRobotTest {
   MockServer robot;
   FileTree tree;
   CrossComClient client;
-  Files files;
+  ControllerFiles files;
 
   @BeforeEach
   final void connect() throws Exception {

@@ -317,7 +317,7 @@ class FilesTest extends FilesRobotTest {
         .flatMap(type -> IntStream.of(0, 2, 10, 99).mapToObj(code -> Arguments.of(type, code)));
   }
 
-  private void change(Files of, MessageType type) throws Exception {
+  private void change(ControllerFiles of, MessageType type) throws Exception {
     switch (type) {
       case SET_ATTRIBUTES -> of.setAttributes(FILE, Set.of(FileAttribute.HIDDEN), Set.of());
       case CREATE_FILE -> of.createFile(OTHER);
@@ -402,7 +402,7 @@ class FilesTest extends FilesRobotTest {
   void onKukavarproxyNothingIsSentAndTheServerIsNamed(@TempDir Path folder) throws Exception {
     try (MockServer old = MockServer.start();
         CrossComClient client = new CrossComClient(old.host(), old.port())) {
-      Files none = client.files();
+      ControllerFiles none = client.files();
       Path target = folder.resolve("x");
       List<org.assertj.core.api.ThrowableAssert.ThrowingCallable> all =
           List.of(

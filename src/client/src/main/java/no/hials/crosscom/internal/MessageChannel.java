@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * Lets the parts of the client send the messages that only C3 Bridge knows. For several threads:
  * exchanges take place one at a time.
  */
-public interface MessageLink {
+public interface MessageChannel {
 
   /**
    * Sends a request and waits for its answer, for the request time-out at most.
@@ -49,7 +49,7 @@ public interface MessageLink {
    *
    * @return the link
    */
-  MessageLink onOneConnection();
+  MessageChannel onOneConnection();
 
   /**
    * Makes sure that the server knows a message, without sending it.

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * may lead to another one. All methods may send, on the connection that there is; the lock of the
  * link is held.
  */
-final class Detection {
+final class ServerDetector {
   /** What C3 Bridge answers to {@code @PROXY_TYPE} (c3-bridge.md). */
   private static final String C3_BRIDGE = "C3 BRIDGE INTERFACE";
 
@@ -32,7 +32,7 @@ final class Detection {
               .map(MessageType::code)
               .collect(Collectors.toSet()));
 
-  private final Link link;
+  private final ReconnectingConnection link;
   private final byte[] askType = Codec.encode(new ReadRequest(0, "@PROXY_TYPE"));
   private final byte[] askVersion = Codec.encode(new ReadRequest(0, "@PROXY_VERSION"));
   private final byte[] askFeatures = Codec.encode(new PlainRequest(0, MessageType.FEATURES));
@@ -45,7 +45,7 @@ final class Detection {
   private boolean versionAsked;
   private @Nullable Features features;
 
-  Detection(Link link) {
+  ServerDetector(ReconnectingConnection link) {
     this.link = link;
   }
 
@@ -68,7 +68,7 @@ final class Detection {
   }
 
   private String read(byte[] frame, String name) throws CrossComException {
-    link.send(frame, MessageType.READ, Effect.READ, name);
+    link.send(frame, MessageType.READ, Repeatability.READ, name);
     AnswerFrame answer = link.answer();
     return answer.success() ? answer.toString().strip() : "";
   }
@@ -87,8 +87,8 @@ final class Detection {
     }
     if (features == null) {
       String what = "request for the server's features";
-      link.send(askFeatures, MessageType.FEATURES, Effect.READ, what);
-      TypedResponse response = link.decoded(FeaturesResponse.class, Effect.READ, what);
+      link.send(askFeatures, MessageType.FEATURES, Repeatability.READ, what);
+      TypedResponse response = link.decoded(FeaturesResponse.class, Repeatability.READ, what);
       if (!(response instanceof FeaturesResponse known) || !response.tail().success()) {
         throw new CrossComRefusedException(what, response.tail().code());
       }

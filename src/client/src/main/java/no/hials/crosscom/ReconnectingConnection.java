@@ -23,8 +23,8 @@ import org.slf4j.LoggerFactory;
  * <p>One lock holds for an exchange and for what is done with its answer. It is fair, so that
  * exchanges take place in the order in which they were asked for.
  */
-final class Link {
-  private static final Logger LOG = LoggerFactory.getLogger(Link.class);
+final class ReconnectingConnection {
+  private static final Logger LOG = LoggerFactory.getLogger(ReconnectingConnection.class);
 
   private final ClientConfig config;
   private final ReentrantLock lock = new ReentrantLock(true);
@@ -47,7 +47,7 @@ final class Link {
   private int failedAttempts;
   private long nextAttempt;
 
-  Link(ClientConfig config) throws CrossComConnectException {
+  ReconnectingConnection(ClientConfig config) throws CrossComConnectException {
     this.config = config;
     this.timeoutNanos = config.requestTimeout().toNanos();
     this.connection = Connection.open(config, channel -> {});
@@ -117,7 +117,7 @@ final class Link {
   void exchange(byte[] frame, MessageType type, String name) throws CrossComException {
     begin(name);
     makeUsable();
-    Effect effect = type == MessageType.WRITE ? Effect.CHANGE : Effect.READ;
+    Repeatability effect = type == MessageType.WRITE ? Repeatability.CHANGE : Repeatability.READ;
     try {
       send(frame, type, effect, name);
     } catch (CrossComConnectionLostException e) {
@@ -131,8 +131,10 @@ final class Link {
   }
 
   /** Says whether what a connection was lost with may be done again on a new one. */
-  boolean mayRepeat(Effect effect) {
-    return effect == Effect.READ && config.reconnect() && !Thread.currentThread().isInterrupted();
+  boolean mayRepeat(Repeatability effect) {
+    return effect == Repeatability.READ
+        && config.reconnect()
+        && !Thread.currentThread().isInterrupted();
   }
 
   /** Begins an operation, unless its thread is interrupted or it was cancelled. */
@@ -152,7 +154,8 @@ final class Link {
   }
 
   /** Sends a request on the connection that there is, and waits for its answer. */
-  void send(byte[] frame, MessageType type, Effect effect, String name) throws CrossComException {
+  void send(byte[] frame, MessageType type, Repeatability effect, String name)
+      throws CrossComException {
     lastId = (lastId + 1) & 0xFFFF;
     boolean known = connection.hasAnswered();
     try {
@@ -167,7 +170,8 @@ final class Link {
   }
 
   /** Gives the answer of the last exchange as a message. The lock is held. */
-  TypedResponse decoded(Class<? extends TypedResponse> answerClass, Effect effect, String what)
+  TypedResponse decoded(
+      Class<? extends TypedResponse> answerClass, Repeatability effect, String what)
       throws CrossComException {
     try {
       return connection.decoded(answerClass, effect, what);
@@ -281,7 +285,7 @@ final class Link {
         wait = nextDuty();
         if (wait <= 0 && !closed) {
           makeUsable();
-          send(ping, MessageType.READ, Effect.READ, "PING");
+          send(ping, MessageType.READ, Repeatability.READ, "PING");
         }
       } catch (CrossComException e) {
         LOG.debug("keeping the connection failed: {}", e.getMessage());

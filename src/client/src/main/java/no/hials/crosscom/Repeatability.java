@@ -5,7 +5,7 @@ import no.hials.crosscom.protocol.EndWriteRequest;
 import no.hials.crosscom.protocol.Request;
 
 /** What a request does to the controller, which decides what a lost connection means. */
-enum Effect {
+enum Repeatability {
   /** It only reads: it can be repeated. */
   READ,
   /**
@@ -16,7 +16,7 @@ enum Effect {
   /** It can change something: it is never repeated, and its outcome can be unknown. */
   CHANGE;
 
-  static Effect of(Request request) {
+  static Repeatability of(Request request) {
     return switch (request.type()) {
       case READ,
           READ_UTF16,

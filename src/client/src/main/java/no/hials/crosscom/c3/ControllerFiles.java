@@ -15,7 +15,7 @@ import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComTransferException;
 import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.internal.Cancellation;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.CopyFileRequest;
 import no.hials.crosscom.protocol.CreateFileRequest;
 import no.hials.crosscom.protocol.DeleteFileRequest;
@@ -66,13 +66,13 @@ import org.jspecify.annotations.Nullable;
  * <p>The {@code ...Async} twins of transfers run in the daemon thread {@code crosscom-files-PORT}.
  * They can be cancelled until what they do takes effect, and nothing is left of them then.
  */
-public final class Files {
+public final class ControllerFiles {
   /** KRL files have one byte a character; that it is this code page is assumed, as for values. */
   private static final Charset TEXT = StandardCharsets.ISO_8859_1;
 
   private static final Set<ModulePart> SRC_DAT = EnumSet.of(ModulePart.SRC, ModulePart.DAT);
 
-  private final MessageLink link;
+  private final MessageChannel link;
   private final Transfers transfers;
 
   /**
@@ -80,7 +80,7 @@ public final class Files {
    *
    * @param link sends the messages
    */
-  public Files(MessageLink link) {
+  public ControllerFiles(MessageChannel link) {
     this.link = link;
     this.transfers = new Transfers(link);
   }
@@ -152,7 +152,7 @@ public final class Files {
     return exists(link, checked(name));
   }
 
-  static boolean exists(MessageLink link, String name) throws CrossComException {
+  static boolean exists(MessageChannel link, String name) throws CrossComException {
     try {
       askProperties(link, name, Flags.of(FileProperty.TYPE));
       return true;
@@ -178,7 +178,7 @@ public final class Files {
   }
 
   private static FilePropertiesResponse askProperties(
-      MessageLink link, String name, Flags<FileProperty> properties) throws CrossComException {
+      MessageChannel link, String name, Flags<FileProperty> properties) throws CrossComException {
     return link.ask(
         new FilePropertiesRequest(0, properties, name),
         FilePropertiesResponse.class,
@@ -829,6 +829,6 @@ public final class Files {
 
   @Override
   public String toString() {
-    return "Files{" + link + "}";
+    return "ControllerFiles{" + link + "}";
   }
 }

@@ -6,7 +6,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.internal.CancellableOperation;
-import no.hials.crosscom.internal.MessageLink;
+import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
@@ -16,11 +16,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** The way of the messages that only C3 Bridge knows. */
-final class Messages implements MessageLink {
-  private static final Logger LOG = LoggerFactory.getLogger(Messages.class);
+final class C3Channel implements MessageChannel {
+  private static final Logger LOG = LoggerFactory.getLogger(C3Channel.class);
 
-  private final Link link;
-  private final Detection detection;
+  private final ReconnectingConnection link;
+  private final ServerDetector detection;
   private final ReentrantLock lock;
   private final ThreadPoolExecutor async;
   private final ThreadPoolExecutor transfers;
@@ -31,13 +31,17 @@ final class Messages implements MessageLink {
 
   private @Nullable Connection pin;
 
-  Messages(Link link, ThreadPoolExecutor async, ThreadPoolExecutor transfers, Executor callbacks) {
-    this(link, new Detection(link), async, transfers, callbacks, false);
+  C3Channel(
+      ReconnectingConnection link,
+      ThreadPoolExecutor async,
+      ThreadPoolExecutor transfers,
+      Executor callbacks) {
+    this(link, new ServerDetector(link), async, transfers, callbacks, false);
   }
 
-  private Messages(
-      Link link,
-      Detection detection,
+  private C3Channel(
+      ReconnectingConnection link,
+      ServerDetector detection,
       ThreadPoolExecutor async,
       ThreadPoolExecutor transfers,
       Executor callbacks,
@@ -52,8 +56,8 @@ final class Messages implements MessageLink {
   }
 
   @Override
-  public MessageLink onOneConnection() {
-    return new Messages(link, detection, async, transfers, callbacks, true);
+  public MessageChannel onOneConnection() {
+    return new C3Channel(link, detection, async, transfers, callbacks, true);
   }
 
   @Override
@@ -80,7 +84,7 @@ final class Messages implements MessageLink {
   /** What is asked about the server. */
   @FunctionalInterface
   interface Question<T> {
-    T to(Detection server) throws CrossComException;
+    T to(ServerDetector server) throws CrossComException;
   }
 
   /** Finds out something about the server. */
@@ -112,7 +116,7 @@ final class Messages implements MessageLink {
       throws CrossComException {
     byte[] frame = Codec.encode(request);
     MessageType type = request.type();
-    Effect effect = Effect.of(request);
+    Repeatability effect = Repeatability.of(request);
     lock.lock();
     try {
       begin(what);
@@ -126,7 +130,7 @@ final class Messages implements MessageLink {
             link.send(frame, type, effect, what);
             return new Answered(link.decoded(answer, effect, what), link.exchangeNanos());
           };
-      if (effect == Effect.READ) {
+      if (effect == Repeatability.READ) {
         return answer(sent);
       }
       answer(server -> server.require(type, what)); // may be repeated, but what follows may not
@@ -157,7 +161,7 @@ final class Messages implements MessageLink {
     try {
       return question.to(detection);
     } catch (CrossComConnectionLostException e) {
-      if (pin != null || !link.mayRepeat(Effect.READ)) {
+      if (pin != null || !link.mayRepeat(Repeatability.READ)) {
         throw e;
       }
       LOG.debug("asking again on a new connection, since: {}", e.getMessage());

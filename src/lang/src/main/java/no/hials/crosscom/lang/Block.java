@@ -6,19 +6,19 @@ import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 
-/** A statement of several lines whose end has not been read yet. */
+/** A statement of several lines whose end has not yet been read. */
 final class Block {
-  /** Makes the statement when the end has been read. */
+  /** Creates the statement when its end has been read. */
   interface Finish {
     /**
-     * Makes it.
+     * Creates the statement.
      *
-     * @param until the condition behind {@code UNTIL}; null for all but {@code REPEAT}
+     * @param until the condition after {@code UNTIL}; null for all but {@code REPEAT}
      */
     Statement make(Block block, @Nullable Expression until);
   }
 
-  /** A {@code CASE}; without values if they were not understood. */
+  /** A {@code CASE}; the values are null if they contain an error. */
   record Branch(Position position, @Nullable List<Expression> values, List<Statement> body) {}
 
   private final Token opener;
@@ -30,14 +30,14 @@ final class Block {
   private boolean suspect;
 
   /**
-   * Begins one.
+   * Creates an open block.
    *
-   * @param finish null if the line that opens it was not understood
+   * @param finish null if the line that opens the block contains an error
    */
   Block(Token opener, @Nullable Finish finish) {
     this.opener = opener;
     this.finish = finish;
-    // A line that was not understood may be a whole statement that has no end.
+    // A line with an error may be a whole statement, without an end.
     suspect = finish == null;
   }
 
@@ -45,7 +45,7 @@ final class Block {
     return opener;
   }
 
-  /** Gives the type of the token that ends it. */
+  /** Returns the type of the token that ends the block. */
   int end() {
     return switch (opener.getType()) {
       case KrlGrammarParser.IF -> KrlGrammarParser.ENDIF;
@@ -65,17 +65,17 @@ final class Block {
     return opener.getType() == KrlGrammarParser.SWITCH;
   }
 
-  /** Gives the list that the next statement goes to. */
+  /** Returns the list that gets the next statement. */
   List<Statement> current() {
     return current;
   }
 
-  /** Gives the statements between the line that opens it and its end or {@code ELSE}. */
+  /** Returns the statements between the first line and the end or {@code ELSE}. */
   List<Statement> body() {
     return body;
   }
 
-  /** Gives the statements behind {@code ELSE} or {@code DEFAULT}; null if it was not there. */
+  /** Returns the statements after {@code ELSE} or {@code DEFAULT}; null without either. */
   @Nullable List<Statement> otherwise() {
     return otherwise;
   }
@@ -95,12 +95,12 @@ final class Block {
     current = branch.body();
   }
 
-  /** Says whether it is between {@code SWITCH} and the first {@code CASE}. */
+  /** Returns whether the next line must be the first {@code CASE} of a {@code SWITCH}. */
   boolean awaitsCase() {
     return isSwitch() && current == body;
   }
 
-  /** Remembers that something that was reported in it may be its mistyped end. */
+  /** Notes that a line reported in the block may be its mistyped end. */
   void suspect() {
     suspect = true;
   }

@@ -8,8 +8,8 @@ import java.util.Map;
  *
  * @param position where it begins
  * @param name its name as written, such as {@code $CONFIG}
- * @param isPublic whether it says {@code PUBLIC}
- * @param headers the lines that begin with {@code &}
+ * @param isPublic whether it is {@code PUBLIC}
+ * @param headers the lines that start with {@code &}
  * @param declarations types, variables, signals and initial values, in the order of the file
  */
 public record DataList(

@@ -9,7 +9,7 @@ import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.NamedContext;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 
-/** Puts the lines between {@code DEFDAT} and {@code ENDDAT} together. */
+/** Builds the tree of the lines from {@code DEFDAT} to {@code ENDDAT}. */
 final class DataListBuilder {
   private final Errors errors;
   private final ExpressionBuilder expressions;
@@ -32,13 +32,13 @@ final class DataListBuilder {
     }
   }
 
-  /** Takes a line. */
+  /** Adds a line. */
   void add(Line line) {
     if (UnsupportedStatements.contain(line)) {
       UnsupportedStatements.report(line, errors);
       return;
     }
-    // Two names can only be a declaration here, so DECL may be left out before any type (assumed).
+    // Two names can only be a declaration here, so DECL is optional before any type (assumed).
     if (line.isUnknown() && !ErrorWords.isName(line.second())) {
       ErrorWords.reportUnknown(line, errors);
       suspect |= line.isOneWord();
@@ -61,7 +61,7 @@ final class DataListBuilder {
     NamedContext named = content.named();
     if (named == null || named.steps() == null) {
       errors.add(
-          line.first(), "only declarations stand in a data list, found " + line.first().getText());
+          line.first(), "a data list contains only declarations, found " + line.first().getText());
       return null;
     }
     return new Declaration.InitialValue(
@@ -74,8 +74,8 @@ final class DataListBuilder {
   /**
    * Ends the data list.
    *
-   * @param found {@code ENDDAT}, or what stands where it should stand
-   * @return null if its first line was not understood
+   * @param found {@code ENDDAT}, or the token found in its place
+   * @return null if the first line contains an error
    */
   @Nullable DataList finish(Token found, Map<String, String> headers) {
     if (found.getType() != KrlGrammarParser.ENDDAT && !suspect) {

@@ -3,23 +3,19 @@ package no.hials.crosscom.lang;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** A declaration, or a line that gives something declared its initial value. */
+/** A declaration, or a line that sets an initial value. */
 public sealed interface Declaration {
 
-  /**
-   * Gives the place.
-   *
-   * @return where it begins
-   */
+  /** Returns the position of the first token. */
   Position position();
 
   /**
    * A name with dimensions and an initial value.
    *
-   * @param position where the name stands
+   * @param position where the name is
    * @param name the name as written
-   * @param dimensions the length of each dimension: constant expressions; none for what is no
-   *     array; null for one left open, as in {@code NAME[]}
+   * @param dimensions the length of each dimension: constant expressions; empty without an array;
+   *     null for an open dimension, as in {@code NAME[]}
    * @param initial the initial value, or null
    */
   record Declarator(
@@ -32,11 +28,11 @@ public sealed interface Declaration {
    * Variables of one type, with or without {@code DECL}.
    *
    * @param position where it begins
-   * @param global whether it says {@code GLOBAL}
-   * @param constant whether it says {@code CONST}
+   * @param global whether it is {@code GLOBAL}
+   * @param constant whether it is {@code CONST}
    * @param type the type's name as written
    * @param variables at least one
-   * @param comment the comment behind it on the same line, without {@code ;}; empty if none
+   * @param comment the comment on the same line, without {@code ;}; empty without a comment
    */
   record Variables(
       Position position,
@@ -51,10 +47,10 @@ public sealed interface Declaration {
    * A structure type.
    *
    * @param position where it begins
-   * @param global whether it says {@code GLOBAL}
+   * @param global whether it is {@code GLOBAL}
    * @param name the type's name as written
    * @param components the components in the order of the file; none has an initial value
-   * @param comment the comment behind it on the same line, without {@code ;}; empty if none
+   * @param comment the comment on the same line, without {@code ;}; empty without a comment
    */
   record Struc(
       Position position, boolean global, String name, List<Component> components, String comment)
@@ -72,25 +68,25 @@ public sealed interface Declaration {
    * An enumeration type.
    *
    * @param position where it begins
-   * @param global whether it says {@code GLOBAL}
+   * @param global whether it is {@code GLOBAL}
    * @param name the type's name as written
    * @param constants the constants, without {@code #}
-   * @param comment the comment behind it on the same line, without {@code ;}; empty if none
+   * @param comment the comment on the same line, without {@code ;}; empty without a comment
    */
   record Enumeration(
       Position position, boolean global, String name, List<String> constants, String comment)
       implements Declaration {}
 
   /**
-   * A signal: {@code SIGNAL NAME $OUT[1] TO $OUT[8]}, or {@code SIGNAL NAME FALSE} for one that is
-   * not wired.
+   * A signal: {@code SIGNAL NAME $OUT[1] TO $OUT[8]}, or {@code SIGNAL NAME FALSE} for a signal
+   * without wiring.
    *
    * @param position where it begins
-   * @param global whether it says {@code GLOBAL}
+   * @param global whether it is {@code GLOBAL}
    * @param name the name as written
-   * @param first the input or output, or the first of several; null if not wired
+   * @param first the input or output, or the first of several; null without wiring
    * @param last the last of several; null for a single one
-   * @param comment the comment behind it on the same line, without {@code ;}; empty if none
+   * @param comment the comment on the same line, without {@code ;}; empty without a comment
    */
   record Signal(
       Position position,
@@ -102,25 +98,25 @@ public sealed interface Declaration {
       implements Declaration {}
 
   /**
-   * A line of a data list that gives an element or a component its value: {@code
-   * $SOFTN_END[1]=-170.0}.
+   * A line of a data list that sets an element or a component: {@code $SOFTN_END[1]=-170.0}.
    *
    * @param position where it begins
-   * @param target what gets the value
+   * @param target the element or component
    * @param value the value
-   * @param comment the comment behind it on the same line, without {@code ;}; empty if none
+   * @param comment the comment on the same line, without {@code ;}; empty without a comment
    */
   record InitialValue(
       Position position, Expression.Variable target, Expression value, String comment)
       implements Declaration {}
 
   /**
-   * A routine or variable of another module: {@code EXT}, {@code EXTFCT}, {@code IMPORT}.
+   * A reference to a routine or variable of another module: {@code EXT}, {@code EXTFCT}, {@code
+   * IMPORT}.
    *
    * @param position where it begins
-   * @param name the name that it makes known
-   * @param source where {@code IMPORT ... IS /R1/MODULE..NAME} says it comes from; empty if it does
-   *     not say
+   * @param name the name that becomes visible
+   * @param source the source in {@code IMPORT ... IS /R1/MODULE..NAME}; empty without {@code
+   *     IMPORT}
    */
   record External(Position position, String name, String source) implements Declaration {}
 }

@@ -23,7 +23,7 @@ import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.VariableContext;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 
-/** Makes the records of declarations. */
+/** Builds the records of declarations. */
 final class DeclarationBuilder {
   /** krl.md 1.1. */
   private static final int MAX_NAME = 24;
@@ -41,7 +41,7 @@ final class DeclarationBuilder {
     this.dataList = dataList;
   }
 
-  /** Gives the declaration on a line, or null if it is something else. */
+  /** Returns the declaration on a line, or null if it is something else. */
   @Nullable Declaration build(ContentContext content, String comment) {
     if (content.variables() != null) {
       return variables(
@@ -105,8 +105,7 @@ final class DeclarationBuilder {
   private Declarator declarator(DeclaratorContext context, boolean constant) {
     Expression initial = expressions.buildOptional(context.expression());
     if (initial != null && !dataList) {
-      errors.add(
-          context.ASSIGN().getSymbol(), "a variable has an initial value in a data list only");
+      errors.add(context.ASSIGN().getSymbol(), "an initial value is allowed only in a data list");
     }
     if (initial == null && constant && dataList) {
       errors.add(
@@ -178,18 +177,19 @@ final class DeclarationBuilder {
     return List.copyOf(parameters);
   }
 
-  /** Gives how many dimensions brackets leave open, as a parameter's do. */
+  /** Returns the number of dimensions in the brackets of a parameter; all must be open. */
   private int openDimensions(@Nullable BracketsContext brackets) {
     List<@Nullable Expression> dimensions = expressions.dimensions(brackets);
     for (@Nullable Expression dimension : dimensions) {
       if (dimension != null) {
-        errors.add(dimension.position(), "a parameter's dimensions are left open, as in NAME[]");
+        errors.add(
+            dimension.position(), "the dimensions of a parameter must be open, as in NAME[]");
       }
     }
     return dimensions.size();
   }
 
-  /** Gives a name that is made known, and reports one that is too long. */
+  /** Returns a declared name, and reports a name that is too long. */
   String declared(NameContext context) {
     String name = context.getText();
     if (name.length() > MAX_NAME) {
@@ -214,10 +214,10 @@ final class DeclarationBuilder {
   }
 
   /**
-   * Gives where a line begins, and reports words before it that do not belong there.
+   * Returns the position of a line, and reports modifiers that are not allowed before it.
    *
-   * @param decl whether {@code DECL} may stand there
-   * @param constant whether {@code CONST} may stand there
+   * @param decl whether {@code DECL} is allowed
+   * @param constant whether {@code CONST} is allowed
    */
   Position begin(ContentContext content, boolean decl, boolean constant) {
     List<Integer> seen = new ArrayList<>();
@@ -227,7 +227,7 @@ final class DeclarationBuilder {
       if (seen.contains(type)
           || (type == KrlGrammarParser.DECL && !decl)
           || (type == KrlGrammarParser.CONST && !constant)) {
-        errors.add(token, token.getText() + " cannot stand here");
+        errors.add(token, token.getText() + " is not allowed here");
       }
       seen.add(type);
     }

@@ -10,9 +10,9 @@ import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.misc.IntervalSet;
 
-/** Says in the words of KRL what the parser expected and what it found. */
+/** Describes in KRL's words what the parser expected and what it found. */
 final class ErrorWords {
-  /** The operators between two operands; {@code +} and {@code -} are signs as well. */
+  /** The binary operators; {@code +} and {@code -} are also signs. */
   static final Set<Integer> OPERATORS =
       Set.of(
           KrlGrammarParser.COLON,
@@ -67,7 +67,7 @@ final class ErrorWords {
           KrlGrammarParser.LEFT_BRACE,
           KrlGrammarParser.LEFT_PARENTHESIS);
 
-  /** What may stand behind a name wherever one stands. */
+  /** The tokens that can follow any name. */
   private static final Set<Integer> CONTINUATIONS =
       Set.of(
           KrlGrammarParser.DOT, KrlGrammarParser.LEFT_BRACKET, KrlGrammarParser.LEFT_PARENTHESIS);
@@ -76,7 +76,7 @@ final class ErrorWords {
 
   private ErrorWords() {}
 
-  /** Reports what ended the parse of a line. */
+  /** Reports the error that ended the parse of a line. */
   static void report(RecognitionException e, Line line, Errors errors) {
     Token found = e.getOffendingToken();
     int type = found.getType();
@@ -94,12 +94,12 @@ final class ErrorWords {
     }
   }
 
-  /** Reports a line that is no statement at all. */
+  /** Reports an unknown statement. */
   static void reportUnknown(Line line, Errors errors) {
     String hint =
         isName(line.second())
             ? "; a type needs DECL before it"
-            : ": expected = or ( behind it, found " + found(line.second());
+            : ": expected = or ( after it, found " + found(line.second());
     errors.add(line.first(), "unknown statement " + found(line.first()) + hint);
   }
 
@@ -107,7 +107,7 @@ final class ErrorWords {
     return NAMES.contains(token.getType());
   }
 
-  /** Gives where a token stands; of the end of a line, right behind its last token. */
+  /** Returns the position of a token; the end of a line is right after its last token. */
   private static Position place(Token token, Line line, Errors errors) {
     int index = line.tokens().indexOf(token);
     if (index != line.tokens().size() - 1) {
@@ -128,7 +128,7 @@ final class ErrorWords {
     };
   }
 
-  /** Keeps a message readable, whatever stands in the file. */
+  /** Shortens text from the file, to keep messages readable. */
   static String shorten(String text) {
     return text.length() > MAX_LENGTH ? text.substring(0, MAX_LENGTH) + "..." : text;
   }

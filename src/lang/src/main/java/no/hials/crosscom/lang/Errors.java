@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Set;
 import org.antlr.v4.runtime.Token;
 
-/** Collects what is wrong in a file, each thing once. */
+/** Collects the errors of a file, each of them once. */
 final class Errors {
   private static final Comparator<KrlError> BY_PLACE =
       Comparator.<KrlError>comparingInt(error -> error.position().line())
@@ -32,7 +32,7 @@ final class Errors {
   }
 
   List<KrlError> inOrder() {
-    // Unknown labels are known at the end of a routine only.
+    // Unknown labels are found only at the end of a routine.
     return found.stream().sorted(BY_PLACE).toList();
   }
 }

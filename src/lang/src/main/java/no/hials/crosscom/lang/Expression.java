@@ -3,44 +3,40 @@ package no.hials.crosscom.lang;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** A part of a program that has a value. */
+/** An expression of a program or a data list. */
 public sealed interface Expression {
 
-  /**
-   * Gives the place.
-   *
-   * @return where it begins; of an operation where its operator stands
-   */
+  /** Returns the position of the first token; for an operation, of its operator. */
   Position position();
 
   /**
    * A whole number: {@code 100}, {@code 'B0101'}, {@code 'HFF'}.
    *
-   * @param position where it stands
+   * @param position where it is
    * @param value the number
    */
   record IntLiteral(Position position, int value) implements Expression {}
 
   /**
-   * A number with a point or an exponent.
+   * A number with a decimal point or an exponent.
    *
-   * @param position where it stands
-   * @param value the number, as a 32-bit float holds it
+   * @param position where it is
+   * @param value the number, rounded to a 32-bit float
    */
   record RealLiteral(Position position, double value) implements Expression {}
 
   /**
    * {@code TRUE} or {@code FALSE}.
    *
-   * @param position where it stands
+   * @param position where it is
    * @param value the value
    */
   record BoolLiteral(Position position, boolean value) implements Expression {}
 
   /**
-   * A text in double quotes; with one character it may be a CHAR.
+   * A text in double quotes; a text of one character can be a CHAR.
    *
-   * @param position where it stands
+   * @param position where it is
    * @param text the characters between the quotes
    */
   record TextLiteral(Position position, String text) implements Expression {}
@@ -48,7 +44,7 @@ public sealed interface Expression {
   /**
    * {@code #NAME}.
    *
-   * @param position where it stands
+   * @param position where it is
    * @param name the constant, without {@code #}
    */
   record EnumLiteral(Position position, String name) implements Expression {}
@@ -66,8 +62,8 @@ public sealed interface Expression {
   /**
    * A field of an aggregate.
    *
-   * @param position where it stands
-   * @param name the component's name; with {@code []} if it is written so, with {@code [i]} for an
+   * @param position where it is
+   * @param name the component's name; followed by {@code []} if written, or by {@code [i]} for an
    *     element
    * @param value its value
    */
@@ -77,35 +73,31 @@ public sealed interface Expression {
    * A variable, an element or a component: {@code LOAD_DATA[I].CM.X}.
    *
    * @param position where it begins
-   * @param steps the name and the components behind it; at least one
+   * @param steps the name, then the components; at least one
    */
   record Variable(Position position, List<Step> steps) implements Expression {
-    /**
-     * Gives the name of the variable itself.
-     *
-     * @return the first name as written
-     */
+    /** Returns the name of the variable itself, as written. */
     public String name() {
       return steps.get(0).name();
     }
   }
 
   /**
-   * A name with an index.
+   * A name with or without an index.
    *
    * @param name the name as written
-   * @param brackets whether brackets stand behind it
-   * @param indices the indices in the brackets; none for {@code []}
-   * @param open whether the last dimension is left open, as in {@code []} and {@code [1,]}
+   * @param brackets whether brackets follow
+   * @param indices the indices in the brackets; empty for {@code []}
+   * @param open whether the last dimension is open, as in {@code []} and {@code [1,]}
    */
   record Step(String name, boolean brackets, List<Expression> indices, boolean open) {}
 
   /**
-   * A call of a function.
+   * A function call.
    *
    * @param position where it begins
    * @param name the function's name as written
-   * @param arguments the arguments; null for one that is left out
+   * @param arguments the arguments; null for an omitted argument
    */
   record Call(Position position, String name, List<@Nullable Expression> arguments)
       implements Expression {}
@@ -113,9 +105,9 @@ public sealed interface Expression {
   /**
    * An operation with one operand.
    *
-   * @param position where the operator stands
-   * @param operator which
-   * @param operand on what
+   * @param position where the operator is
+   * @param operator the operator
+   * @param operand the operand
    */
   record Unary(Position position, UnaryOperator operator, Expression operand)
       implements Expression {}
@@ -123,15 +115,15 @@ public sealed interface Expression {
   /**
    * An operation with two operands.
    *
-   * @param position where the operator stands
-   * @param operator which
+   * @param position where the operator is
+   * @param operator the operator
    * @param left the left operand
    * @param right the right operand
    */
   record Binary(Position position, BinaryOperator operator, Expression left, Expression right)
       implements Expression {}
 
-  /** The operators with one operand. */
+  /** The unary operators. */
   enum UnaryOperator {
     /** {@code +}. */
     PLUS,
@@ -143,9 +135,9 @@ public sealed interface Expression {
     B_NOT
   }
 
-  /** The operators with two operands. */
+  /** The binary operators. */
   enum BinaryOperator {
-    /** {@code :}, the geometric operator: a frame in a frame. */
+    /** {@code :}, the geometric operator: combines two frames. */
     GEOMETRIC,
     /** {@code *}. */
     TIMES,

@@ -25,11 +25,11 @@ import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 
-/** Makes the records of expressions. */
+/** Builds the records of expressions. */
 final class ExpressionBuilder {
   private static final int INT_BITS = 32;
 
-  /** The one magnitude that is an INT with a minus sign only. */
+  /** The magnitude of the smallest INT, valid only after a minus sign. */
   private static final long MIN_MAGNITUDE = 1L << (INT_BITS - 1);
 
   private final Errors errors;
@@ -127,18 +127,18 @@ final class ExpressionBuilder {
     try {
       return Integer.parseInt(token.getText());
     } catch (NumberFormatException e) {
-      errors.add(token, token.getText() + " is no INT: the largest is " + Integer.MAX_VALUE);
+      errors.add(token, token.getText() + " is not an INT: the largest is " + Integer.MAX_VALUE);
       return 0;
     }
   }
 
-  /** Reads {@code 'B0101'} and {@code 'HFF'} as 32 bits, the first the sign's (assumed). */
+  /** Reads {@code 'B0101'} and {@code 'HFF'} as 32 bits; the first bit is the sign (assumed). */
   private int bits(Token token) {
     String text = token.getText();
     boolean binary = text.toUpperCase(Locale.ROOT).charAt(1) == 'B';
     String digits = text.substring(2, text.length() - 1).replaceFirst("^0+(?=.)", "");
     if (digits.length() > (binary ? INT_BITS : INT_BITS / 4)) {
-      errors.add(token, text + " is no INT: it has more than 32 bits");
+      errors.add(token, text + " is not an INT: it has more than 32 bits");
       return 0;
     }
     return Integer.parseUnsignedInt(digits, binary ? 2 : 16);
@@ -147,7 +147,7 @@ final class ExpressionBuilder {
   private double real(Token token) {
     float value = Float.parseFloat(token.getText());
     if (Float.isInfinite(value)) {
-      errors.add(token, token.getText() + " is no REAL: the largest is " + Float.MAX_VALUE);
+      errors.add(token, token.getText() + " is not a REAL: the largest is " + Float.MAX_VALUE);
       return 0;
     }
     return value;
@@ -200,7 +200,7 @@ final class ExpressionBuilder {
       if (dimension == null) {
         open = true;
       } else if (open) {
-        errors.add(dimension.position(), "an index behind one that is left out");
+        errors.add(dimension.position(), "an index after an omitted index");
       } else {
         indices.add(dimension);
       }
@@ -208,7 +208,7 @@ final class ExpressionBuilder {
     return new Step(name.getText(), brackets != null, List.copyOf(indices), open);
   }
 
-  /** Gives the dimensions in brackets, null for an open one; none without brackets. */
+  /** Returns the dimensions in brackets, null for an open dimension; empty without brackets. */
   List<@Nullable Expression> dimensions(@Nullable BracketsContext brackets) {
     List<@Nullable Expression> dimensions = new ArrayList<>();
     if (brackets != null) {
@@ -223,7 +223,7 @@ final class ExpressionBuilder {
     return Collections.unmodifiableList(dimensions);
   }
 
-  /** Gives the arguments of a call, null for one that is left out. */
+  /** Returns the arguments of a call, null for an omitted argument. */
   List<@Nullable Expression> arguments(ArgumentsContext context) {
     List<@Nullable Expression> arguments = new ArrayList<>();
     for (ArgumentContext argument : context.argument()) {

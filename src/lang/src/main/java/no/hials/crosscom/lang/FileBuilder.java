@@ -11,7 +11,7 @@ import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 
-/** Puts the lines of a file together. */
+/** Builds the tree of a file from its lines. */
 final class FileBuilder {
   private final LineReader lines;
   private final Errors errors;
@@ -76,12 +76,12 @@ final class FileBuilder {
 
   private void header(Token token) {
     if (begin != null) {
-      errors.add(token, "a line with & stands at the beginning of the file");
+      errors.add(token, "a line with & belongs at the beginning of the file");
       return;
     }
     String[] words = token.getText().substring(1).strip().split("\\s+", 2);
     if (words[0].isEmpty()) {
-      errors.add(token, "expected a word behind &");
+      errors.add(token, "expected a word after &");
       return;
     }
     headers.merge(
@@ -124,11 +124,11 @@ final class FileBuilder {
       return;
     }
     close(line.first());
-    // What stands behind END is an error of its own.
+    // Tokens after END are another error.
     line.parse(errors);
   }
 
-  /** Ends what is open. */
+  /** Ends the open routine or data list. */
   private void close(Token found) {
     if (routine != null) {
       Routine finished = routine.finish(found);
@@ -142,7 +142,7 @@ final class FileBuilder {
     }
   }
 
-  /** Reports the first of the lines outside of all routines. */
+  /** Reports the first line outside all routines. */
   private void outside(Token found) {
     if (!lost) {
       String expected =

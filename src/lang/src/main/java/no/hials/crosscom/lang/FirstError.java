@@ -10,19 +10,19 @@ import org.antlr.v4.runtime.atn.RuleTransition;
 import org.antlr.v4.runtime.misc.IntervalSet;
 
 /**
- * Ends the parse of a line at its first mistake. ANTLR would guess what was meant and go on, and
- * report what follows from a wrong guess as well.
+ * Ends the parse of a line at its first error. ANTLR's own strategy guesses the intended token and
+ * continues, and then also reports the errors that follow from a wrong guess.
  */
 final class FirstError extends BailErrorStrategy {
   @Override
   public void sync(Parser parser) {
-    // Checked before something optional is skipped, so that it is among what was expected.
+    // Checked before an optional token is skipped, so that the message lists that token too.
     if (!isExpected(parser, parser.getInputStream().LA(1))) {
       throw new InputMismatchException(parser);
     }
   }
 
-  /** Does what {@code getExpectedTokens().contains(token)} does, without building the set. */
+  /** Equals {@code getExpectedTokens().contains(token)}, but builds no set. */
   private static boolean isExpected(Parser parser, int token) {
     ATN atn = parser.getATN();
     RuleContext rule = parser.getContext();

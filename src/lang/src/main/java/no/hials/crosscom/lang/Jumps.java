@@ -11,7 +11,7 @@ final class Jumps {
   /**
    * A label or a jump.
    *
-   * @param around the lists of statements that it stands in, the innermost last
+   * @param around the lists of statements around it, the innermost last
    */
   private record Place(Position position, String label, List<List<Statement>> around) {}
 
@@ -29,7 +29,7 @@ final class Jumps {
     if (first != null) {
       errors.add(
           label.position(),
-          "the label " + label.name() + " stands in line " + first.position().line() + " already");
+          "the label " + label.name() + " is already in line " + first.position().line());
     }
   }
 
@@ -37,7 +37,7 @@ final class Jumps {
     jumps.add(new Place(jump.position(), jump.label(), around));
   }
 
-  /** Reports the jumps that lead nowhere or into a block (the latter assumed to be forbidden). */
+  /** Reports jumps to unknown labels and jumps into a block (assumed to be forbidden). */
   void check() {
     for (Place jump : jumps) {
       Place label = labels.get(key(jump.label()));
@@ -48,7 +48,7 @@ final class Jumps {
             jump.position(),
             "GOTO into a block: the label "
                 + jump.label()
-                + " stands in line "
+                + " is in line "
                 + label.position().line());
       }
     }

@@ -1,10 +1,10 @@
 package no.hials.crosscom.lang;
 
 /**
- * One thing that is wrong in a file.
+ * An error in a file.
  *
- * @param position where
- * @param message what: the rule, what was expected and what was found
+ * @param position where the error is
+ * @param message the rule that broke, or what was expected and found
  */
 public record KrlError(Position position, String message) {
   @Override

@@ -2,28 +2,20 @@ package no.hials.crosscom.lang;
 
 import java.util.Map;
 
-/** The tree of a file: a data list, or a module of routines. */
+/** The tree of a file: a data list or a module of routines. */
 public sealed interface KrlFile permits SourceFile, DataList {
 
-  /**
-   * Gives the place of the beginning.
-   *
-   * @return where its first declaration stands
-   */
+  /** Returns the position of the first {@code DEF}, {@code DEFFCT} or {@code DEFDAT}. */
   Position position();
 
-  /**
-   * Gives the name of the module: of the {@code DEFDAT}, or of the first routine.
-   *
-   * @return the name as written
-   */
+  /** Returns the name of the {@code DEFDAT} or of the first routine, as written. */
   String name();
 
   /**
-   * Gives the lines that begin with {@code &}.
+   * Returns the lines that start with {@code &}.
    *
-   * @return such as {@code ACCESS} with {@code RVP}, in the order of the file; for a key that
-   *     stands there several times ({@code PARAM}) the texts with a line break between them
+   * @return the text of each key in the order of the file, such as {@code ACCESS} with {@code RVP};
+   *     the texts of a repeated key ({@code PARAM}) are joined with line breaks
    */
   Map<String, String> headers();
 }

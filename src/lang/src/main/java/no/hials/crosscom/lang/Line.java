@@ -13,18 +13,18 @@ import org.antlr.v4.runtime.misc.ParseCancellationException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A line with something on it.
+ * A line that is not blank.
  *
- * @param parser reads it
- * @param tokens its tokens but for blanks and comments, the end of the line among them
- * @param comment the comment behind it, without {@code ;}; empty if none
+ * @param parser parses the tokens
+ * @param tokens the tokens without blanks and comments; the last is the end of the line
+ * @param comment the comment, without {@code ;}; empty without a comment
  */
 record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
-  /** The types before which {@code DECL} may be left out (krl.md 4). */
+  /** The types that need no {@code DECL} (krl.md 4). */
   private static final Set<String> BASE_TYPES =
       Set.of("INT", "REAL", "BOOL", "CHAR", "FRAME", "POS", "E6POS", "AXIS", "E6AXIS");
 
-  /** What follows the name at the beginning of an assignment, a call or a label. */
+  /** The tokens that can follow the first name of an assignment, a call or a label. */
   static final Set<Integer> BEHIND_A_NAME =
       Set.of(
           KrlGrammarParser.ASSIGN,
@@ -41,7 +41,7 @@ record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
     return tokens.get(1);
   }
 
-  /** Gives the token that says what kind of line this is. */
+  /** Returns the token that determines the kind of line. */
   Token keyword() {
     for (Token token : tokens) {
       int type = token.getType();
@@ -51,26 +51,26 @@ record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
         return token;
       }
     }
-    throw new IllegalStateException("a line ends with its end");
+    throw new IllegalStateException("a line without its end");
   }
 
-  /** Says whether it begins with a name and is neither a statement nor a declaration. */
+  /** Returns whether the line starts with a name and is neither a statement nor a declaration. */
   boolean isUnknown() {
     return ErrorWords.isName(first())
         && !BEHIND_A_NAME.contains(second().getType())
         && !BASE_TYPES.contains(first().getText().toUpperCase(Locale.ROOT));
   }
 
-  /** Says whether it is one word, as a mistyped {@code ENDIF} is. */
+  /** Returns whether the line is one word, as a mistyped {@code ENDIF} is. */
   boolean isOneWord() {
     return tokens.size() == 2;
   }
 
   /**
-   * Parses it.
+   * Parses the line.
    *
-   * @param errors gets what is wrong
-   * @return null if something is wrong
+   * @param errors gets the error
+   * @return null if there is an error
    */
   @Nullable ContentContext parse(Errors errors) {
     if (!NestingLimit.holds(tokens, errors)) {

@@ -10,7 +10,7 @@ import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.atn.PredictionMode;
 import org.jspecify.annotations.Nullable;
 
-/** Cuts a file into lines of tokens. */
+/** Splits a file into lines of tokens. */
 final class LineReader {
   private final KrlGrammarLexer lexer;
   private final KrlGrammarParser parser;
@@ -21,11 +21,11 @@ final class LineReader {
     parser = new KrlGrammarParser(new CommonTokenStream(lexer));
     parser.removeErrorListeners();
     parser.setErrorHandler(new FirstError());
-    // Only operators are looked up in the prediction tables, and for them this mode is exact.
+    // Only operators need prediction, and this mode is exact for them.
     parser.getInterpreter().setPredictionMode(PredictionMode.SLL);
   }
 
-  /** Gives the next line with something on it; null at the end. */
+  /** Returns the next line that is not blank; null at the end of the file. */
   @Nullable Line next() {
     while (end == null) {
       Line line = read();
@@ -36,10 +36,10 @@ final class LineReader {
     return null;
   }
 
-  /** Gives the token at the end of the file. */
+  /** Returns the end-of-file token. */
   Token end() {
     if (end == null) {
-      throw new IllegalStateException("there are lines left");
+      throw new IllegalStateException("there are more lines");
     }
     return end;
   }

@@ -7,19 +7,22 @@ import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import org.antlr.v4.runtime.Token;
 
 /**
- * Bounds the depth of expressions before they are parsed: parser, builder and whoever walks the
- * tree are recursive, and a hostile line must not exhaust their stack.
+ * Limits the depth of expressions before they are parsed. The parser, the builder and code that
+ * walks the tree are recursive; a hostile line must not exhaust their stack.
  */
 final class NestingLimit {
-  /** No line of a real program comes near. */
+  /** Far above any line of a real program. */
   static final int MAX = 250;
 
   private NestingLimit() {}
 
-  /** Says whether the expressions of a line are flat enough, and reports where they are not. */
+  /**
+   * Returns whether the expressions of a line are within the limit, and reports where they exceed
+   * it.
+   */
   static boolean holds(List<Token> tokens, Errors errors) {
-    // Of each open bracket: the deepest element so far, and the one being read. Operators count
-    // as if each were nested in the one before, which left to right they are.
+    // For each open bracket: the depth of the deepest element so far, and of the current element.
+    // Each operator counts as nested in the previous operator, as left-to-right evaluation does.
     Deque<int[]> open = new ArrayDeque<>();
     int deepest = 0;
     int depth = 0;
@@ -47,7 +50,7 @@ final class NestingLimit {
         default -> depth += ErrorWords.OPERATORS.contains(token.getType()) ? 1 : 0;
       }
       if (depth + open.size() > MAX) {
-        errors.add(token, "an expression of more than " + MAX + " operators and brackets");
+        errors.add(token, "an expression with more than " + MAX + " operators and brackets");
         return false;
       }
     }

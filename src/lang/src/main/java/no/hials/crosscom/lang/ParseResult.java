@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What came of parsing a file.
+ * The result of parsing a file.
  *
- * @param file the tree of all that was understood; nothing if not even a module was found
- * @param errors what is wrong, in the order of the file; empty if the tree is whole
+ * @param file the tree, without the parts that contain errors; empty without any module
+ * @param errors the errors in the order of the file; empty if the tree is complete
  */
 public record ParseResult(Optional<KrlFile> file, List<KrlError> errors) {}

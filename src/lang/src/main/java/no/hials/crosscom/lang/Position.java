@@ -1,9 +1,9 @@
 package no.hials.crosscom.lang;
 
 /**
- * A place in a file.
+ * A position in a file.
  *
- * @param file the file's name, as it was given to the parser
+ * @param file the name of the file, as passed to the parser
  * @param line the line, from 1
  * @param column the column, from 1
  */

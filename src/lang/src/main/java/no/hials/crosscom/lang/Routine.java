@@ -7,13 +7,13 @@ import org.jspecify.annotations.Nullable;
  * A subprogram ({@code DEF}) or a function ({@code DEFFCT}).
  *
  * @param position where it begins
- * @param global whether it says {@code GLOBAL}
- * @param returnType the type of a function's value; null for a subprogram
+ * @param global whether it is {@code GLOBAL}
+ * @param returnType the type that a function returns; null for a subprogram
  * @param name its name as written
  * @param parameters its parameters
- * @param declarations its declarations; those of interrupts are statements
+ * @param declarations its declarations; interrupt declarations are statements
  * @param body its statements
- * @param end where its {@code END} or {@code ENDFCT} stands
+ * @param end where its {@code END} or {@code ENDFCT} is
  */
 public record Routine(
     Position position,
@@ -26,14 +26,14 @@ public record Routine(
     Position end) {
 
   /**
-   * A parameter. Its type is declared like that of a variable; one without a declaration is an
-   * error that the interpreter reports.
+   * A parameter. Its type is declared like the type of a variable; the interpreter reports a
+   * parameter without a declaration.
    *
-   * @param position where it stands
+   * @param position where it is
    * @param name its name as written
-   * @param array how many dimensions it has: 0, 1 for {@code NAME[]}, 2 for {@code NAME[,]}
-   * @param out whether it is {@code :OUT}, so that the caller sees what is assigned to it; {@code
-   *     :IN} is a copy. Without either KRL takes {@code :OUT} (assumed)
+   * @param array the number of dimensions: 0, 1 for {@code NAME[]}, 2 for {@code NAME[,]}
+   * @param out whether it is {@code :OUT}, so that assignments change the caller's variable; {@code
+   *     :IN} is a copy. The default is {@code :OUT} (assumed)
    */
   public record Parameter(Position position, String name, int array, boolean out) {}
 }

@@ -11,9 +11,9 @@ import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.RoutineBeginCont
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 
-/** Puts the lines between {@code DEF} and {@code END} together. */
+/** Builds the tree of the lines from {@code DEF} to {@code END}. */
 final class RoutineBuilder {
-  /** Deeper than any real program; whoever walks the tree is recursive. */
+  /** Deeper than any real program; code that walks the tree is recursive. */
   static final int MAX_BLOCKS = 100;
 
   private final Errors errors;
@@ -71,7 +71,7 @@ final class RoutineBuilder {
     return keyword.getType() == KrlGrammarParser.DEFFCT;
   }
 
-  /** Takes a line. */
+  /** Adds a line. */
   void add(Line line) {
     if (tooDeep) {
       return;
@@ -118,7 +118,7 @@ final class RoutineBuilder {
       declarations.add(declaration);
     }
     if (hasStatements && !lateReported) {
-      errors.add(line.first(), "a declaration stands before the first statement");
+      errors.add(line.first(), "a declaration must precede the first statement");
       lateReported = true;
     }
   }
@@ -221,9 +221,9 @@ final class RoutineBuilder {
   }
 
   /**
-   * Closes the blocks inside the innermost one that begins with a word.
+   * Closes the blocks inside the innermost block that starts with a keyword.
    *
-   * @return false if there is no such block, which is reported
+   * @return false without such a block, which is then reported
    */
   private boolean closeUpTo(Token found, int opener) {
     boolean isOpen = open.stream().anyMatch(block -> block.opener().getType() == opener);
@@ -235,7 +235,7 @@ final class RoutineBuilder {
         open.remove(open.size() - 1);
       }
     } else if (unknownLines > 0) {
-      // A mistyped beginning has one end, but maybe an ELSE or several CASEs before it.
+      // A mistyped first line has one end, perhaps after an ELSE or several CASEs.
       unknownLines -= isEnd(found) ? 1 : 0;
     } else if (open.isEmpty()) {
       errors.add(found, found.getText() + " without " + ErrorWords.keyword(opener));
@@ -280,7 +280,7 @@ final class RoutineBuilder {
     };
   }
 
-  /** Takes from a line that was not understood what later lines refer to. */
+  /** Recovers from a line with an error the block or label that later lines need. */
   private void recover(Line line) {
     switch (line.first().getType()) {
       case KrlGrammarParser.IF,
@@ -308,7 +308,7 @@ final class RoutineBuilder {
     }
   }
 
-  /** Remembers that an unknown statement may be a mistyped beginning or end of a block. */
+  /** Notes that an unknown statement may be a mistyped start or end of a block. */
   private void suspect(Line line) {
     unknownLines++;
     if (!line.isOneWord()) {
@@ -324,8 +324,8 @@ final class RoutineBuilder {
   /**
    * Ends the routine.
    *
-   * @param found {@code END}, or what stands where it should stand
-   * @return null if its first line was not understood
+   * @param found {@code END}, or the token found in its place
+   * @return null if the first line contains an error
    */
   @Nullable Routine finish(Token found) {
     int end = isFunction() ? KrlGrammarParser.ENDFCT : KrlGrammarParser.END;

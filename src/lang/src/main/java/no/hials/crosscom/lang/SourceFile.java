@@ -7,8 +7,8 @@ import java.util.Map;
  * The contents of a {@code .src} or {@code .sub} file.
  *
  * @param position where it begins
- * @param headers the lines that begin with {@code &}
- * @param routines at least one; the first is the one that is selected
+ * @param headers the lines that start with {@code &}
+ * @param routines at least one; the program that is selected is the first
  */
 public record SourceFile(Position position, Map<String, String> headers, List<Routine> routines)
     implements KrlFile {

@@ -7,21 +7,17 @@ import org.jspecify.annotations.Nullable;
 /** A statement of a routine. */
 public sealed interface Statement {
 
-  /**
-   * Gives the place.
-   *
-   * @return where it begins
-   */
+  /** Returns the position of the first token. */
   Position position();
 
-  /** A statement that an interrupt or a trigger can execute. */
+  /** A statement that an interrupt or trigger can execute. */
   sealed interface Action extends Statement permits Assignment, Call, Pulse {}
 
   /**
    * {@code A = B}.
    *
    * @param position where it begins
-   * @param target what is assigned to
+   * @param target the variable that gets the value
    * @param value the value
    */
   record Assignment(Position position, Expression.Variable target, Expression value)
@@ -32,7 +28,7 @@ public sealed interface Statement {
    *
    * @param position where it begins
    * @param name the subprogram's name as written
-   * @param arguments the arguments; null for one that is left out
+   * @param arguments the arguments; null for an omitted argument
    */
   record Call(Position position, String name, List<@Nullable Expression> arguments)
       implements Action {}
@@ -42,8 +38,8 @@ public sealed interface Statement {
    *
    * @param position where it begins
    * @param signal the output
-   * @param level what it becomes for the time
-   * @param seconds how long
+   * @param level its value during the pulse
+   * @param seconds the length of the pulse
    */
   record Pulse(Position position, Expression.Variable signal, Expression level, Expression seconds)
       implements Action {}
@@ -52,9 +48,9 @@ public sealed interface Statement {
    * {@code IF}.
    *
    * @param position where it begins
-   * @param condition decides
-   * @param then what is executed if it is true
-   * @param otherwise what is executed if not; empty without {@code ELSE}
+   * @param condition the condition
+   * @param then the statements if it is true
+   * @param otherwise the statements if it is false; empty without {@code ELSE}
    */
   record If(
       Position position, Expression condition, List<Statement> then, List<Statement> otherwise)
@@ -64,7 +60,7 @@ public sealed interface Statement {
    * {@code SWITCH}.
    *
    * @param position where it begins
-   * @param selector decides
+   * @param selector the value that selects the branch
    * @param cases the branches in the order of the file
    * @param otherwise {@code DEFAULT}; null without one
    */
@@ -77,7 +73,7 @@ public sealed interface Statement {
    *
    * @param position where it begins
    * @param values at least one
-   * @param body what is executed
+   * @param body the statements in it
    */
   record Case(Position position, List<Expression> values, List<Statement> body) {}
 
@@ -85,11 +81,11 @@ public sealed interface Statement {
    * {@code FOR}.
    *
    * @param position where it begins
-   * @param counter the variable that counts
+   * @param counter the loop variable
    * @param from its first value
    * @param to its last value
-   * @param step what is added; null for 1
-   * @param body what is executed
+   * @param step the increment; null for 1
+   * @param body the statements in it
    */
   record For(
       Position position,
@@ -104,8 +100,8 @@ public sealed interface Statement {
    * {@code WHILE}.
    *
    * @param position where it begins
-   * @param condition looked at before each turn
-   * @param body what is executed
+   * @param condition tested before each iteration
+   * @param body the statements in it
    */
   record While(Position position, Expression condition, List<Statement> body)
       implements Statement {}
@@ -114,8 +110,8 @@ public sealed interface Statement {
    * {@code REPEAT ... UNTIL}.
    *
    * @param position where it begins
-   * @param body what is executed
-   * @param until looked at behind each turn; true ends
+   * @param body the statements in it
+   * @param until tested after each iteration; true ends the loop
    */
   record Repeat(Position position, List<Statement> body, Expression until) implements Statement {}
 
@@ -123,14 +119,14 @@ public sealed interface Statement {
    * {@code LOOP}.
    *
    * @param position where it begins
-   * @param body what is executed
+   * @param body the statements in it
    */
   record Loop(Position position, List<Statement> body) implements Statement {}
 
   /**
    * {@code EXIT}: leaves the innermost loop.
    *
-   * @param position where it stands
+   * @param position where it is
    */
   record Exit(Position position) implements Statement {}
 
@@ -138,14 +134,14 @@ public sealed interface Statement {
    * {@code GOTO}.
    *
    * @param position where it begins
-   * @param label where to
+   * @param label the target
    */
   record Goto(Position position, String label) implements Statement {}
 
   /**
    * {@code NAME:}.
    *
-   * @param position where it stands
+   * @param position where it is
    * @param name the label
    */
   record Label(Position position, String name) implements Statement {}
@@ -154,21 +150,21 @@ public sealed interface Statement {
    * {@code RETURN}.
    *
    * @param position where it begins
-   * @param value the value of a function; null in a subprogram
+   * @param value the result of a function; null in a subprogram
    */
   record Return(Position position, @Nullable Expression value) implements Statement {}
 
   /**
    * {@code HALT}.
    *
-   * @param position where it stands
+   * @param position where it is
    */
   record Halt(Position position) implements Statement {}
 
   /**
    * {@code CONTINUE}: keeps the next statement from stopping the advance run.
    *
-   * @param position where it stands
+   * @param position where it is
    */
   record Continue(Position position) implements Statement {}
 
@@ -176,7 +172,7 @@ public sealed interface Statement {
    * {@code WAIT FOR}.
    *
    * @param position where it begins
-   * @param condition what is waited for
+   * @param condition the condition that ends the wait
    */
   record WaitFor(Position position, Expression condition) implements Statement {}
 
@@ -184,7 +180,7 @@ public sealed interface Statement {
    * {@code WAIT SEC}.
    *
    * @param position where it begins
-   * @param seconds how long
+   * @param seconds the length of the wait
    */
   record WaitSec(Position position, Expression seconds) implements Statement {}
 
@@ -192,24 +188,24 @@ public sealed interface Statement {
    * {@code INTERRUPT DECL 3 WHEN A==B DO C()}.
    *
    * @param position where it begins
-   * @param global whether it says {@code GLOBAL}
-   * @param priority the number
-   * @param condition a rising edge of it triggers
-   * @param action what is executed
+   * @param global whether it is {@code GLOBAL}
+   * @param priority the priority, which is also the number of the interrupt
+   * @param condition triggers on its rising edge
+   * @param action the action
    */
   record InterruptDeclaration(
       Position position, boolean global, Expression priority, Expression condition, Action action)
       implements Statement {}
 
-  /** What {@code INTERRUPT} does to a declared interrupt. */
+  /** The commands for a declared interrupt. */
   enum InterruptCommand {
-    /** Makes it look. */
+    /** Activates the interrupt. */
     ON,
-    /** Makes it look away. */
+    /** Deactivates the interrupt. */
     OFF,
-    /** Allows it again. */
+    /** Enables the interrupt. */
     ENABLE,
-    /** Keeps it in mind but does not run it. */
+    /** Disables the interrupt; a detected event is stored. */
     DISABLE
   }
 
@@ -217,8 +213,8 @@ public sealed interface Statement {
    * {@code INTERRUPT ON 3}.
    *
    * @param position where it begins
-   * @param command what
-   * @param priority the number; null for all
+   * @param command the command
+   * @param priority the number of the interrupt; null for all
    */
   record Interrupt(Position position, InterruptCommand command, @Nullable Expression priority)
       implements Statement {}
@@ -226,15 +222,15 @@ public sealed interface Statement {
   /**
    * {@code RESUME}.
    *
-   * @param position where it stands
+   * @param position where it is
    */
   record Resume(Position position) implements Statement {}
 
   /**
    * {@code BRAKE}.
    *
-   * @param position where it stands
-   * @param maximum whether it says {@code F}
+   * @param position where it is
+   * @param maximum whether it is {@code BRAKE F}
    */
   record Brake(Position position, boolean maximum) implements Statement {}
 
@@ -242,28 +238,24 @@ public sealed interface Statement {
   enum MotionKind {
     /** Point to point. */
     PTP,
-    /** Straight. */
+    /** Linear. */
     LIN,
-    /** On a circle. */
+    /** Circular. */
     CIRC,
-    /** Point to point, from the last target on. */
+    /** Point to point, relative to the last target. */
     PTP_REL,
-    /** Straight, from the last target on. */
+    /** Linear, relative to the last target. */
     LIN_REL,
-    /** On a circle, from the last target on. */
+    /** Circular, relative to the last target. */
     CIRC_REL;
 
-    /**
-     * Says whether the target is an increment.
-     *
-     * @return true for the kinds with {@code _REL}
-     */
+    /** Returns whether the target is relative: true for the kinds with {@code _REL}. */
     public boolean relative() {
       return this == PTP_REL || this == LIN_REL || this == CIRC_REL;
     }
   }
 
-  /** What asks for approximate positioning. */
+  /** The criteria of approximate positioning. */
   enum Approximation {
     /** By {@code $APO.CPTP}. */
     C_PTP,
@@ -280,11 +272,11 @@ public sealed interface Statement {
    *
    * @param position where it begins
    * @param kind the kind
-   * @param auxiliary the point on the way of a circle; null for the others
-   * @param target the end
+   * @param auxiliary the auxiliary point of a circular motion; null for the others
+   * @param target the target
    * @param circularAngle {@code CA}, in degrees; null without it
-   * @param approximations none for exact positioning
-   * @param coordinates {@code #BASE} or {@code #TOOL} behind a relative straight motion; null
+   * @param approximations empty for exact positioning
+   * @param coordinates {@code #BASE} or {@code #TOOL} of a relative linear or circular motion; null
    *     without it
    */
   record Motion(
@@ -301,12 +293,12 @@ public sealed interface Statement {
    * {@code TRIGGER WHEN DISTANCE=0 DELAY=20 DO ...}.
    *
    * @param position where it begins
-   * @param onPath whether it says {@code PATH} instead of {@code DISTANCE}
-   * @param distance 0 for the start and 1 for the end of the next motion; with {@code PATH} mm from
-   *     the end
+   * @param onPath whether it has {@code PATH} instead of {@code DISTANCE}
+   * @param distance 0 for the start and 1 for the end of the next motion; with {@code PATH} in mm
+   *     from the end
    * @param delay in ms; null for 0
-   * @param action what is executed
-   * @param priority the number behind {@code PRIO}; null without it
+   * @param action the action
+   * @param priority the number after {@code PRIO}; null without it
    */
   record Trigger(
       Position position,

@@ -25,7 +25,7 @@ import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.TerminalNode;
 import org.jspecify.annotations.Nullable;
 
-/** Makes the records of statements. */
+/** Builds the records of statements. */
 final class StatementBuilder {
   private final Errors errors;
   private final ExpressionBuilder expressions;
@@ -37,7 +37,7 @@ final class StatementBuilder {
     this.declarations = declarations;
   }
 
-  /** Gives the statement on a line, or null if it is a declaration or part of a block. */
+  /** Returns the statement on a line, or null if it is a declaration or part of a block. */
   @Nullable Statement build(ContentContext content) {
     if (content.simpleStatement() != null) {
       return simple(content.simpleStatement());
@@ -106,7 +106,7 @@ final class StatementBuilder {
           action(context.action()));
     }
     if (!content.modifier().isEmpty()) {
-      errors.add(content.getStart(), content.getStart().getText() + " cannot stand here");
+      errors.add(content.getStart(), content.getStart().getText() + " is not allowed here");
     }
     Token command = ((TerminalNode) context.getChild(1)).getSymbol();
     return new Statement.Interrupt(
@@ -165,7 +165,7 @@ final class StatementBuilder {
     List<ParserRuleContext> written = new ArrayList<>(context.anyApproximation());
     written.addAll(context.pathApproximation());
     for (ParserRuleContext approximation : written) {
-      // KSS itself writes LIN P1 C_DIS C_DIS: the second is that of the orientation (assumed)
+      // KSS itself writes LIN P1 C_DIS C_DIS: the second is for the orientation (assumed)
       approximations.add(Approximation.valueOf(upper(approximation.getStart())));
     }
     return Collections.unmodifiableSet(approximations);
@@ -183,7 +183,7 @@ final class StatementBuilder {
     return written.getText();
   }
 
-  /** Gives what makes the statement of several lines that a line begins. */
+  /** Returns the code that creates a statement of several lines when its end has been read. */
   Block.Finish begin(BlockBeginContext context) {
     Position position = expressions.at(context);
     List<Expression> values = context.expression().stream().map(expressions::build).toList();

@@ -6,8 +6,8 @@ import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import org.antlr.v4.runtime.Token;
 
 /**
- * Knows the statements of KRL that are not supported, so that they are told from unknown ones
- * (splines: krl.md 4; the others assumed to be complete).
+ * The KRL statements that are not supported, as distinct from unknown statements (splines: krl.md
+ * 4; the list of the others is assumed to be complete).
  */
 final class UnsupportedStatements {
   private static final Set<String> WORDS =
@@ -39,12 +39,12 @@ final class UnsupportedStatements {
 
   private UnsupportedStatements() {}
 
-  /** Says whether a line is one. */
+  /** Returns whether a line is an unsupported statement. */
   static boolean contain(Line line) {
     return WORDS.contains(upper(line.keyword())) && !isName(line);
   }
 
-  /** Says whether its word is a variable, a subprogram or a label that is called so. */
+  /** Returns whether the keyword is the name of a variable, subprogram or label here. */
   private static boolean isName(Line line) {
     int behind = line.second().getType();
     return line.keyword() == line.first()
@@ -52,12 +52,12 @@ final class UnsupportedStatements {
         && (behind != KrlGrammarParser.COLON || line.tokens().size() == 3);
   }
 
-  /** Says whether a line begins what {@code ENDSPLINE} ends. */
+  /** Returns whether a line starts a spline block. */
   static boolean beginSpline(Line line) {
     return upper(line.first()).equals("SPLINE") || upper(line.first()).equals("PTP_SPLINE");
   }
 
-  /** Says whether a line is an {@code ENDSPLINE}. */
+  /** Returns whether a line ends a spline block. */
   static boolean endSpline(Line line) {
     return upper(line.first()).equals("ENDSPLINE");
   }

@@ -1,15 +1,15 @@
 /**
  * The language KRL: parses {@code .src}, {@code .sub} and {@code .dat} files into trees of records.
  *
- * <p>The grammar knows the form of the language only; what names mean is left to whoever uses the
- * tree. What it does not support is an error at its place, never skipped. A line is parsed on its
- * own and then put into the block that it stands in, so that a mistake stays in its line; what may
- * follow from a mistake that was reported is not reported.
+ * <p>The parser checks syntax only; the user of a tree resolves its names. An unsupported statement
+ * is an error with its position; it is never skipped. Each line is parsed alone and then added to
+ * its block, so an error affects only its line. Errors that follow from a reported error are not
+ * reported.
  *
- * <p>The precedence of the operators, the tightest first: {@code NOT B_NOT} and signs; {@code :};
- * {@code * /}; {@code + -}; {@code B_AND}; {@code B_EXOR}; {@code B_OR}; the comparisons; {@code
- * AND}; {@code EXOR}; {@code OR}. Operators of one rank are taken from left to right. That
- * comparisons bind tighter than {@code AND} is assumed; the grammar says why.
+ * <p>The precedence of the operators, highest first: {@code NOT B_NOT} and signs; {@code :}; {@code
+ * * /}; {@code + -}; {@code B_AND}; {@code B_EXOR}; {@code B_OR}; the comparisons; {@code AND};
+ * {@code EXOR}; {@code OR}. Operators of the same precedence associate to the left. The grammar
+ * explains why comparisons are assumed to bind tighter than {@code AND}.
  */
 @NullMarked
 package no.hials.crosscom.lang;

@@ -133,10 +133,10 @@ class DeclarationTest {
         "DECL INT A[              | 2:12 expected a value, a comma or ], found the end of the line",
         "DECL INT A[1,2,3,4]      | 2:11 expected at most 3 dimensions, found 4",
         "DECL INT A23456789012345678901234X | 2:10 a name has at most 24 characters, A23456789012345678901234X has 25",
-        "DECL DECL INT A          | 2:6 DECL cannot stand here",
-        "GLOBAL GLOBAL INT A      | 2:8 GLOBAL cannot stand here",
-        "CONST SIGNAL S FALSE     | 2:1 CONST cannot stand here",
-        "DECL EXT FOO()           | 2:1 DECL cannot stand here",
+        "DECL DECL INT A          | 2:6 DECL is not allowed here",
+        "GLOBAL GLOBAL INT A      | 2:8 GLOBAL is not allowed here",
+        "CONST SIGNAL S FALSE     | 2:1 CONST is not allowed here",
+        "DECL EXT FOO()           | 2:1 DECL is not allowed here",
         "STRUC                    | 2:6 expected a name, found the end of the line",
         "STRUC S                  | 2:8 expected a name, found the end of the line",
         "STRUC S A                | 2:9 expected a type and a name, found A",
@@ -152,7 +152,7 @@ class DeclarationTest {
         "SIGNAL S $IN[1] $IN[2]   | 2:17 expected TO or the end of the line, found $IN",
         "EXT FOO                  | 2:8 expected (, found the end of the line",
         "EXT FOO(REAL :INOUT)     | 2:15 expected IN or OUT, found INOUT",
-        "EXT FOO(REAL[3])         | 2:14 a parameter's dimensions are left open, as in NAME[]",
+        "EXT FOO(REAL[3])         | 2:14 the dimensions of a parameter must be open, as in NAME[]",
         "EXTFCT FOO()             | 2:11 expected a name or [, found (",
         "IMPORT INT N             | 2:13 expected IS, found the end of the line",
         "IMPORT INT N IS X        | 2:17 expected /, found X",
@@ -173,11 +173,11 @@ class DeclarationTest {
         "INT I=5 6                | 2:9 expected a comma or the end of the line, found 6",
         "CONST INT I              | 2:11 expected an initial value of the constant I",
         "A[1]=                    | 2:6 expected a value, found the end of the line",
-        "A:                       | 2:1 only declarations stand in a data list, found A",
-        "FOO(1)                   | 2:1 only declarations stand in a data list, found FOO",
-        "PTP P1                   | 2:1 only declarations stand in a data list, found PTP",
-        "IF A THEN                | 2:1 only declarations stand in a data list, found IF",
-        "INTERRUPT DECL 3 WHEN A DO B() | 2:1 only declarations stand in a data list, found INTERRUPT",
+        "A:                       | 2:1 a data list contains only declarations, found A",
+        "FOO(1)                   | 2:1 a data list contains only declarations, found FOO",
+        "PTP P1                   | 2:1 a data list contains only declarations, found PTP",
+        "IF A THEN                | 2:1 a data list contains only declarations, found IF",
+        "INTERRUPT DECL 3 WHEN A DO B() | 2:1 a data list contains only declarations, found INTERRUPT",
         "SLIN P1                  | 2:1 SLIN is not supported",
       })
   void reportsABadLineOfADataListOnce(String line, String error) {
@@ -188,8 +188,8 @@ class DeclarationTest {
   void refusesInitialValuesInARoutine() {
     assertThat(errors(routine("DECL INT I=5,J,K=6")))
         .containsExactly(
-            "2:11 a variable has an initial value in a data list only",
-            "2:17 a variable has an initial value in a data list only");
+            "2:11 an initial value is allowed only in a data list",
+            "2:17 an initial value is allowed only in a data list");
   }
 
   @Test
@@ -204,8 +204,8 @@ class DeclarationTest {
   void refusesDeclarationsBehindAStatement() {
     assertThat(errors(routine("A=1\nINT B\nINT C\nLOOP\nDECL INT D\nENDLOOP")))
         .containsExactly(
-            "3:1 a declaration stands before the first statement",
-            "6:1 a declaration stands before the first statement");
+            "3:1 a declaration must precede the first statement",
+            "6:1 a declaration must precede the first statement");
   }
 
   @Test

@@ -25,7 +25,7 @@ class ExpressionTest {
       delimiter = '|',
       quoteCharacter = '~',
       value = {
-        // neighbours in the table of precedence, the tighter on the right
+        // operators of adjacent precedence, the higher on the right
         "A OR B EXOR C         | (A OR (B EXOR C))",
         "A EXOR B AND C        | (A EXOR (B AND C))",
         "A AND B==C            | (A AND (B EQUAL C))",
@@ -36,7 +36,7 @@ class ExpressionTest {
         "A+B*C                 | (A PLUS (B TIMES C))",
         "A*B:C                 | (A TIMES (B GEOMETRIC C))",
         "A:-B                  | (A GEOMETRIC (MINUS B))",
-        // and on the left
+        // the higher on the left
         "A EXOR B OR C         | ((A EXOR B) OR C)",
         "A AND B EXOR C        | ((A AND B) EXOR C)",
         "A==B AND C            | ((A EQUAL B) AND C)",
@@ -48,7 +48,7 @@ class ExpressionTest {
         "-A:B                  | ((MINUS A) GEOMETRIC B)",
         "NOT A AND B           | ((NOT A) AND B)",
         "B_NOT A B_AND B       | ((B_NOT A) B_AND B)",
-        // one rank, from left to right
+        // the same precedence, from left to right
         "A-B+C-D               | (((A MINUS B) PLUS C) MINUS D)",
         "A/B*C                 | ((A DIVIDED B) TIMES C)",
         "A:B:C                 | ((A GEOMETRIC B) GEOMETRIC C)",
@@ -56,7 +56,7 @@ class ExpressionTest {
         // parentheses
         "A*(B+C)               | (A TIMES (B PLUS C))",
         "NOT (A AND B)         | (NOT (A AND B))",
-        // what everybody writes
+        // common conditions
         "A==1 AND B==2         | ((A EQUAL 1) AND (B EQUAL 2))",
         "(A>=1) OR (B<=2)      | ((A AT_LEAST 1) OR (B AT_MOST 2))",
         "$IN[1] AND NOT $IN[2] | ($IN[1] AND (NOT $IN[2]))",
@@ -178,7 +178,7 @@ class ExpressionTest {
         "T=A.1       | 2:4 expected the end of the line, found .1",
         "T=A[1       | 2:6 expected a comma or ], found the end of the line",
         "T=A[1 2]    | 2:7 expected a comma or ], found 2",
-        "T=A[,1]     | 2:6 an index behind one that is left out",
+        "T=A[,1]     | 2:6 an index after an omitted index",
         "T=A[1,2,3,4] | 2:4 expected at most 3 dimensions, found 4",
         "T=F(1 2)    | 2:7 expected a comma or ), found 2",
         "T=F(1,2     | 2:8 expected a comma or ), found the end of the line",
@@ -190,10 +190,10 @@ class ExpressionTest {
         "T=NOT       | 2:6 expected a value, found the end of the line",
         "T=A==THEN   | 2:6 expected a value, found THEN",
         "T=A AND IF  | 2:9 expected a value, found IF",
-        "T=2147483648 | 2:3 2147483648 is no INT: the largest is 2147483647",
-        "T='B111111111111111111111111111111111' | 2:3 'B111111111111111111111111111111111' is no INT: it has more than 32 bits",
-        "T='H100000000' | 2:3 'H100000000' is no INT: it has more than 32 bits",
-        "T=1E39      | 2:3 1E39 is no REAL: the largest is 3.4028235E38",
+        "T=2147483648 | 2:3 2147483648 is not an INT: the largest is 2147483647",
+        "T='B111111111111111111111111111111111' | 2:3 'B111111111111111111111111111111111' is not an INT: it has more than 32 bits",
+        "T='H100000000' | 2:3 'H100000000' is not an INT: it has more than 32 bits",
+        "T=1E39      | 2:3 1E39 is not a REAL: the largest is 3.4028235E38",
         "T='X12'     | 2:3 expected 'B' and binary or 'H' and hexadecimal digits, found 'X12'",
         "T='B012'    | 2:3 expected 'B' and binary or 'H' and hexadecimal digits, found 'B012'",
         "T=\"abc     | 2:3 expected \" at the end of the text, found the end of the line",

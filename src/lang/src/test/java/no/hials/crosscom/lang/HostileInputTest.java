@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class HostileInputTest {
-  private static final String TOO_DEEP = "an expression of more than 250 operators and brackets";
+  private static final String TOO_DEEP = "an expression with more than 250 operators and brackets";
 
   @ParameterizedTest
   @CsvSource(

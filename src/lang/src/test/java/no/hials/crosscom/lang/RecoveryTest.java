@@ -9,14 +9,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** One mistake is one error, and what stands behind it is read. */
+/** One mistake is one error, and the rest of the file is parsed. */
 class RecoveryTest {
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       quoteCharacter = '~',
       value = {
-        // an end is missing
+        // a missing end
         "IF A THEN;B=1                         | 4:1 expected ENDIF of the IF in line 2, found END",
         "LOOP;IF A THEN;ENDLOOP;B=1            | 4:1 expected ENDIF of the IF in line 3, found ENDLOOP",
         "IF A THEN;WHILE B;ELSE;B=1;ENDIF      | 4:1 expected ENDWHILE of the WHILE in line 3, found ELSE",
@@ -27,7 +27,7 @@ class RecoveryTest {
         "IF A THEN;ENDWHILE                    | 3:1 expected ENDIF of the IF in line 2, found ENDWHILE",
         "IF A THEN;ENDWHILE;ENDIF              | 3:1 expected ENDIF of the IF in line 2, found ENDWHILE",
         "WHILE A;ENDLOOP;B=1                   | 3:1 expected ENDWHILE of the WHILE in line 2, found ENDLOOP",
-        // an end too many
+        // a superfluous end
         "IF A THEN;ENDIF;ENDIF                 | 4:1 ENDIF without IF",
         "ENDSWITCH                             | 2:1 ENDSWITCH without SWITCH",
         "ENDFOR                                | 2:1 ENDFOR without FOR",
@@ -45,7 +45,7 @@ class RecoveryTest {
         "SWITCH A;LOOP;ENDLOOP;CASE 1;ENDSWITCH | 3:1 expected CASE, found LOOP",
         "SWITCH A;ENDSWITCH                    | 3:1 expected CASE, found ENDSWITCH",
         "SWITCH A;DEFAULT;ENDSWITCH            | 3:1 expected CASE, found DEFAULT",
-        // a beginning that is not understood
+        // an error in the first line
         "IF A == THEN;B=1;ELSE;B=2;ENDIF       | 2:9 expected a value, found THEN",
         "IF A THEN B=1;C=1                     | 2:11 expected the end of the line, found B",
         "FOR I;B=1;EXIT;ENDFOR                 | 2:6 expected =, found the end of the line",
@@ -53,16 +53,16 @@ class RecoveryTest {
         "SWITCH;CASE 1;B=1;DEFAULT;ENDSWITCH   | 2:7 expected a value, found the end of the line",
         "LOOP X;EXIT;ENDLOOP                   | 2:6 expected the end of the line, found X",
         "REPEAT X;EXIT;UNTIL B                 | 2:8 expected the end of the line, found X",
-        // an end that is not understood
+        // an error in the last line
         "IF A THEN;ENDIF X;B=1                 | 3:7 expected the end of the line, found X",
         "IF A THEN;ELSE X;ENDIF                | 3:6 expected the end of the line, found X",
         "REPEAT;UNTIL;B=1                      | 3:6 expected a value, found the end of the line",
         // mistyped words
         "IFF A THEN;B=1;ELSE;B=2;ENDIF         | 2:1 unknown statement IFF; a type needs DECL before it",
-        "LOP;EXIT;ENDLOOP                      | 2:1 unknown statement LOP: expected = or ( behind it, found the end of the line",
-        "IF A THEN;ENDFI                       | 3:1 unknown statement ENDFI: expected = or ( behind it, found the end of the line",
+        "LOP;EXIT;ENDLOOP                      | 2:1 unknown statement LOP: expected = or ( after it, found the end of the line",
+        "IF A THEN;ENDFI                       | 3:1 unknown statement ENDFI: expected = or ( after it, found the end of the line",
         "IF A THEN;IFF B THEN;ELSE;ENDIF;ELSE;ENDIF | 3:1 unknown statement IFF; a type needs DECL before it",
-        // labels and declarations that are not understood
+        // errors in labels and declarations
         "GOTO L;L: B=1                         | 3:4 expected the end of the line, found B",
         "INT I;INT J J;INT K                   | 3:7 expected =, a comma or the end of the line, found J",
       })
@@ -74,7 +74,7 @@ class RecoveryTest {
   void takesAMistypedEndForTheEnd() {
     assertThat(errors(KrlParser.parse(Snippets.FILE, "DEF A()\nEDN\nDEF B()\nC=)\nEND")))
         .containsExactly(
-            "2:1 unknown statement EDN: expected = or ( behind it, found the end of the line",
+            "2:1 unknown statement EDN: expected = or ( after it, found the end of the line",
             "4:3 expected a value, found )");
   }
 

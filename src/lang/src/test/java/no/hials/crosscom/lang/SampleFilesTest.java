@@ -8,7 +8,7 @@ import java.net.URISyntaxException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
-/** Whole files of the kinds that a controller has (krl.md 4). */
+/** Complete files as found on a controller (krl.md 4). */
 class SampleFilesTest {
   static Path path(String name) throws URISyntaxException {
     return Path.of(SampleFilesTest.class.getResource(name).toURI());

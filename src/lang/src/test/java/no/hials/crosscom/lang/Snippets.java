@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** Parses lines, and writes trees without their positions so that they can be read. */
+/** Parses lines, and prints trees without positions, to be readable. */
 final class Snippets {
   static final String FILE = "T.SRC";
 
@@ -45,14 +45,14 @@ final class Snippets {
     return ((Statement.Assignment) statements("T=" + text).get(0)).value();
   }
 
-  /** Gives the errors as {@code line:column message}. */
+  /** Returns the errors as {@code line:column message}. */
   static List<String> errors(ParseResult result) {
     return result.errors().stream()
         .map(e -> e.position().line() + ":" + e.position().column() + " " + e.message())
         .toList();
   }
 
-  /** Writes a tree: {@code Assignment(A, (B PLUS 1))}. */
+  /** Prints a tree: {@code Assignment(A, (B PLUS 1))}. */
   static String show(Object node) {
     if (node == null) {
       return "-";

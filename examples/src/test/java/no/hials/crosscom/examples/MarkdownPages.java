@@ -23,9 +23,14 @@ final class MarkdownPages {
 
   private MarkdownPages() {}
 
-  /** Returns README.md and all pages of docs. */
+  /** Returns the pages at the top, those of docs, and the list of examples. */
   static List<Path> ofTheDocumentation() throws IOException {
-    List<Path> pages = new ArrayList<>(List.of(ROOT.resolve("README.md")));
+    List<Path> pages =
+        new ArrayList<>(
+            List.of(
+                ROOT.resolve("README.md"),
+                ROOT.resolve("examples/README.md"),
+                ROOT.resolve(".github/SECURITY.md")));
     try (Stream<Path> docs = Files.walk(ROOT.resolve("docs"))) {
       docs.filter(p -> p.toString().endsWith(".md")).sorted().forEach(pages::add);
     }

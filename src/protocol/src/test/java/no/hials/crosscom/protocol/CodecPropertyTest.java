@@ -1,202 +1,204 @@
 package no.hials.crosscom.protocol;
 
+import static no.hials.crosscom.protocol.Samples.between;
+import static no.hials.crosscom.protocol.Samples.forAll;
+import static no.hials.crosscom.protocol.Samples.oneOf;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
-import net.jqwik.api.Arbitraries;
-import net.jqwik.api.Arbitrary;
-import net.jqwik.api.Combinators;
-import net.jqwik.api.ForAll;
-import net.jqwik.api.Property;
-import net.jqwik.api.Provide;
-import net.jqwik.api.statistics.Statistics;
-import net.jqwik.api.statistics.StatisticsReport;
-import net.jqwik.api.statistics.StatisticsReport.StatisticsReportMode;
+import java.util.Random;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
 
 final class CodecPropertyTest {
+  private static final int TRIES = 500;
 
-  @Property
-  void aDecodedRequestIsTheOneThatWasEncoded(@ForAll("requests") Request request) throws Exception {
-    byte[] frame = Codec.encode(request);
+  @Test
+  void aDecodedRequestIsTheOneThatWasEncoded() {
+    forAll(
+        TRIES,
+        Messages::request,
+        request -> {
+          byte[] frame = Codec.encode(request);
 
-    assertThat(Codec.frameLength(frame, 0)).isEqualTo(frame.length);
-    assertThat(Codec.decodeRequest(frame)).isEqualTo(request);
-  }
-
-  @Property
-  void aDecodedAnswerIsTheOneThatWasEncoded(@ForAll("responses") Response response)
-      throws Exception {
-    byte[] frame = Codec.encode(response);
-
-    assertThat(Codec.frameLength(frame, 0)).isEqualTo(frame.length);
-    assertThat(Codec.decodeResponse(frame)).isEqualTo(response);
-  }
-
-  @Property
-  @StatisticsReport(StatisticsReportMode.OFF)
-  void anyBytesAreARequestOfExactlyTheseBytesOrMalformed(@ForAll("bytes") byte[] bytes) {
-    byte[] encoded;
-    try {
-      encoded = Codec.encode(Codec.decodeRequest(bytes));
-    } catch (MalformedFrameException e) {
-      expectBothOutcomes(false);
-      return;
-    }
-    expectBothOutcomes(true);
-    assertThat(encoded).isEqualTo(bytes);
-  }
-
-  @Property
-  @StatisticsReport(StatisticsReportMode.OFF)
-  void anyBytesAreAnAnswerOfExactlyTheseBytesOrMalformed(@ForAll("bytes") byte[] bytes) {
-    byte[] encoded;
-    try {
-      encoded = Codec.encode(Codec.decodeResponse(bytes));
-    } catch (MalformedFrameException e) {
-      expectBothOutcomes(false);
-      return;
-    }
-    expectBothOutcomes(true);
-    assertThat(encoded).isEqualTo(bytes);
-  }
-
-  @Property
-  void aDecodedRequestToC3BridgeIsTheOneThatWasEncoded(@ForAll("c3Requests") Request request)
-      throws Exception {
-    byte[] frame = Codec.encode(request);
-
-    assertThat(Codec.frameLength(frame, 0)).isEqualTo(frame.length);
-    assertThat(Codec.decodeRequest(frame, ServerType.C3_BRIDGE, Strictness.STRICT))
-        .isEqualTo(request);
-    byte[] longer = count(Arrays.copyOf(frame, frame.length + 1));
-    assertThat(Codec.decodeRequest(longer, ServerType.C3_BRIDGE, Strictness.LENIENT))
-        .isEqualTo(request);
-  }
-
-  @Property
-  void aDecodedAnswerOfC3BridgeIsTheOneThatWasEncoded(@ForAll("c3Responses") Response response)
-      throws Exception {
-    byte[] frame = Codec.encode(response);
-
-    assertThat(Codec.frameLength(frame, 0)).isEqualTo(frame.length);
-    assertThat(Codec.decodeResponse(frame, ServerType.C3_BRIDGE)).isEqualTo(response);
-  }
-
-  @Property
-  @StatisticsReport(StatisticsReportMode.OFF)
-  void anyBytesAreARequestToC3BridgeOfExactlyTheseBytesOrMalformed(
-      @ForAll("c3Bytes") byte[] bytes) {
-    byte[] encoded;
-    try {
-      encoded = Codec.encode(Codec.decodeRequest(bytes, ServerType.C3_BRIDGE, Strictness.STRICT));
-    } catch (MalformedFrameException e) {
-      expectBothOutcomes(false);
-      return;
-    }
-    expectBothOutcomes(true);
-    assertThat(encoded).isEqualTo(bytes);
-  }
-
-  @Property
-  @StatisticsReport(StatisticsReportMode.OFF)
-  void anyBytesAreAnAnswerOfC3BridgeOfExactlyTheseBytesOrMalformed(
-      @ForAll("c3Bytes") byte[] bytes) {
-    byte[] encoded;
-    try {
-      encoded = Codec.encode(Codec.decodeResponse(bytes, ServerType.C3_BRIDGE));
-    } catch (MalformedFrameException e) {
-      expectBothOutcomes(false);
-      return;
-    }
-    expectBothOutcomes(true);
-    assertThat(encoded).isEqualTo(bytes);
-  }
-
-  @Property
-  @StatisticsReport(StatisticsReportMode.OFF)
-  void anyBytesAreMalformedToALenientServerOrARequestThatAStrictOneTakes(
-      @ForAll("c3Bytes") byte[] bytes) throws Exception {
-    Request request;
-    try {
-      request = Codec.decodeRequest(bytes, ServerType.C3_BRIDGE, Strictness.LENIENT);
-    } catch (MalformedFrameException e) {
-      expectBothOutcomes(false);
-      return;
-    }
-    expectBothOutcomes(true);
-    if (request instanceof WriteMultipleRequest batch) {
-      request = new WriteMultipleRequest(batch.id(), batch.assignments());
-    }
-    assertThat(Codec.decodeRequest(Codec.encode(request), ServerType.C3_BRIDGE, Strictness.STRICT))
-        .isEqualTo(request);
-  }
-
-  /** Fails a run that tried nearly nothing but messages, or nearly nothing but noise. */
-  private static void expectBothOutcomes(boolean decoded) {
-    Statistics.collect(decoded);
-    Statistics.coverage(
-        coverage -> {
-          coverage.check(true).percentage(p -> p > 5);
-          coverage.check(false).percentage(p -> p > 5);
+          assertThat(Codec.frameLength(frame, 0)).isEqualTo(frame.length);
+          assertThat(Codec.decodeRequest(frame)).isEqualTo(request);
         });
   }
 
-  @Provide
-  Arbitrary<Request> requests() {
-    return Messages.requests().withoutEdgeCases();
+  @Test
+  void aDecodedAnswerIsTheOneThatWasEncoded() {
+    forAll(
+        TRIES,
+        Messages::response,
+        response -> {
+          byte[] frame = Codec.encode(response);
+
+          assertThat(Codec.frameLength(frame, 0)).isEqualTo(frame.length);
+          assertThat(Codec.decodeResponse(frame)).isEqualTo(response);
+        });
   }
 
-  @Provide
-  Arbitrary<Response> responses() {
-    return Messages.responses().withoutEdgeCases();
+  @Test
+  void anyBytesAreARequestOfExactlyTheseBytesOrMalformed() {
+    expectTheSameBytesOrMalformed(
+        CodecPropertyTest::bytes, bytes -> Codec.encode(Codec.decodeRequest(bytes)));
   }
 
-  @Provide
-  Arbitrary<Request> c3Requests() {
-    return Messages.c3Requests().withoutEdgeCases();
+  @Test
+  void anyBytesAreAnAnswerOfExactlyTheseBytesOrMalformed() {
+    expectTheSameBytesOrMalformed(
+        CodecPropertyTest::bytes, bytes -> Codec.encode(Codec.decodeResponse(bytes)));
   }
 
-  @Provide
-  Arbitrary<Response> c3Responses() {
-    return Messages.c3Responses().withoutEdgeCases();
+  @Test
+  void aDecodedRequestToC3BridgeIsTheOneThatWasEncoded() {
+    forAll(
+        TRIES,
+        Messages::c3Request,
+        request -> {
+          byte[] frame = Codec.encode(request);
+
+          assertThat(Codec.frameLength(frame, 0)).isEqualTo(frame.length);
+          assertThat(Codec.decodeRequest(frame, ServerType.C3_BRIDGE, Strictness.STRICT))
+              .isEqualTo(request);
+          byte[] longer = count(Arrays.copyOf(frame, frame.length + 1));
+          assertThat(Codec.decodeRequest(longer, ServerType.C3_BRIDGE, Strictness.LENIENT))
+              .isEqualTo(request);
+        });
+  }
+
+  @Test
+  void aDecodedAnswerOfC3BridgeIsTheOneThatWasEncoded() {
+    forAll(
+        TRIES,
+        Messages::c3Response,
+        response -> {
+          byte[] frame = Codec.encode(response);
+
+          assertThat(Codec.frameLength(frame, 0)).isEqualTo(frame.length);
+          assertThat(Codec.decodeResponse(frame, ServerType.C3_BRIDGE)).isEqualTo(response);
+        });
+  }
+
+  @Test
+  void anyBytesAreARequestToC3BridgeOfExactlyTheseBytesOrMalformed() {
+    expectTheSameBytesOrMalformed(
+        CodecPropertyTest::c3Bytes,
+        bytes -> Codec.encode(Codec.decodeRequest(bytes, ServerType.C3_BRIDGE, Strictness.STRICT)));
+  }
+
+  @Test
+  void anyBytesAreAnAnswerOfC3BridgeOfExactlyTheseBytesOrMalformed() {
+    expectTheSameBytesOrMalformed(
+        CodecPropertyTest::c3Bytes,
+        bytes -> Codec.encode(Codec.decodeResponse(bytes, ServerType.C3_BRIDGE)));
+  }
+
+  @Test
+  void anyBytesAreMalformedToALenientServerOrARequestThatAStrictOneTakes() {
+    Outcomes outcomes = new Outcomes();
+    forAll(
+        TRIES,
+        CodecPropertyTest::c3Bytes,
+        bytes -> {
+          Request request;
+          try {
+            request = Codec.decodeRequest(bytes, ServerType.C3_BRIDGE, Strictness.LENIENT);
+          } catch (MalformedFrameException e) {
+            outcomes.malformed++;
+            return;
+          }
+          outcomes.decoded++;
+          if (request instanceof WriteMultipleRequest batch) {
+            request = new WriteMultipleRequest(batch.id(), batch.assignments());
+          }
+          byte[] frame = Codec.encode(request);
+          assertThat(Codec.decodeRequest(frame, ServerType.C3_BRIDGE, Strictness.STRICT))
+              .isEqualTo(request);
+        });
+    outcomes.expectBoth();
+  }
+
+  /** Decodes a frame and encodes the message. */
+  private interface Recoder {
+    byte[] recode(byte[] frame) throws MalformedFrameException;
+  }
+
+  private static void expectTheSameBytesOrMalformed(
+      Function<Random, byte[]> samples, Recoder recoder) {
+    Outcomes outcomes = new Outcomes();
+    forAll(
+        TRIES,
+        samples,
+        bytes -> {
+          byte[] encoded;
+          try {
+            encoded = recoder.recode(bytes);
+          } catch (MalformedFrameException e) {
+            outcomes.malformed++;
+            return;
+          }
+          outcomes.decoded++;
+          assertThat(encoded).isEqualTo(bytes);
+        });
+    outcomes.expectBoth();
+  }
+
+  /** Fails a run that tried nearly nothing but messages, or nearly nothing but noise. */
+  private static final class Outcomes {
+    private int decoded;
+    private int malformed;
+
+    void expectBoth() {
+      assertThat(decoded).isGreaterThan(TRIES / 20);
+      assertThat(malformed).isGreaterThan(TRIES / 20);
+    }
   }
 
   /**
    * Noise alone hardly ever has the right length field, so most of these are frames: of noise that
    * is counted right, or messages with a few bytes changed, cut, or added.
    */
-  @Provide
-  Arbitrary<byte[]> bytes() {
-    return bytes(Arbitraries.integers().between(0, 5), Messages.requests(), Messages.responses());
+  private static byte[] bytes(Random r) {
+    return bytes(r, 5, Messages::request, Messages::response);
   }
 
-  @Provide
-  Arbitrary<byte[]> c3Bytes() {
-    return bytes(
-        Arbitraries.integers().between(0, 64), Messages.c3Requests(), Messages.c3Responses());
+  private static byte[] c3Bytes(Random r) {
+    return bytes(r, 64, Messages::c3Request, Messages::c3Response);
   }
 
-  private static Arbitrary<byte[]> bytes(
-      Arbitrary<Integer> functions, Arbitrary<Request> requests, Arbitrary<Response> responses) {
-    Arbitrary<byte[]> noise = Arbitraries.bytes().array(byte[].class).ofMaxSize(40);
-    Arbitrary<byte[]> counted =
-        Combinators.combine(
-                functions,
-                // small bytes, which are likely lengths
-                Arbitraries.bytes().between((byte) 0, (byte) 6).array(byte[].class).ofMaxSize(16))
-            .as(CodecPropertyTest::frame);
-    Arbitrary<byte[]> messages =
-        Arbitraries.oneOf(requests.map(Codec::encode), responses.map(Codec::encode));
-    Arbitrary<byte[]> changed =
-        Combinators.combine(
-                messages,
-                Arbitraries.integers().between(0, 20),
-                Arbitraries.bytes(),
-                Arbitraries.integers().between(-2, 2),
-                Arbitraries.of(true, false))
-            .as(CodecPropertyTest::change);
-    // without edge cases, which are thousands when combined; CodecTest has them
-    return Arbitraries.oneOf(noise, counted, messages, changed).withoutEdgeCases();
+  private static byte[] bytes(
+      Random r,
+      int lastFunction,
+      Function<Random, Request> requests,
+      Function<Random, Response> responses) {
+    return switch (r.nextInt(4)) {
+      case 0 -> Samples.bytes(r, 40);
+      case 1 -> frame(between(r, 0, lastFunction), smallBytes(r));
+      case 2 -> message(r, requests, responses);
+      default ->
+          change(
+              message(r, requests, responses),
+              between(r, 0, 20),
+              (byte) r.nextInt(256),
+              between(r, -2, 2),
+              r.nextBoolean());
+    };
+  }
+
+  private static byte[] message(
+      Random r, Function<Random, Request> requests, Function<Random, Response> responses) {
+    return oneOf(r, () -> Codec.encode(requests.apply(r)), () -> Codec.encode(responses.apply(r)));
+  }
+
+  /** Returns small bytes, which are likely lengths. */
+  private static byte[] smallBytes(Random r) {
+    byte[] bytes = new byte[between(r, 0, 16)];
+    for (int i = 0; i < bytes.length; i++) {
+      bytes[i] = (byte) between(r, 0, 6);
+    }
+    return bytes;
   }
 
   private static byte[] frame(int function, byte[] rest) {

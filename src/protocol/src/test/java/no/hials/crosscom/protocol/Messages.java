@@ -1,9 +1,13 @@
 package no.hials.crosscom.protocol;
 
+import static no.hials.crosscom.protocol.Samples.anyOf;
+import static no.hials.crosscom.protocol.Samples.list;
+import static no.hials.crosscom.protocol.Samples.oneOf;
+
+import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
-import net.jqwik.api.Arbitraries;
-import net.jqwik.api.Arbitrary;
-import net.jqwik.api.Combinators;
+import java.util.Random;
 import no.hials.crosscom.protocol.code.BuildType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ContentOperation;
@@ -21,270 +25,278 @@ import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
 import no.hials.crosscom.protocol.code.WireCode;
 
-/** Arbitrary messages of every type: those that KUKAVARPROXY knows, and those of C3 Bridge. */
+/** Random messages of every type: those that KUKAVARPROXY knows, and those of C3 Bridge. */
 final class Messages {
   private Messages() {}
 
-  static Arbitrary<Request> requests() {
-    return Arbitraries.oneOf(
-        Combinators.combine(u16(), text()).as(ReadRequest::new),
-        Combinators.combine(u16(), text(), text()).as(WriteRequest::new),
-        Combinators.combine(u16(), text()).as(ReadArrayRequest::new),
-        Combinators.combine(u16(), text(), words()).as(WriteArrayRequest::new));
+  static Request request(Random r) {
+    return oneOf(
+        r,
+        () -> new ReadRequest(u16(r), text(r)),
+        () -> new WriteRequest(u16(r), text(r), text(r)),
+        () -> new ReadArrayRequest(u16(r), text(r)),
+        () -> new WriteArrayRequest(u16(r), text(r), words(r)));
   }
 
-  static Arbitrary<Response> responses() {
-    return Arbitraries.oneOf(
-        Combinators.combine(u16(), text(), tail()).as(ReadResponse::new),
-        Combinators.combine(u16(), text(), tail()).as(WriteResponse::new),
-        Combinators.combine(u16(), words(), tail()).as(ReadArrayResponse::new),
-        Combinators.combine(u16(), text(), tail()).as(WriteArrayResponse::new),
-        u16().map(EmptyResponse::new));
+  static Response response(Random r) {
+    return oneOf(
+        r,
+        () -> new ReadResponse(u16(r), text(r), tail(r)),
+        () -> new WriteResponse(u16(r), text(r), tail(r)),
+        () -> new ReadArrayResponse(u16(r), words(r), tail(r)),
+        () -> new WriteArrayResponse(u16(r), text(r), tail(r)),
+        () -> new EmptyResponse(u16(r)));
   }
 
-  static Arbitrary<Request> c3Requests() {
-    return Arbitraries.oneOf(c3VariableRequests(), c3FileRequests(), c3ContentRequests());
+  static Request c3Request(Random r) {
+    return oneOf(r, () -> c3VariableRequest(r), () -> c3FileRequest(r), () -> c3ContentRequest(r));
   }
 
-  private static Arbitrary<Request> c3VariableRequests() {
-    return Arbitraries.oneOf(
-        Combinators.combine(u16(), text()).as(ReadRequest::new),
-        Combinators.combine(u16(), text(), text()).as(WriteRequest::new),
-        Combinators.combine(u16(), wide()).as(ReadUtf16Request::new),
-        Combinators.combine(u16(), wide(), wide()).as(WriteUtf16Request::new),
-        Combinators.combine(u16(), wide().list().ofMaxSize(20)).as(ReadMultipleRequest::new),
-        Combinators.combine(u16(), assignments()).as(WriteMultipleRequest::new),
-        Combinators.combine(u16(), command(false), interpreter()).as(ProgramControlRequest::new),
-        Combinators.combine(u16(), command(true), interpreter(), wide(), wide(), bool())
-            .as(ProgramSelectRequest::new),
-        Combinators.combine(u16(), code(MotionType.class, u8()), wide()).as(MotionRequest::new),
-        Combinators.combine(u16(), code(PendantKey.class, u8()), i32(), i32(), bool(), bool())
-            .as(PendantKeyRequest::new),
-        Combinators.combine(
-                u16(),
-                Arbitraries.of(
-                    MessageType.INFORMATION, MessageType.FEATURES, MessageType.CONFIRM_ALL))
-            .as(PlainRequest::new),
-        Combinators.combine(u16(), u32(), wide().list().ofMaxSize(20))
-            .as(BenchmarkReadRequest::new),
-        Combinators.combine(u16(), u32(), assignments()).as(BenchmarkWriteRequest::new));
+  private static Request c3VariableRequest(Random r) {
+    return oneOf(
+        r,
+        () -> new ReadRequest(u16(r), text(r)),
+        () -> new WriteRequest(u16(r), text(r), text(r)),
+        () -> new ReadUtf16Request(u16(r), wide(r)),
+        () -> new WriteUtf16Request(u16(r), wide(r), wide(r)),
+        () -> new ReadMultipleRequest(u16(r), list(r, 0, 20, () -> wide(r))),
+        () -> new WriteMultipleRequest(u16(r), assignments(r)),
+        () -> new ProgramControlRequest(u16(r), plainCommand(r), interpreter(r)),
+        () ->
+            new ProgramSelectRequest(
+                u16(r),
+                new Code<>(ProgramCommand.class, anyOf(r, 5, 6)),
+                interpreter(r),
+                wide(r),
+                wide(r),
+                r.nextBoolean()),
+        () -> new MotionRequest(u16(r), code(MotionType.class, r), wide(r)),
+        () ->
+            new PendantKeyRequest(
+                u16(r),
+                code(PendantKey.class, r),
+                i32(r),
+                i32(r),
+                r.nextBoolean(),
+                r.nextBoolean()),
+        () ->
+            new PlainRequest(
+                u16(r),
+                anyOf(r, MessageType.INFORMATION, MessageType.FEATURES, MessageType.CONFIRM_ALL)),
+        () -> new BenchmarkReadRequest(u16(r), u32(r), list(r, 0, 20, () -> wide(r))),
+        () -> new BenchmarkWriteRequest(u16(r), u32(r), assignments(r)));
   }
 
-  private static Arbitrary<Request> c3FileRequests() {
-    return Arbitraries.oneOf(
-        Combinators.combine(u16(), flags(FileAttribute.class), flags(FileAttribute.class), wide())
-            .as(SetAttributesRequest::new),
-        Combinators.combine(u16(), flags(ItemType.class), flags(ListFlag.class), wide())
-            .as(ListDirectoryRequest::new),
-        Combinators.combine(
-                u16(),
-                code(ItemType.class, u16()),
-                u8().map(bits -> new Flags<>(ModulePart.class, bits)),
-                bool(),
-                wide(),
-                wide())
-            .as(CreateFileRequest::new),
-        Combinators.combine(u16(), bool(), wide()).as(DeleteFileRequest::new),
-        Combinators.combine(
-                u16(),
-                Arbitraries.of(MessageType.COPY_FILE, MessageType.MOVE_FILE),
-                flags(CopyFlag.class),
-                wide(),
-                wide())
-            .as(CopyFileRequest::new),
-        Combinators.combine(u16(), flags(FileProperty.class), wide())
-            .as(FilePropertiesRequest::new),
-        Combinators.combine(
-                u16(), Arbitraries.of(MessageType.FULL_NAME, MessageType.KRC_NAME), wide())
-            .as(FileNameRequest::new));
+  private static Request c3FileRequest(Random r) {
+    return oneOf(
+        r,
+        () ->
+            new SetAttributesRequest(
+                u16(r), flags(FileAttribute.class, r), flags(FileAttribute.class, r), wide(r)),
+        () ->
+            new ListDirectoryRequest(
+                u16(r), flags(ItemType.class, r), flags(ListFlag.class, r), wide(r)),
+        () ->
+            new CreateFileRequest(
+                u16(r),
+                new Code<>(ItemType.class, u16(r)),
+                new Flags<>(ModulePart.class, u8(r)),
+                r.nextBoolean(),
+                wide(r),
+                wide(r)),
+        () -> new DeleteFileRequest(u16(r), r.nextBoolean(), wide(r)),
+        () ->
+            new CopyFileRequest(
+                u16(r),
+                anyOf(r, MessageType.COPY_FILE, MessageType.MOVE_FILE),
+                flags(CopyFlag.class, r),
+                wide(r),
+                wide(r)),
+        () -> new FilePropertiesRequest(u16(r), flags(FileProperty.class, r), wide(r)),
+        () ->
+            new FileNameRequest(
+                u16(r), anyOf(r, MessageType.FULL_NAME, MessageType.KRC_NAME), wide(r)));
   }
 
-  private static Arbitrary<Request> c3ContentRequests() {
-    return Arbitraries.oneOf(
-        Combinators.combine(u16(), u32()).as(BeginWriteRequest::new),
-        Combinators.combine(u16(), u32(), bytes()).as(WriteDataRequest::new),
-        Combinators.combine(u16(), flags(CopyFlag.class), wide()).as(EndWriteRequest::new),
-        Combinators.combine(u16(), flags(CopyFlag.class), wide()).as(BeginReadRequest::new),
-        Combinators.combine(u16(), u32(), u32()).as(ReadDataRequest::new),
-        Combinators.combine(u16(), content(), operation(0, 3, 5, 255)).as(ContentRequest::new),
-        u16()
-            .map(
-                id ->
-                    new ContentRequest(
-                        id, MessageType.READ_CONTENT, Code.of(ContentOperation.END))));
+  private static Request c3ContentRequest(Random r) {
+    return oneOf(
+        r,
+        () -> new BeginWriteRequest(u16(r), u32(r)),
+        () -> new WriteDataRequest(u16(r), u32(r), bytes(r)),
+        () -> new EndWriteRequest(u16(r), flags(CopyFlag.class, r), wide(r)),
+        () -> new BeginReadRequest(u16(r), flags(CopyFlag.class, r), wide(r)),
+        () -> new ReadDataRequest(u16(r), u32(r), u32(r)),
+        () -> new ContentRequest(u16(r), content(r), operation(r, 0, 3, 5, 255)),
+        () -> new ContentRequest(u16(r), MessageType.READ_CONTENT, Code.of(ContentOperation.END)));
   }
 
-  static Arbitrary<Response> c3Responses() {
-    return Arbitraries.oneOf(c3VariableResponses(), c3FileResponses(), c3FailedResponses());
+  static Response c3Response(Random r) {
+    return oneOf(
+        r, () -> c3VariableResponse(r), () -> c3FileResponse(r), () -> c3FailedResponse(r));
   }
 
-  private static Arbitrary<Response> c3VariableResponses() {
-    return Arbitraries.oneOf(
-        Combinators.combine(u16(), text(), tail()).as(ReadResponse::new),
-        Combinators.combine(u16(), text(), tail()).as(WriteResponse::new),
-        u16().map(EmptyResponse::new),
-        Combinators.combine(
-                u16(),
-                Arbitraries.of(
+  private static Response c3VariableResponse(Random r) {
+    return oneOf(
+        r,
+        () -> new ReadResponse(u16(r), text(r), tail(r)),
+        () -> new WriteResponse(u16(r), text(r), tail(r)),
+        () -> new EmptyResponse(u16(r)),
+        () ->
+            new TextResponse(
+                u16(r),
+                anyOf(
+                    r,
                     MessageType.READ_UTF16,
                     MessageType.WRITE_UTF16,
                     MessageType.FULL_NAME,
                     MessageType.KRC_NAME),
-                wide(),
-                tail())
-            .as(TextResponse::new),
-        Combinators.combine(
-                u16(),
-                Arbitraries.of(MessageType.READ_MULTIPLE, MessageType.WRITE_MULTIPLE),
-                Combinators.combine(code(ErrorCode.class, u8()), wide())
-                    .as(AccessResult::new)
-                    .list()
-                    .ofMaxSize(20),
-                tail())
-            .as(MultipleResponse::new),
-        Combinators.combine(u16(), code(ProgramCommand.class, u8()), tail())
-            .as(ProgramControlResponse::new),
-        Combinators.combine(u16(), code(MotionType.class, u8()), tail()).as(MotionResponse::new),
-        Combinators.combine(u16(), code(PendantKey.class, u8()), tail())
-            .as(PendantKeyResponse::new),
-        Combinators.combine(u16(), information(), tail()).as(InformationResponse::new),
-        Combinators.combine(u16(), u8().set().map(Features::new), tail()).as(FeaturesResponse::new),
-        Combinators.combine(u16(), bool(), u8(), u32(), u32(), u32(), u32(), tail())
-            .as(BenchmarkResponse::new));
+                wide(r),
+                tail(r)),
+        () ->
+            new MultipleResponse(
+                u16(r),
+                anyOf(r, MessageType.READ_MULTIPLE, MessageType.WRITE_MULTIPLE),
+                list(r, 0, 20, () -> new AccessResult(code(ErrorCode.class, r), wide(r))),
+                tail(r)),
+        () -> new ProgramControlResponse(u16(r), code(ProgramCommand.class, r), tail(r)),
+        () -> new MotionResponse(u16(r), code(MotionType.class, r), tail(r)),
+        () -> new PendantKeyResponse(u16(r), code(PendantKey.class, r), tail(r)),
+        () -> new InformationResponse(u16(r), information(r), tail(r)),
+        () ->
+            new FeaturesResponse(
+                u16(r), new Features(new HashSet<>(list(r, 0, 255, () -> u8(r)))), tail(r)),
+        () ->
+            new BenchmarkResponse(
+                u16(r), r.nextBoolean(), u8(r), u32(r), u32(r), u32(r), u32(r), tail(r)));
   }
 
-  private static Arbitrary<Response> c3FileResponses() {
-    return Arbitraries.oneOf(
-        Combinators.combine(u16(), wide().list().ofMaxSize(20), wide().list().ofMaxSize(20), tail())
-            .as(ListDirectoryResponse::new),
-        Combinators.combine(u16(), properties(), tail()).as(FilePropertiesResponse::new),
-        Combinators.combine(
-                u16(),
-                content(),
-                Arbitraries.of(ContentOperation.BEGIN, ContentOperation.SIZE),
-                u32(),
-                tail())
-            .as(ContentSizeResponse::new),
-        Combinators.combine(u16(), u32(), u32(), tail()).as(WriteDataResponse::new),
-        Combinators.combine(u16(), u32(), bytes(), tail()).as(ReadDataResponse::new),
-        Combinators.combine(u16(), content(), operation(0, 4, 5, 255), tail())
-            .as(ContentResponse::new),
-        Combinators.combine(
-                u16(),
-                Arbitraries.of(
+  private static Response c3FileResponse(Random r) {
+    return oneOf(
+        r,
+        () ->
+            new ListDirectoryResponse(
+                u16(r), list(r, 0, 20, () -> wide(r)), list(r, 0, 20, () -> wide(r)), tail(r)),
+        () -> new FilePropertiesResponse(u16(r), properties(r), tail(r)),
+        () ->
+            new ContentSizeResponse(
+                u16(r),
+                content(r),
+                anyOf(r, ContentOperation.BEGIN, ContentOperation.SIZE),
+                u32(r),
+                tail(r)),
+        () -> new WriteDataResponse(u16(r), u32(r), u32(r), tail(r)),
+        () -> new ReadDataResponse(u16(r), u32(r), bytes(r), tail(r)),
+        () -> new ContentResponse(u16(r), content(r), operation(r, 0, 4, 5, 255), tail(r)),
+        () ->
+            new PlainResponse(
+                u16(r),
+                anyOf(
+                    r,
                     MessageType.SET_ATTRIBUTES,
                     MessageType.CREATE_FILE,
                     MessageType.DELETE_FILE,
                     MessageType.COPY_FILE,
                     MessageType.MOVE_FILE,
                     MessageType.CONFIRM_ALL),
-                tail())
-            .as(PlainResponse::new));
+                tail(r)));
   }
 
-  private static Arbitrary<Response> c3FailedResponses() {
-    Arbitrary<Tail> failed = u16().map(code -> new Tail(code, 0));
-    return Arbitraries.oneOf(
-        Combinators.combine(u16(), content(), operation(1, 2, 3, 4), failed)
-            .as(ContentResponse::new),
-        Combinators.combine(
-                u16(),
-                Arbitraries.of(MessageType.class)
-                    .filter(type -> !type.isKnownTo(ServerType.KUKAVARPROXY)),
-                failed)
-            .as(PlainResponse::new));
+  private static Response c3FailedResponse(Random r) {
+    MessageType[] types =
+        Arrays.stream(MessageType.values())
+            .filter(type -> !type.isKnownTo(ServerType.KUKAVARPROXY))
+            .toArray(MessageType[]::new);
+    Tail failed = new Tail(u16(r), 0);
+    return oneOf(
+        r,
+        () -> new ContentResponse(u16(r), content(r), operation(r, 1, 2, 3, 4), failed),
+        () -> new PlainResponse(u16(r), anyOf(r, types), failed));
   }
 
-  private static Arbitrary<Code<ProgramCommand>> command(boolean selects) {
-    return code(ProgramCommand.class, selects ? Arbitraries.of(5, 6) : u8())
-        .filter(command -> ProgramLayout.selects(command) == selects);
+  private static Code<ProgramCommand> plainCommand(Random r) {
+    Code<ProgramCommand> command = code(ProgramCommand.class, r);
+    return ProgramLayout.selects(command) ? plainCommand(r) : command;
   }
 
-  private static Arbitrary<Code<Interpreter>> interpreter() {
-    return code(Interpreter.class, Arbitraries.integers().between(-32768, 32767));
+  private static Code<Interpreter> interpreter(Random r) {
+    return new Code<>(Interpreter.class, Samples.between(r, -32768, 32767));
   }
 
-  private static Arbitrary<MessageType> content() {
-    return Arbitraries.of(MessageType.WRITE_CONTENT, MessageType.READ_CONTENT);
+  private static MessageType content(Random r) {
+    return anyOf(r, MessageType.WRITE_CONTENT, MessageType.READ_CONTENT);
   }
 
-  private static Arbitrary<Code<ContentOperation>> operation(Integer... numbers) {
-    return code(ContentOperation.class, Arbitraries.of(numbers));
+  private static Code<ContentOperation> operation(Random r, Integer... numbers) {
+    return new Code<>(ContentOperation.class, anyOf(r, numbers));
   }
 
-  private static Arbitrary<ServerInformation> information() {
-    Arbitrary<SystemTime> time =
-        Combinators.combine(u16(), u16(), u16(), u16(), u16(), u16(), u16(), u16())
-            .as(SystemTime::new);
-    return Combinators.combine(u8(), u8(), code(BuildType.class, u8()), time, wide())
-        .as(ServerInformation::new);
+  private static ServerInformation information(Random r) {
+    SystemTime time =
+        new SystemTime(u16(r), u16(r), u16(r), u16(r), u16(r), u16(r), u16(r), u16(r));
+    return new ServerInformation(u8(r), u8(r), code(BuildType.class, r), time, wide(r));
   }
 
-  private static Arbitrary<FileProperties> properties() {
-    Arbitrary<ItemTime> time =
-        Combinators.combine(Arbitraries.longs(), i32()).as(ItemTime::ofTicks);
-    return Combinators.combine(
-            code(ItemType.class, i32()),
-            Arbitraries.longs().between(0, Long.MAX_VALUE),
-            flags(FileAttribute.class),
-            time,
-            time,
-            time,
-            code(EditMode.class, i32()),
-            wide())
-        .as(FileProperties::new);
+  private static FileProperties properties(Random r) {
+    return new FileProperties(
+        new Code<>(ItemType.class, i32(r)),
+        Samples.between(r, 0, Long.MAX_VALUE),
+        flags(FileAttribute.class, r),
+        time(r),
+        time(r),
+        time(r),
+        new Code<>(EditMode.class, i32(r)),
+        wide(r));
   }
 
-  private static Arbitrary<List<Assignment>> assignments() {
-    return Combinators.combine(wide(), wide()).as(Assignment::new).list().ofMaxSize(20);
+  private static ItemTime time(Random r) {
+    return ItemTime.ofTicks(Samples.between(r, Long.MIN_VALUE, Long.MAX_VALUE), i32(r));
   }
 
-  private static <E extends Enum<E> & WireCode> Arbitrary<Code<E>> code(
-      Class<E> type, Arbitrary<Integer> number) {
-    return number.map(n -> new Code<>(type, n));
+  private static List<Assignment> assignments(Random r) {
+    return list(r, 0, 20, () -> new Assignment(wide(r), wide(r)));
   }
 
-  private static <E extends Enum<E> & WireCode> Arbitrary<Flags<E>> flags(Class<E> type) {
-    return i32().map(bits -> new Flags<>(type, bits));
+  private static <E extends Enum<E> & WireCode> Code<E> code(Class<E> type, Random r) {
+    return new Code<>(type, u8(r));
   }
 
-  private static Arbitrary<Boolean> bool() {
-    return Arbitraries.of(true, false);
+  private static <E extends Enum<E> & WireCode> Flags<E> flags(Class<E> type, Random r) {
+    return new Flags<>(type, i32(r));
   }
 
-  private static Arbitrary<Bytes> bytes() {
-    return Arbitraries.bytes().array(byte[].class).ofMaxSize(600).map(Bytes::of);
+  private static Bytes bytes(Random r) {
+    return Bytes.of(Samples.bytes(r, 600));
   }
 
-  private static Arbitrary<String> wide() {
-    return Arbitraries.strings().all().ofMaxLength(60);
+  private static String wide(Random r) {
+    return Samples.text(r, 60, Character.MAX_VALUE);
   }
 
-  private static Arbitrary<Integer> u8() {
-    return Arbitraries.integers().between(0, 255);
+  private static int u8(Random r) {
+    return Samples.between(r, 0, 255);
   }
 
-  private static Arbitrary<Integer> i32() {
-    return Arbitraries.integers();
+  private static int i32(Random r) {
+    return Samples.between(r, Integer.MIN_VALUE, Integer.MAX_VALUE);
   }
 
-  private static Arbitrary<Long> u32() {
-    return Arbitraries.longs().between(0, 0xFFFF_FFFFL);
+  private static long u32(Random r) {
+    return Samples.between(r, 0, 0xFFFF_FFFFL);
   }
 
-  private static Arbitrary<Integer> u16() {
-    return Arbitraries.integers().between(0, 65535);
+  private static int u16(Random r) {
+    return Samples.between(r, 0, 65535);
   }
 
-  private static Arbitrary<String> text() {
-    return Arbitraries.strings().withCharRange('\0', '\u00FF').ofMaxLength(600);
+  private static String text(Random r) {
+    return Samples.text(r, 600, '\u00FF');
   }
 
-  private static Arbitrary<List<Integer>> words() {
-    return u16().list().ofMaxSize(300);
+  private static List<Integer> words(Random r) {
+    return list(r, 0, 300, () -> u16(r));
   }
 
-  private static Arbitrary<Tail> tail() {
-    return Combinators.combine(u16(), Arbitraries.integers().between(0, 255)).as(Tail::new);
+  private static Tail tail(Random r) {
+    return new Tail(u16(r), u8(r));
   }
 }

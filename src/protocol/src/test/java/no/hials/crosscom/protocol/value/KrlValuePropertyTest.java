@@ -1,83 +1,101 @@
 package no.hials.crosscom.protocol.value;
 
+import static no.hials.crosscom.protocol.Samples.anyOf;
+import static no.hials.crosscom.protocol.Samples.between;
+import static no.hials.crosscom.protocol.Samples.forAll;
+import static no.hials.crosscom.protocol.Samples.list;
+import static no.hials.crosscom.protocol.Samples.oneOf;
+import static no.hials.crosscom.protocol.Samples.text;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import net.jqwik.api.Arbitraries;
-import net.jqwik.api.Arbitrary;
-import net.jqwik.api.Combinators;
-import net.jqwik.api.ForAll;
-import net.jqwik.api.Property;
-import net.jqwik.api.Provide;
-import net.jqwik.api.RandomDistribution;
-import net.jqwik.api.Tuple;
-import net.jqwik.api.statistics.Statistics;
-import net.jqwik.api.statistics.StatisticsReport;
-import net.jqwik.api.statistics.StatisticsReport.StatisticsReportMode;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
 
 final class KrlValuePropertyTest {
   /** What KRL texts are made of, and a little that they are not. */
   private static final String ALPHABET = "{}[]:,\"'#+-. \t\nETFBHX$_0159abe!\u00E5\u20AC";
 
-  @Property
-  void aPrintedValueIsParsedAsItself(@ForAll("values") KrlValue value) {
-    assertThat(KrlValue.parse(value.print())).isEqualTo(value);
+  private static final String LETTERS = "ABCXYZabcxyz_$TEFH";
+  private static final String DIGITS = "0123456789";
+  private static final int TRIES = 500;
+
+  @Test
+  void aPrintedValueIsParsedAsItself() {
+    forAll(
+        TRIES,
+        KrlValuePropertyTest::value,
+        value -> assertThat(KrlValue.parse(value.print())).isEqualTo(value));
   }
 
-  @Property
-  void aValuePrintedForWritingIsParsedAsItselfWithoutTypes(@ForAll("values") KrlValue value) {
-    assertThat(KrlValue.parse(value.printShort())).isEqualTo(withoutTypes(value));
+  @Test
+  void aValuePrintedForWritingIsParsedAsItselfWithoutTypes() {
+    forAll(
+        TRIES,
+        KrlValuePropertyTest::value,
+        value -> assertThat(KrlValue.parse(value.printShort())).isEqualTo(withoutTypes(value)));
   }
 
-  @Property
-  @StatisticsReport(StatisticsReportMode.OFF)
-  void anyTextIsAValueOrASyntaxErrorWithinIt(@ForAll("texts") String text) {
-    KrlValue value;
-    try {
-      value = KrlValue.parse(text);
-    } catch (KrlSyntaxException e) {
-      assertThat(e.position()).isBetween(0, text.length());
-      assertThat(e.text()).isEqualTo(text);
-      expectBothOutcomes(false);
-      return;
-    }
-    expectBothOutcomes(true);
-    assertThat(KrlValue.parse(value.print())).isEqualTo(value);
+  @Test
+  void anyTextIsAValueOrASyntaxErrorWithinIt() {
+    int[] parsed = new int[1];
+    forAll(
+        TRIES,
+        KrlValuePropertyTest::input,
+        text -> {
+          KrlValue value;
+          try {
+            value = KrlValue.parse(text);
+          } catch (KrlSyntaxException e) {
+            assertThat(e.position()).isBetween(0, text.length());
+            assertThat(e.text()).isEqualTo(text);
+            return;
+          }
+          parsed[0]++;
+          assertThat(KrlValue.parse(value.print())).isEqualTo(value);
+        });
+    // Else the run tried nearly nothing but values, or nearly nothing but noise.
+    assertThat(parsed[0]).isBetween(TRIES / 20 + 1, TRIES * 19 / 20 - 1);
   }
 
-  private static void expectBothOutcomes(boolean parsed) {
-    Statistics.collect(parsed);
-    Statistics.coverage(
-        coverage -> {
-          coverage.check(true).percentage(p -> p > 5);
-          coverage.check(false).percentage(p -> p > 5);
+  @Test
+  void aRealIsTheDoubleAndTheFloatNearestToItsText() {
+    forAll(
+        10_000,
+        KrlValuePropertyTest::decimal,
+        text -> {
+          float nearest = Float.parseFloat(text);
+          if (Float.isInfinite(nearest)) {
+            assertThat(error(text)).isEqualTo("a REAL within ±3.4028235E38");
+            return;
+          }
+          assertThat(new KrlScanner(text).readReal()).isEqualTo(Double.parseDouble(text));
+          assertThat(new KrlScanner(text).readFloat()).isEqualTo(nearest);
         });
   }
 
-  @Property(tries = 10_000)
-  void aRealIsTheDoubleAndTheFloatNearestToItsText(@ForAll("decimals") String text) {
-    float nearest = Float.parseFloat(text);
-    if (Float.isInfinite(nearest)) {
-      assertThat(error(text)).isEqualTo("a REAL within ±3.4028235E38");
-      return;
-    }
-    assertThat(new KrlScanner(text).readReal()).isEqualTo(Double.parseDouble(text));
-    assertThat(new KrlScanner(text).readFloat()).isEqualTo(nearest);
+  /** Texts that rounding to double and then to float would get wrong. */
+  @Test
+  void aTextHalfWayBetweenTwoFloatsIsRoundedOnce() {
+    forAll(
+        5_000,
+        KrlValuePropertyTest::nearlyHalfWay,
+        text -> assertThat(new KrlScanner(text).readFloat()).isEqualTo(Float.parseFloat(text)));
   }
 
-  /** Texts that rounding to double and then to float would get wrong. */
-  @Property(tries = 5_000)
-  void aTextHalfWayBetweenTwoFloatsIsRoundedOnce(
-      @ForAll("positiveFloats") float value, @ForAll("nudges") String nudge) {
+  /** On the middle of two floats, or next to it by so little that a double does not show it. */
+  private static String nearlyHalfWay(Random r) {
+    float value = Float.intBitsToFloat(r.nextInt(Float.floatToIntBits(Float.MAX_VALUE)));
+    String nudge = anyOf(r, "0", "1E-9", "-1E-9", "1E-30", "-1E-30");
     BigDecimal low = new BigDecimal(value);
     BigDecimal high = new BigDecimal(Math.nextUp(value));
     BigDecimal middle = low.add(high).divide(BigDecimal.valueOf(2));
-    String text = middle.add(middle.ulp().multiply(new BigDecimal(nudge))).toString();
-
-    assertThat(new KrlScanner(text).readFloat()).isEqualTo(Float.parseFloat(text));
+    return middle.add(middle.ulp().multiply(new BigDecimal(nudge))).toString();
   }
 
   private static String error(String text) {
@@ -100,121 +118,92 @@ final class KrlValuePropertyTest {
     return value;
   }
 
-  @Provide
-  Arbitrary<KrlValue> values() {
-    // without edge cases, which are thousands when combined; KrlValueTest has them
-    return Arbitraries.oneOf(scalars(), arrays(), structs(3), structs(6)).withoutEdgeCases();
+  private static KrlValue value(Random r) {
+    return oneOf(r, () -> scalar(r), () -> array(r), () -> struct(r, 3), () -> struct(r, 6));
   }
 
-  private static Arbitrary<KrlValue> scalars() {
-    return Arbitraries.oneOf(ints(), reals(), bools(), enums(), strings());
+  private static KrlValue scalar(Random r) {
+    return oneOf(
+        r, () -> integer(r), () -> real(r), () -> bool(r), () -> enumValue(r), () -> string(r));
   }
 
-  private static Arbitrary<KrlValue> ints() {
-    return Arbitraries.integers().map(KrlInt::new);
+  private static KrlValue integer(Random r) {
+    return new KrlInt(between(r, Integer.MIN_VALUE, Integer.MAX_VALUE));
   }
 
-  private static Arbitrary<KrlValue> reals() {
-    return Arbitraries.oneOf(
-            Arbitraries.integers()
-                .withDistribution(RandomDistribution.uniform())
-                .map(Float::intBitsToFloat),
-            Arbitraries.integers().between(-10_000_000, 10_000_000).map(i -> i / 1000f))
-        .filter(f -> Float.isFinite(f))
-        .map(KrlReal::new);
+  private static KrlValue real(Random r) {
+    float value =
+        r.nextBoolean()
+            ? Float.intBitsToFloat(r.nextInt())
+            : between(r, -10_000_000, 10_000_000) / 1000f;
+    return Float.isFinite(value) ? new KrlReal(value) : real(r);
   }
 
-  private static Arbitrary<KrlValue> bools() {
-    return Arbitraries.of(true, false).map(KrlBool::new);
+  private static KrlValue bool(Random r) {
+    return new KrlBool(r.nextBoolean());
   }
 
-  private static Arbitrary<KrlValue> enums() {
-    return names().map(KrlEnum::new);
+  private static KrlValue enumValue(Random r) {
+    return new KrlEnum(name(r));
   }
 
-  private static Arbitrary<KrlValue> strings() {
-    return Arbitraries.oneOf(
-            Arbitraries.strings().all().ofMaxLength(20),
-            Arbitraries.strings().withChars(ALPHABET.replace("\"", "")).ofMaxLength(20))
-        .filter(s -> s.indexOf('"') < 0)
-        .map(KrlString::new);
+  private static KrlValue string(Random r) {
+    String text = r.nextBoolean() ? text(r, 20, Character.MAX_VALUE) : text(r, 0, 20, ALPHABET);
+    return new KrlString(text.replace("\"", ""));
   }
 
-  private static Arbitrary<KrlValue> arrays() {
-    return Arbitraries.oneOf(arrays(ints()), arrays(reals()), arrays(bools()), arrays(enums()));
+  private static KrlValue array(Random r) {
+    return switch (r.nextInt(4)) {
+      case 0 -> new KrlArray(list(r, 1, 6, () -> integer(r)));
+      case 1 -> new KrlArray(list(r, 1, 6, () -> real(r)));
+      case 2 -> new KrlArray(list(r, 1, 6, () -> bool(r)));
+      default -> new KrlArray(list(r, 1, 6, () -> enumValue(r)));
+    };
   }
 
-  private static Arbitrary<KrlValue> arrays(Arbitrary<KrlValue> elements) {
-    return elements.list().ofMinSize(1).ofMaxSize(6).map(KrlArray::new);
+  private static KrlValue struct(Random r, int depth) {
+    Map<String, KrlStruct.Field> fields = new TreeMap<>();
+    for (KrlStruct.Field field : list(r, 0, depth == 0 ? 14 : 4, () -> field(r, depth))) {
+      fields.put(field.name().toUpperCase(Locale.ROOT), field);
+    }
+    String type = r.nextInt(10) < 3 ? null : name(r);
+    return new KrlStruct(type, new ArrayList<>(fields.values()));
   }
 
-  private static Arbitrary<KrlValue> structs(int depth) {
-    Arbitrary<KrlStruct.Field> simple =
-        Combinators.combine(fieldNames(), scalars()).as(KrlValuePropertyTest::field);
-    Arbitrary<KrlStruct.Field> array =
-        Combinators.combine(names(), arrays()).as((n, v) -> new KrlStruct.Field(n + "[]", v));
-    Arbitrary<KrlStruct.Field> fields =
-        depth == 0
-            ? Arbitraries.oneOf(simple, array)
-            : Arbitraries.frequencyOf(
-                Tuple.of(3, simple),
-                Tuple.of(1, array),
-                Tuple.of(
-                    2,
-                    Combinators.combine(fieldNames(), structs(depth - 1))
-                        .as(KrlValuePropertyTest::field)));
-    return Combinators.combine(
-            names().injectNull(0.3),
-            fields
-                .list()
-                .uniqueElements(f -> f.name().toUpperCase(Locale.ROOT))
-                .ofMaxSize(depth == 0 ? 14 : 4))
-        .as(KrlStruct::new);
+  private static KrlStruct.Field field(Random r, int depth) {
+    return switch (r.nextInt(depth == 0 ? 2 : 6)) {
+      case 0 -> new KrlStruct.Field(name(r) + "[]", array(r));
+      case 1, 2, 3 -> new KrlStruct.Field(fieldName(r), scalar(r));
+      default -> new KrlStruct.Field(fieldName(r), struct(r, depth - 1));
+    };
   }
 
-  private static KrlStruct.Field field(String name, KrlValue value) {
-    return new KrlStruct.Field(name, value);
+  private static String name(Random r) {
+    return text(r, 1, 1, LETTERS) + text(r, 0, 6, LETTERS + DIGITS);
   }
 
-  private static Arbitrary<String> names() {
-    String letters = "ABCXYZabcxyz_$TEFH";
-    return Combinators.combine(
-            Arbitraries.of(letters.chars().mapToObj(c -> (char) c).toList()),
-            Arbitraries.strings().withChars(letters + "0123456789").ofMaxLength(6))
-        .as((first, rest) -> first + rest);
-  }
-
-  private static Arbitrary<String> fieldNames() {
-    return Combinators.combine(names(), Arbitraries.of("", "", "", "[1]", "[2,3]", "[1,]"))
-        .as((name, index) -> name + index);
+  private static String fieldName(Random r) {
+    return name(r) + anyOf(r, "", "", "", "[1]", "[2,3]", "[1,]");
   }
 
   /** Noise, and the texts of values with a few characters changed, which reaches deeper. */
-  @Provide
-  Arbitrary<String> texts() {
-    Arbitrary<String> mutated =
-        Combinators.combine(values(), edits().list().ofMaxSize(3))
-            .as(
-                (value, edits) -> {
-                  String text = value.print();
-                  for (Edit edit : edits) {
-                    text = edit.apply(text);
-                  }
-                  return text;
-                });
-    return Arbitraries.oneOf(
-            mutated,
-            Arbitraries.strings().withChars(ALPHABET).ofMaxLength(12),
-            Arbitraries.strings().all().ofMaxLength(10))
-        .withoutEdgeCases();
+  private static String input(Random r) {
+    return switch (r.nextInt(3)) {
+      case 0 -> text(r, 0, 12, ALPHABET);
+      case 1 -> text(r, 10, Character.MAX_VALUE);
+      default -> {
+        String text = value(r).print();
+        for (Edit edit : list(r, 0, 3, () -> edit(r))) {
+          text = edit.apply(text);
+        }
+        yield text;
+      }
+    };
   }
 
-  private static Arbitrary<Edit> edits() {
-    return Combinators.combine(
-            Arbitraries.integers().between(0, 3),
-            Arbitraries.integers().between(0, 1000),
-            Arbitraries.of(ALPHABET.chars().mapToObj(c -> (char) c).toList()))
-        .as(Edit::new);
+  private static Edit edit(Random r) {
+    return new Edit(
+        r.nextInt(4), between(r, 0, 1000), ALPHABET.charAt(r.nextInt(ALPHABET.length())));
   }
 
   /** Changes a text at a place, given in thousandths of its length. */
@@ -234,45 +223,32 @@ final class KrlValuePropertyTest {
   }
 
   /** Decimal numbers in every form, with few digits or many. */
-  @Provide
-  Arbitrary<String> decimals() {
-    Arbitrary<String> digits =
-        Arbitraries.oneOf(
-            Arbitraries.strings().numeric().ofMinLength(1).ofMaxLength(3),
-            Arbitraries.strings().numeric().ofMinLength(1).ofMaxLength(9),
-            Arbitraries.strings().numeric().ofMinLength(15).ofMaxLength(20),
-            Arbitraries.strings().numeric().ofMinLength(1).ofMaxLength(60),
-            Arbitraries.strings().withChars("0").ofMinLength(1).ofMaxLength(40));
-    Arbitrary<String> number =
-        Arbitraries.oneOf(
-            digits,
-            digits.map(d -> d + "."),
-            digits.map(d -> "." + d),
-            Combinators.combine(digits, digits).as((a, b) -> a + "." + b));
-    Arbitrary<String> exponent =
-        Arbitraries.oneOf(
-            Arbitraries.just(""),
-            Arbitraries.integers().between(-60, 50).map(e -> "E" + e),
-            Arbitraries.integers().between(0, 40).map(e -> "e+" + e),
-            Arbitraries.integers().between(0, 9).map(e -> "E-0" + e),
-            Arbitraries.integers().map(e -> "E" + e));
-    return Combinators.combine(Arbitraries.of("", "", "-", "+"), number, exponent)
-        .as((sign, n, e) -> sign + n + e)
-        .withoutEdgeCases();
+  private static String decimal(Random r) {
+    String number =
+        oneOf(
+            r,
+            () -> digits(r),
+            () -> digits(r) + ".",
+            () -> "." + digits(r),
+            () -> digits(r) + "." + digits(r));
+    String exponent =
+        oneOf(
+            r,
+            () -> "",
+            () -> "E" + between(r, -60, 50),
+            () -> "e+" + between(r, 0, 40),
+            () -> "E-0" + r.nextInt(10),
+            () -> "E" + between(r, Integer.MIN_VALUE, Integer.MAX_VALUE));
+    return anyOf(r, "", "", "-", "+") + number + exponent;
   }
 
-  @Provide
-  Arbitrary<Float> positiveFloats() {
-    return Arbitraries.integers()
-        .between(0, Float.floatToIntBits(Float.MAX_VALUE) - 1)
-        .withDistribution(RandomDistribution.uniform())
-        .map(Float::intBitsToFloat)
-        .withoutEdgeCases();
-  }
-
-  /** On the middle, and beside it by so little that a double does not show it. */
-  @Provide
-  Arbitrary<String> nudges() {
-    return Arbitraries.of("0", "1E-9", "-1E-9", "1E-30", "-1E-30");
+  private static String digits(Random r) {
+    return oneOf(
+        r,
+        () -> text(r, 1, 3, DIGITS),
+        () -> text(r, 1, 9, DIGITS),
+        () -> text(r, 15, 20, DIGITS),
+        () -> text(r, 1, 60, DIGITS),
+        () -> text(r, 1, 40, "0"));
   }
 }

@@ -12,15 +12,15 @@ import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 
 /**
- * Writes what the distribution has besides the jar, and is made from the commands themselves. The
- * build runs it; it is here and not in the jar, where nobody needs it.
+ * Writes the files of the distribution that are generated from the commands: completion, manual
+ * pages and the build's id. The build runs it; the jar is without it.
  */
 final class Documents {
   private static final int ID_BYTES = 8;
 
   private Documents() {}
 
-  /** Makes all commands. */
+  /** Creates all commands. */
   static CommandLine commands() {
     return Main.commandLine(new Console(new StringWriter(), new StringWriter(), Map.of()));
   }
@@ -44,7 +44,7 @@ final class Documents {
     write(folder.resolve("lib/build-id"), idOf(jar) + "\n");
   }
 
-  /** Gives what tells one jar from another. */
+  /** Returns a hash of the jar. */
   private static String idOf(Path jar) throws IOException, NoSuchAlgorithmException {
     byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(jar));
     return HexFormat.of().formatHex(digest, 0, ID_BYTES);

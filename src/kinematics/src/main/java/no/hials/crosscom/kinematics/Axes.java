@@ -3,7 +3,7 @@ package no.hials.crosscom.kinematics;
 import java.util.Objects;
 
 /**
- * Says how far the six axes of a robot are turned, as KRL's type AXIS, or by how much they turn.
+ * The positions of six robot axes, like KRL's type AXIS, or the differences of two positions.
  *
  * @param a1 axis 1, degrees
  * @param a2 axis 2, degrees
@@ -13,13 +13,13 @@ import java.util.Objects;
  * @param a6 axis 6, degrees
  */
 public record Axes(double a1, double a2, double a3, double a4, double a5, double a6) {
-  /** Has all the axes at 0. */
+  /** All axes at 0. */
   public static final Axes ZERO = new Axes(0, 0, 0, 0, 0, 0);
 
   /** The number of axes. */
   static final int COUNT = 6;
 
-  /** Refuses a number that is not finite. */
+  /** Checks that the angles are finite. */
   public Axes {
     Numbers.finite("A1", a1);
     Numbers.finite("A2", a2);
@@ -30,10 +30,9 @@ public record Axes(double a1, double a2, double a3, double a4, double a5, double
   }
 
   /**
-   * Makes a value of six numbers.
+   * Creates the positions from an array.
    *
    * @param six A1 to A6, degrees
-   * @return the value
    */
   public static Axes of(double... six) {
     if (six.length != COUNT) {
@@ -43,10 +42,10 @@ public record Axes(double a1, double a2, double a3, double a4, double a5, double
   }
 
   /**
-   * Returns one axis.
+   * Returns the position of an axis.
    *
    * @param index 0 for A1 to 5 for A6
-   * @return its angle, degrees
+   * @return the angle, degrees
    */
   public double get(int index) {
     return switch (Objects.checkIndex(index, COUNT)) {
@@ -60,7 +59,7 @@ public record Axes(double a1, double a2, double a3, double a4, double a5, double
   }
 
   /**
-   * Returns the axes as an array of their own.
+   * Returns the positions as a new array.
    *
    * @return A1 to A6, degrees
    */
@@ -68,34 +67,23 @@ public record Axes(double a1, double a2, double a3, double a4, double a5, double
     return new double[] {a1, a2, a3, a4, a5, a6};
   }
 
-  /**
-   * Adds axis by axis.
-   *
-   * @param other what is added, degrees
-   * @return the sum
-   */
+  /** Returns the sum, axis by axis. */
   public Axes plus(Axes other) {
     return new Axes(
         a1 + other.a1, a2 + other.a2, a3 + other.a3, a4 + other.a4, a5 + other.a5, a6 + other.a6);
   }
 
-  /**
-   * Subtracts axis by axis.
-   *
-   * @param other what is subtracted, degrees
-   * @return the difference
-   */
+  /** Returns the difference, axis by axis. */
   public Axes minus(Axes other) {
     return new Axes(
         a1 - other.a1, a2 - other.a2, a3 - other.a3, a4 - other.a4, a5 - other.a5, a6 - other.a6);
   }
 
   /**
-   * Sets one axis and keeps the others.
+   * Returns a copy with another position of an axis.
    *
    * @param index 0 for A1 to 5 for A6
    * @param value the angle of this axis, degrees
-   * @return the changed value
    */
   public Axes with(int index, double value) {
     double[] six = toArray();
@@ -104,10 +92,10 @@ public record Axes(double a1, double a2, double a3, double a4, double a5, double
   }
 
   /**
-   * Measures how far apart two values are where they differ most.
+   * Returns the largest difference of an axis.
    *
-   * @param other the other value
-   * @return the largest difference of one axis, 0 or more, degrees
+   * @param other the other positions
+   * @return the absolute difference, degrees
    */
   public double largestDifference(Axes other) {
     double largest = 0;

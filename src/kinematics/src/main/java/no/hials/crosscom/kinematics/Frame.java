@@ -1,11 +1,12 @@
 package no.hials.crosscom.kinematics;
 
 /**
- * Says where a coordinate system lies in another one, as KRL's type FRAME (krl.md 3): a position,
- * and an orientation made of three rotations, each about an axis that the one before has turned.
+ * The pose of a coordinate system in another coordinate system, like KRL's type FRAME: a position,
+ * and an orientation as three rotations, each about an axis that the previous rotation has turned
+ * (docs/reference/kinematics.md#orientation).
  *
- * <p>A frame keeps the angles that it is given. Those that a method returns have A and C above -180
- * and up to 180, B from -90 to 90, and at B = ±90, where A and C turn about the same axis, C = 0.
+ * <p>The constructor keeps its angles. Methods return A and C above -180 and up to 180 and B from
+ * -90 to 90; at B = ±90, where A and C turn about the same axis, they return C = 0.
  *
  * @param x the position along X, mm
  * @param y the position along Y, mm
@@ -15,10 +16,10 @@ package no.hials.crosscom.kinematics;
  * @param c the rotation about the new X, degrees
  */
 public record Frame(double x, double y, double z, double a, double b, double c) {
-  /** Lies where the other coordinate system lies ({@code $NULLFRAME}). */
+  /** The identity ({@code $NULLFRAME}). */
   public static final Frame IDENTITY = new Frame(0, 0, 0, 0, 0, 0);
 
-  /** Refuses a number that is not finite. */
+  /** Checks that the numbers are finite. */
   public Frame {
     Numbers.finite("X", x);
     Numbers.finite("Y", y);
@@ -29,38 +30,37 @@ public record Frame(double x, double y, double z, double a, double b, double c) 
   }
 
   /**
-   * Takes a frame that is given in this one to the coordinate system in which this one is given:
-   * KRL's geometric operator, {@code this:right}.
+   * Transforms a frame in this coordinate system to the reference of this frame: KRL's geometric
+   * operator, {@code this:right}.
    *
-   * @param right a frame in this one
-   * @return the same in the coordinate system of this one
+   * @param right a frame in this coordinate system
+   * @return the same pose in the reference of this frame
    */
   public Frame times(Frame right) {
     return Transform.of(this).times(Transform.of(right)).toFrame();
   }
 
   /**
-   * Says where the other coordinate system lies in this one.
+   * Returns the inverse: the reference of this frame in this coordinate system.
    *
-   * @return the frame with which this one makes {@link #IDENTITY}, from either side
+   * @return the frame whose product with this frame is {@link #IDENTITY}, on either side
    */
   public Frame inverse() {
     return Transform.of(this).inverse().toFrame();
   }
 
   /**
-   * Goes part of the way to another frame: the position on the straight line, the orientation about
-   * one fixed axis and the shorter way round. Between opposite orientations (180 degrees) both ways
-   * are as short; one of them is taken, always the same.
+   * Interpolates to another frame: the position on a straight line, the orientation about one fixed
+   * axis in the shorter direction. For orientations 180 degrees apart the direction is arbitrary
+   * but always the same.
    *
-   * @param to the frame at the end of the way
-   * @param s the part of the way, 0 (here) to 1 (there)
-   * @return the frame on the way
+   * @param to the frame for {@code s = 1}
+   * @param s 0 for this frame to 1 for {@code to}
    */
   public Frame interpolate(Frame to, double s) {
-    // The negation refuses NaN as well.
+    // The negation also refuses NaN.
     if (!(s >= 0 && s <= 1)) {
-      throw new IllegalArgumentException("the part of the way must be 0 to 1, is " + s);
+      throw new IllegalArgumentException("s must be 0 to 1, is " + s);
     }
     Transform from = Transform.of(this);
     Transform end = Transform.of(to);
@@ -72,9 +72,9 @@ public record Frame(double x, double y, double z, double a, double b, double c) 
   }
 
   /**
-   * Measures how far apart the positions of two frames are.
+   * Returns the distance to the position of another frame.
    *
-   * @param other the other frame, in the same coordinate system
+   * @param other the other frame, with the same reference
    * @return the distance, mm
    */
   public double distance(Frame other) {
@@ -82,10 +82,10 @@ public record Frame(double x, double y, double z, double a, double b, double c) 
   }
 
   /**
-   * Measures how far apart the orientations of two frames are.
+   * Returns the angle to the orientation of another frame.
    *
-   * @param other the other frame, in the same coordinate system
-   * @return the angle of the one rotation that leads from this to the other, 0 to 180 degrees
+   * @param other the other frame, with the same reference
+   * @return the angle of the rotation from this orientation to the other, 0 to 180 degrees
    */
   public double angle(Frame other) {
     return Transform.of(this).rotation().inverse().times(Transform.of(other).rotation()).angle();

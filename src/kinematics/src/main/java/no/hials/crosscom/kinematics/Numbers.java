@@ -1,6 +1,6 @@
 package no.hials.crosscom.kinematics;
 
-/** The checks of the records' constructors, and the range of an angle. */
+/** Checks of constructor arguments, and ranges of angles. */
 final class Numbers {
 
   private Numbers() {}
@@ -11,13 +11,13 @@ final class Numbers {
     }
   }
 
-  /** Gives the same angle in degrees, above -180 and up to 180, and 0 for -0. */
+  /** Returns the same angle in degrees, above -180 and up to 180, and 0 for -0. */
   static double normalised(double degrees) {
     double angle = Math.IEEEremainder(degrees, 360);
     return angle == -180 ? 180 : angle + 0.0;
   }
 
-  /** Gives the same angle in degrees, no further than 180 from another one. */
+  /** Returns the same angle in degrees, within 180 of another angle. */
   static double near(double degrees, double other) {
     return other + Math.IEEEremainder(degrees - other, 360);
   }

@@ -4,11 +4,12 @@ import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The geometry of an arm with an ortho-parallel base (A2 and A3 parallel, both square to A1) and a
- * spherical wrist (A4, A5 and A6 meet in the wrist centre), for which there is a closed solution.
+ * The geometry of an arm with an ortho-parallel base (A2 and A3 parallel, both perpendicular to A1)
+ * and a spherical wrist (A4, A5 and A6 intersect in the wrist centre). Its inverse kinematics has a
+ * closed solution.
  *
- * <p>Inside, an angle {@code theta} is {@code sign * (axis - offset)}: all are 0 with the arm
- * stretched upwards, and all turn by the right-hand rule.
+ * <p>Internally, an angle {@code theta} is {@code sign * (axis - offset)}: all are 0 with the arm
+ * stretched upwards, and all follow the right-hand rule.
  *
  * @param a1 from A1 to A2, forward, mm
  * @param a2 from A3 to the wrist centre, forward, mm
@@ -18,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * @param c3 from A3 to the wrist centre, up, mm
  * @param c4 from the wrist centre to the flange, up, mm
  * @param sign 1 or -1 for each axis
- * @param offset the axes with the arm stretched upwards, degrees
+ * @param offset the axis positions with the arm stretched upwards, degrees
  */
 record OrthoParallelArm(
     double a1,
@@ -30,28 +31,34 @@ record OrthoParallelArm(
     double c4,
     Axes sign,
     Axes offset) {
-  /** Bit 0 of the Status (krl.md 3): the wrist centre lies behind A1. */
+  /**
+   * Bit 0 of the Status: the wrist centre is after A1
+   * (docs/reference/kinematics.md#status-and-turn).
+   */
   static final int BEHIND = 1;
 
   /** Bit 1 of the Status: A3 is at or above the angle of the straight arm. */
   static final int ELBOW = 2;
 
   /**
-   * Bit 2 of the Status: A5 is negative. At 0 krl.md contradicts itself: section 3 sets the bit
-   * (marked U), section 2.1 has S 2 for the home position, which is followed.
+   * Bit 2 of the Status: A5 is negative. At A5 = 0 the sources disagree; the bit is clear here, as
+   * in the home position of a real controller.
    */
   static final int WRIST = 4;
 
   /**
-   * What a position may be off, mm: a REAL of KRL is a 32-bit float, and a frame that was read from
-   * a controller must still be reached by the axes that it was read with.
+   * The tolerance of a position, mm. A REAL is a 32-bit float, and the axes that were read with a
+   * frame must still reach it.
    */
   private static final double LENGTH_TOLERANCE = 1e-3;
 
-  /** So near to A5 = 0, A4 and A6 are one axis, degrees; above what a 32-bit float loses. */
+  /**
+   * This close to A5 = 0, A4 and A6 are one axis, degrees; more than the rounding of a 32-bit
+   * float.
+   */
   private static final double WRIST_SINGULARITY = 1e-4;
 
-  /** Gives the coordinate systems in which A1 to A6 turn, and last the flange. */
+  /** Returns the coordinate systems of A1 to A6, then of the flange. */
   Transform[] chain(Axes axes) {
     Transform one = Transform.IDENTITY.translate(0, 0, c1);
     Transform two = one.rotateZ(theta(axes, 0)).translate(a1, 0, 0);
@@ -63,7 +70,9 @@ record OrthoParallelArm(
     return new Transform[] {one, two, three, four, five, six, flange};
   }
 
-  /** Gives the axes' directions and levers in rows, per degree; the rows as the caller says. */
+  /**
+   * Returns the Jacobian, per degree, with the rows in the order of {@link RobotModel#jacobian}.
+   */
   double[][] jacobian(Axes axes) {
     Transform[] chain = chain(axes);
     Vector flange = chain[Axes.COUNT].position();
@@ -88,12 +97,14 @@ record OrthoParallelArm(
     return behind | elbow | wrist;
   }
 
-  /** Tells whether the wrist centre lies on A1, so that the front and the rear are the same. */
+  /** Returns whether the wrist centre is on A1, where front and rear are the same. */
   boolean overhead(Axes axes) {
     return Math.abs(forward(axes)) <= LENGTH_TOLERANCE;
   }
 
-  /** Says why the flange cannot get there; null if it can. Only {@link #BEHIND} matters. */
+  /**
+   * Returns why the flange is out of reach, or null. Of the Status only {@link #BEHIND} matters.
+   */
   @Nullable String outOfReach(Frame flange, int status) {
     Vector wrist = wristCentre(Transform.of(flange));
     double fromA1 = Math.hypot(wrist.x(), wrist.y());
@@ -117,9 +128,9 @@ record OrthoParallelArm(
   }
 
   /**
-   * Gives the one solution of a status, each angle above -180 and up to 180. The flange must be in
-   * reach. An angle that a singularity leaves free is taken from {@code free}: A1 if the wrist
-   * centre lies on A1, and A4 if A5 is 0.
+   * Returns the solution of a status, each angle above -180 and up to 180. The flange must be in
+   * reach. An angle that is free in a singularity is taken from {@code free}: A1 if the wrist
+   * centre is on A1, and A4 if A5 is 0.
    */
   Axes solve(Frame flange, int status, Axes free) {
     Transform target = Transform.of(flange);
@@ -151,14 +162,14 @@ record OrthoParallelArm(
   }
 
   /**
-   * Splits a rotation into those of A4, A5 and A6. The quaternion of Rz(4) Ry(5) Rz(6) is
+   * Splits a rotation into the rotations of A4, A5 and A6. The quaternion of Rz(4) Ry(5) Rz(6) is
    *
    * <pre>
    * w =  cos(5/2) cos((4+6)/2)     x = -sin(5/2) sin((4-6)/2)
    * z =  cos(5/2) sin((4+6)/2)     y =  sin(5/2) cos((4-6)/2)
    * </pre>
    *
-   * so that the sum and the difference of A4 and A6 can be read off.
+   * which shows the sum and the difference of A4 and A6.
    */
   private double[] wristAngles(Rotation hand, int status, double free4) {
     double theta5 =
@@ -175,7 +186,7 @@ record OrthoParallelArm(
     return new double[] {theta4, negative ? -theta5 : theta5, sum - theta4};
   }
 
-  /** Gives by how much the forearm is bent from the straight arm, in radians, by cosines' law. */
+  /** Returns the angle of the elbow from the straight arm, in radians, by the law of cosines. */
   private double bend(double fromA2, int status) {
     double cosine = (fromA2 * fromA2 - c2 * c2 - forearm() * forearm()) / (2 * c2 * forearm());
     double bend = Math.acos(Math.max(-1, Math.min(1, cosine)));
@@ -186,7 +197,7 @@ record OrthoParallelArm(
     return flange.translate(0, 0, -c4).position();
   }
 
-  /** Gives how far the wrist centre lies before A1, negative if behind, for these axes. */
+  /** Returns the distance of the wrist centre in front of A1 for these axes, negative after A1. */
   private double forward(Axes axes) {
     double theta2 = theta(axes, 1);
     double theta3 = theta(axes, 2) + forearmAngle();
@@ -195,7 +206,7 @@ record OrthoParallelArm(
         + forearm() * Math.sin(Math.toRadians(theta2 + theta3));
   }
 
-  /** Gives how far this wrist centre lies before A1, negative if behind, for this status. */
+  /** Returns the distance of a wrist centre in front of A1 for this status, negative after A1. */
   private double forward(Vector wrist, int status) {
     double fromA1 = Math.hypot(wrist.x(), wrist.y());
     double forward = Math.sqrt(Math.max(0, (fromA1 - b) * (fromA1 + b)));
@@ -206,7 +217,7 @@ record OrthoParallelArm(
     return Math.hypot(a2, c3);
   }
 
-  /** Gives the angle at A3 between the forearm's line and the line to the wrist centre, degrees. */
+  /** Returns the angle at A3 between the forearm and the line to the wrist centre, degrees. */
   private double forearmAngle() {
     return Math.toDegrees(Math.atan2(a2, c3));
   }
@@ -226,7 +237,7 @@ record OrthoParallelArm(
   private static String tooNear(double shortest, double actual, String axis) {
     return String.format(
         Locale.ROOT,
-        "the wrist centre is %.3f mm too near to %s, from which it keeps %.3f mm",
+        "the wrist centre is %.3f mm too close to %s, its minimum distance is %.3f mm",
         shortest - actual,
         axis,
         shortest);

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.DoublePredicate;
 
-/** A robot as a properties file has it. What is wrong is said with file, key, rule and value. */
+/** Reads a robot from a properties file. Error messages have the file, key, rule and value. */
 final class RobotFile {
   private static final Set<String> KEYS =
       Set.of(
@@ -40,7 +40,7 @@ final class RobotFile {
     try {
       properties.load(reader);
     } catch (IllegalArgumentException e) {
-      throw new IOException(file + ": a properties file is expected, found " + e.getMessage(), e);
+      throw new IOException(file + ": expected a properties file, found " + e.getMessage(), e);
     }
     RobotFile robot = new RobotFile(file, properties);
     for (String key : new TreeSet<>(properties.stringPropertyNames())) {
@@ -89,7 +89,7 @@ final class RobotFile {
         positive("c2"),
         positive("c3"),
         number("c4"),
-        axes("sign", "six times 1 or -1", sign -> Math.abs(sign) == 1),
+        axes("sign", "six numbers, each 1 or -1", sign -> Math.abs(sign) == 1),
         axes("offset"));
   }
 

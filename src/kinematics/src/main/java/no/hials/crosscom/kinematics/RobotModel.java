@@ -17,41 +17,40 @@ import no.hials.crosscom.kinematics.UnreachableException.Reason;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A six-axis robot: its geometry, limits, speeds and home, and the way from axis angles to the
- * flange and back. Immutable and safe for use by any number of threads.
+ * A six-axis robot: its geometry, limits, speeds and home position, and its forward and inverse
+ * kinematics. Immutable and thread-safe.
  *
- * <p>The robot is data: {@link #load(Path)} reads another one from a file in the format of {@code
- * kr6r900sixx.properties}, which lies beside this class and explains its keys. The flange is given
- * in {@code $ROBROOT}; the file's lengths are mm, all angles degrees. An axis index is 0 for A1 to
- * 5 for A6.
+ * <p>The robot is data: {@link #load(Path)} reads another robot from a file in the format of {@code
+ * kr6r900sixx.properties}, which is next to this class and explains its keys. The flange is in
+ * {@code $ROBROOT} coordinates; lengths are in mm and angles in degrees. An axis index is 0 for A1
+ * to 5 for A6.
  *
- * <p>In a singularity some axis angle is free; {@code $SINGUL_POS} is 0 in krl.md 2, and what that
- * means is assumed: going to a frame by Status and Turn, A1 is 0 if the wrist centre lies on A1
- * (within 0.001 mm), and A4 is 0 if A5 is 0 (within 0.0001 degrees). On a path the angle stays as
- * it is.
+ * <p>In a singularity an axis angle is free. With Status and Turn, A1 is then 0 if the wrist centre
+ * is on A1 (within 0.001 mm), and A4 is 0 if A5 is 0 (within 0.0001 degrees); this meaning of
+ * {@code $SINGUL_POS} = 0 is assumed. On a path the angle stays the same.
  */
 public final class RobotModel {
   private static final String KR6R900SIXX = "kr6r900sixx.properties";
 
-  /** The bits of the Status that have a meaning; bit 4 (absolutely accurate) is of no use here. */
+  /** The bits of the Status; bit 4 (absolutely accurate robot) is accepted and ignored. */
   private static final int STATUS_BITS = 0b10111;
 
   private static final int TURN_BITS = 0b111111;
 
-  /** The Statuses with different solutions: bits 0 to 2. */
+  /** The number of Statuses with different solutions: bits 0 to 2. */
   private static final int SOLUTIONS = 8;
 
-  /** Two solutions no further apart than this, degrees, are one. */
+  /** Solutions within this distance, degrees, are the same. */
   private static final double SAME = 1e-6;
 
   /**
-   * So near to 0, degrees, an axis fits either bit of the Turn: a frame that was read as 32-bit
-   * floats must not send an axis that was at 0 once round. Assumed.
+   * This close to 0, degrees, an axis fits either bit of the Turn: a frame that was read as 32-bit
+   * floats must not turn an axis at 0 by a full revolution. Assumed.
    */
   private static final double TURN_TOLERANCE = 0.01;
 
   /**
-   * So little beyond a limit, degrees, an axis is at the limit: again, frames are 32-bit floats.
+   * This close beyond a limit, degrees, an axis is at the limit, since frames are 32-bit floats.
    */
   private static final double LIMIT_TOLERANCE = 1e-4;
 
@@ -81,15 +80,14 @@ public final class RobotModel {
   }
 
   /**
-   * Gives the KR 6 R900 sixx (krl.md 3). Its accelerations are assumed.
-   *
-   * @return the model
+   * Returns the KR 6 R900 sixx (docs/reference/kinematics.md#kr-6-r900-sixx). Its accelerations are
+   * assumed.
    */
   public static RobotModel kr6r900sixx() {
     return Kr6R900Sixx.MODEL;
   }
 
-  /** Reads the file when it is asked for the first time. */
+  /** Reads the file on first use. */
   private static final class Kr6R900Sixx {
     static final RobotModel MODEL = read();
 
@@ -108,9 +106,8 @@ public final class RobotModel {
    * Reads a model from a file.
    *
    * @param file a properties file in UTF-8
-   * @return the model
-   * @throws IOException if the file cannot be read, or is not a model: the message then has the
-   *     file, the key, what is expected and what was found
+   * @throws IOException if the file cannot be read or is not a model; the message then has the
+   *     file, the key, and the expected and actual value
    */
   public static RobotModel load(Path file) throws IOException {
     try (BufferedReader reader = Files.newBufferedReader(file)) {
@@ -122,35 +119,26 @@ public final class RobotModel {
    * Reads a model.
    *
    * @param reader the text of a properties file; not closed
-   * @param nameForErrors what messages call the file
-   * @return the model
-   * @throws IOException if the text cannot be read, or is not a model: the message then has the
-   *     file, the key, what is expected and what was found
+   * @param nameForErrors the name of the file in messages
+   * @throws IOException if the text cannot be read or is not a model; the message then has the
+   *     file, the key, and the expected and actual value
    */
   public static RobotModel load(Reader reader, String nameForErrors) throws IOException {
     return RobotFile.read(reader, nameForErrors).toModel();
   }
 
-  /**
-   * Names the robot.
-   *
-   * @return the name, as "KR 6 R900 sixx"
-   */
+  /** Returns the name of the robot, such as "KR 6 R900 sixx". */
   public String name() {
     return name;
   }
 
-  /**
-   * Gives where the robot stands at first.
-   *
-   * @return the home position
-   */
+  /** Returns the home position, where a simulated robot starts. */
   public Axes home() {
     return home;
   }
 
   /**
-   * Gives the lower software limit of an axis.
+   * Returns the lower software limit of an axis.
    *
    * @param axis 0 for A1 to 5 for A6
    * @return the smallest angle allowed, degrees
@@ -160,7 +148,7 @@ public final class RobotModel {
   }
 
   /**
-   * Gives the upper software limit of an axis.
+   * Returns the upper software limit of an axis.
    *
    * @param axis 0 for A1 to 5 for A6
    * @return the largest angle allowed, degrees
@@ -170,7 +158,7 @@ public final class RobotModel {
   }
 
   /**
-   * Gives the highest speed of an axis.
+   * Returns the highest speed of an axis.
    *
    * @param axis 0 for A1 to 5 for A6
    * @return the speed, degrees/s
@@ -180,7 +168,7 @@ public final class RobotModel {
   }
 
   /**
-   * Gives the highest acceleration of an axis, for speeding up and for slowing down.
+   * Returns the highest acceleration of an axis, for speeding up and for slowing down.
    *
    * @param axis 0 for A1 to 5 for A6
    * @return the acceleration, degrees/s²
@@ -190,12 +178,11 @@ public final class RobotModel {
   }
 
   /**
-   * Changes the software limits ({@code $SOFTN_END}, {@code $SOFTP_END}); home may then lie outside
-   * of them.
+   * Returns this robot with other software limits ({@code $SOFTN_END}, {@code $SOFTP_END}). Home
+   * may be outside them.
    *
    * @param minimum the smallest angles allowed, degrees
    * @param maximum the largest angles allowed, degrees
-   * @return the same robot with these limits
    */
   public RobotModel withLimits(Axes minimum, Axes maximum) {
     for (int axis = 0; axis < Axes.COUNT; axis++) {
@@ -203,7 +190,7 @@ public final class RobotModel {
         throw new IllegalArgumentException(
             String.format(
                 Locale.ROOT,
-                "the limits of A%d must be a minimum below a maximum, are %s and %s",
+                "the minimum of A%d must be less than its maximum, are %s and %s",
                 axis + 1,
                 minimum.get(axis),
                 maximum.get(axis)));
@@ -213,21 +200,21 @@ public final class RobotModel {
   }
 
   /**
-   * Finds the axes that are outside their software limits; at a limit is inside.
+   * Returns the axes that are outside their software limits; an axis at its limit is inside.
    *
-   * @param axes the axes to check
-   * @return the indices of those outside, ascending: 0 for A1 to 5 for A6
+   * @param axes the positions to check
+   * @return the indices of the axes, ascending: 0 for A1 to 5 for A6
    */
   public List<Integer> axesOutsideLimits(Axes axes) {
     return axesOutsideLimits(axes, 0);
   }
 
   /**
-   * Finds the axes that do not keep a distance from their software limits.
+   * Returns the axes that are outside their software limits or closer to them than a margin.
    *
-   * @param axes the axes to check
-   * @param margin the distance to keep, degrees
-   * @return the indices of those that do not, ascending: 0 for A1 to 5 for A6
+   * @param axes the positions to check
+   * @param margin the margin, degrees
+   * @return the indices of the axes, ascending: 0 for A1 to 5 for A6
    */
   public List<Integer> axesOutsideLimits(Axes axes, double margin) {
     Numbers.finite("margin", margin);
@@ -242,9 +229,9 @@ public final class RobotModel {
   }
 
   /**
-   * Computes where the flange is.
+   * Returns the pose of the flange.
    *
-   * @param axes the axes, inside their limits or not
+   * @param axes the positions, inside their limits or not
    * @return the flange in {@code $ROBROOT}
    */
   public Frame forward(Axes axes) {
@@ -252,12 +239,11 @@ public final class RobotModel {
   }
 
   /**
-   * Computes the Status (krl.md 3): bit 0 is set if the wrist centre lies behind A1, bit 1 if A3 is
-   * at or above the angle of the straight arm, bit 2 if A5 is negative (at 0 krl.md 2.1 is
-   * followed, whose home position has S 2, and not krl.md 3, which marks its rule U). So home has S
-   * 6; the {@code $POS_ACT} of krl.md 2, computed as well, has S 2 there.
+   * Returns the Status: bit 0 is set if the wrist centre is after A1, bit 1 if A3 is at or above
+   * the angle of the straight arm, bit 2 if A5 is negative
+   * (docs/reference/kinematics.md#status-and-turn).
    *
-   * @param axes the axes
+   * @param axes the positions
    * @return KRL's S, 0 to 7
    */
   public int status(Axes axes) {
@@ -265,9 +251,9 @@ public final class RobotModel {
   }
 
   /**
-   * Computes the Turn (krl.md 3): bit n is set if axis n+1 is negative.
+   * Returns the Turn: bit n is set if axis n+1 is negative.
    *
-   * @param axes the axes
+   * @param axes the positions
    * @return KRL's T, 0 to 63
    */
   public int turn(Axes axes) {
@@ -281,11 +267,12 @@ public final class RobotModel {
   }
 
   /**
-   * Finds all solutions, whatever the limits. Solutions that meet in a singularity are one.
+   * Returns all inverse solutions, ignoring the limits. Solutions that coincide in a singularity
+   * are returned once.
    *
    * @param flange the flange in {@code $ROBROOT}
    * @return up to eight solutions in the order of their Status, each angle above -180 and up to 180
-   *     degrees; none if the flange is out of reach
+   *     degrees; empty if the flange is out of reach
    */
   public List<Axes> inverse(Frame flange) {
     List<Axes> solutions = new ArrayList<>();
@@ -301,15 +288,15 @@ public final class RobotModel {
   }
 
   /**
-   * Finds the axes for a frame with Status and Turn, as PTP does. An axis whose bit is set in the
-   * Turn is below 0 and above -360, another is from 0 to below 360; but an axis within 0.01 degrees
-   * of 0 fits either bit. An axis up to 0.0001 degrees beyond a limit is at the limit.
+   * Returns the axis positions for a frame with Status and Turn, as PTP does. An axis whose Turn
+   * bit is set is above -360 and below 0; other axes are from 0 to below 360. An axis within 0.01
+   * degrees of 0 fits either bit. An axis up to 0.0001 degrees beyond a limit is set to the limit.
    *
    * @param flange the flange in {@code $ROBROOT}
    * @param status KRL's S; bit 4 is ignored
    * @param turn KRL's T
-   * @return the axes, inside their limits
-   * @throws UnreachableException if there are none
+   * @return the positions, inside their limits
+   * @throws UnreachableException without a solution
    */
   public Axes inverse(Frame flange, int status, int turn) throws UnreachableException {
     requireBits("Status", status, STATUS_BITS);
@@ -326,15 +313,15 @@ public final class RobotModel {
   }
 
   /**
-   * Finds the axes that are nearest to others, as LIN and CIRC do from one point of the path to the
-   * next: bits 0 and 1 of the Status stay (krl.md 3, marked U), and every axis is within 180
-   * degrees of where it was. Assumed: bit 2 may change, so that a path through A5 = 0 goes on with
-   * A5 on the other side and A4 where it was; so may bit 0 if the wrist centre was on A1.
+   * Returns the axis positions that are nearest to other positions, as LIN and CIRC do from one
+   * point of the path to the next. Bits 0 and 1 of the Status stay the same, and every axis stays
+   * within 180 degrees. Assumed: bit 2 may change, so that a path through A5 = 0 continues with A5
+   * on the other side and A4 unchanged; bit 0 may change if the wrist centre was on A1.
    *
    * @param flange the flange in {@code $ROBROOT}
-   * @param near the axes before, inside their limits or not
-   * @return the axes, inside their limits
-   * @throws UnreachableException if there are none
+   * @param near the previous positions, inside their limits or not
+   * @return the positions, inside their limits
+   * @throws UnreachableException without a solution
    */
   public Axes inverse(Frame flange, Axes near) throws UnreachableException {
     int side = arm.status(near) & ~OrthoParallelArm.WRIST;
@@ -350,13 +337,12 @@ public final class RobotModel {
   }
 
   /**
-   * Computes how the flange moves when the axes turn.
+   * Returns the Jacobian matrix: the velocity of the flange per axis velocity.
    *
-   * @param axes the axes
-   * @return a matrix of six rows, with a column for each axis: what the axis, turned with 1
-   *     degree/s, adds to the velocity of the flange's origin along X, Y and Z (rows 0 to 2, mm/s)
-   *     and to the flange's rotation about X, Y and Z (rows 3 to 5, degrees/s), all directions
-   *     being those of {@code $ROBROOT}
+   * @param axes the positions
+   * @return six rows with a column for each axis: the velocity of the flange along X, Y and Z (rows
+   *     0 to 2, mm/s) and about X, Y and Z (rows 3 to 5, degrees/s) at 1 degree/s of the axis, in
+   *     the directions of {@code $ROBROOT}
    */
   public double[][] jacobian(Axes axes) {
     return arm.jacobian(axes);
@@ -378,7 +364,7 @@ public final class RobotModel {
     return other.largestDifference(near) < one.largestDifference(near) ? other : one;
   }
 
-  /** Takes each axis to the revolution in which it is within 180 degrees of another. */
+  /** Moves each axis by full revolutions until it is within 180 degrees of another position. */
   private static Axes around(Axes axes, Axes near) {
     double[] six = axes.toArray();
     for (int axis = 0; axis < six.length; axis++) {
@@ -417,7 +403,7 @@ public final class RobotModel {
           Reason.STATUS_OR_TURN,
           String.format(
               Locale.ROOT,
-              "no such %s: it has the bits %s, is %d",
+              "%s has only the bits %s, is %d",
               what,
               Integer.toBinaryString(bits),
               value));

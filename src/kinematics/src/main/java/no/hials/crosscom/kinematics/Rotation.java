@@ -1,8 +1,8 @@
 package no.hials.crosscom.kinematics;
 
 /**
- * A rotation, as a unit quaternion: of all forms the one in which the way between two rotations and
- * the angles of a wrist are exact near every singularity.
+ * A rotation as a unit quaternion, which keeps interpolation and wrist angles exact near every
+ * singularity.
  */
 record Rotation(double w, double x, double y, double z) {
   static final Rotation NONE = new Rotation(1, 0, 0, 0);
@@ -40,12 +40,12 @@ record Rotation(double w, double x, double y, double z) {
     return v.plus(twice.times(w)).plus(axis.cross(twice));
   }
 
-  /** Gives the angle of the rotation, 0 to 180 degrees. */
+  /** Returns the angle of the rotation, 0 to 180 degrees. */
   double angle() {
     return Math.toDegrees(2 * Math.atan2(sineOfHalf(), Math.abs(w)));
   }
 
-  /** Gives the same axis and the given part of the angle, the shorter way round. */
+  /** Returns a rotation about the same axis by a part of the angle, in the shorter direction. */
   Rotation part(double s) {
     double sine = sineOfHalf();
     if (sine == 0) {

@@ -1,12 +1,12 @@
 package no.hials.crosscom.kinematics;
 
-/** A coordinate system in another one: what a {@link Frame} says, in the form to reckon with. */
+/** A {@link Frame} as a vector and a quaternion, for computing. */
 record Transform(Vector position, Rotation rotation) {
   static final Transform IDENTITY = new Transform(Vector.ZERO, Rotation.NONE);
 
   /**
-   * So near to B = ±90 (cosine of B), A and C are one angle. Wide enough for what products of
-   * rotations lose, and far below what a REAL of KRL can say.
+   * This close to B = ±90 (cosine of B), A and C are one angle. More than the rounding errors of
+   * products of rotations, and far below the resolution of a REAL.
    */
   private static final double GIMBAL_LOCK = 1e-9;
 
@@ -40,7 +40,7 @@ record Transform(Vector position, Rotation rotation) {
     return new Transform(position, rotation.times(Rotation.aboutZ(degrees)));
   }
 
-  /** Extracts A, B, C as krl.md 3 has it, from the matrix of the quaternion. */
+  /** Extracts A, B and C from the matrix of the quaternion. */
   Frame toFrame() {
     double w = rotation.w();
     double x = rotation.x();
@@ -51,8 +51,8 @@ record Transform(Vector position, Rotation rotation) {
     double sineOfB = 2 * (w * y - x * z);
     double cosineOfB = Math.hypot(r11, r21);
     if (cosineOfB < GIMBAL_LOCK) {
-      // krl.md 3 leaves the choice of A or C open, KSS's is not known. C = 0 is assumed: at home
-      // with A1 turned, the frame then shows the turn of A1 in A.
+      // The choice of KSS between A and C is not known. C = 0 is assumed: at home with A1 turned, A
+      // then shows the angle of A1.
       double r12 = 2 * (x * y - w * z);
       double r22 = 1 - 2 * (x * x + z * z);
       return frame(Math.atan2(-r12, r22), Math.copySign(Math.PI / 2, sineOfB), 0);
@@ -62,7 +62,7 @@ record Transform(Vector position, Rotation rotation) {
     return frame(Math.atan2(r21, r11), Math.atan2(sineOfB, cosineOfB), Math.atan2(r32, r33));
   }
 
-  /** Makes a frame of the angles, given in radians, without -0 anywhere. */
+  /** Creates a frame from angles in radians; never -0. */
   private Frame frame(double a, double b, double c) {
     return new Frame(
         position.x() + 0.0,

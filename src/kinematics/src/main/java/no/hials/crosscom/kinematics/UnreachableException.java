@@ -1,16 +1,16 @@
 package no.hials.crosscom.kinematics;
 
-/** Says why a robot cannot bring its flange to a frame. */
+/** Thrown if a robot cannot reach a frame with its flange. */
 public final class UnreachableException extends Exception {
   private static final long serialVersionUID = 1;
 
-  /** The rules that a frame can break. */
+  /** The reasons why a frame cannot be reached. */
   public enum Reason {
-    /** The wrist centre is too far away, or too near. */
+    /** The wrist centre is too far away or too close. */
     REACH,
-    /** An axis would have to pass its software limit. */
+    /** An axis would exceed its software limit. */
     AXIS_LIMIT,
-    /** The Status or the Turn is not a number that says something. */
+    /** The Status or the Turn has bits without a meaning. */
     STATUS_OR_TURN
   }
 
@@ -21,11 +21,7 @@ public final class UnreachableException extends Exception {
     this.reason = reason;
   }
 
-  /**
-   * Names the rule that is broken; the message has the numbers.
-   *
-   * @return the rule
-   */
+  /** Returns the reason; the message has the numbers. */
   public Reason reason() {
     return reason;
   }

@@ -1,6 +1,6 @@
 package no.hials.crosscom.kinematics;
 
-/** A point or a direction in space; a point in mm. */
+/** A point in space, mm, or a direction. */
 record Vector(double x, double y, double z) {
   static final Vector ZERO = new Vector(0, 0, 0);
   static final Vector Y = new Vector(0, 1, 0);

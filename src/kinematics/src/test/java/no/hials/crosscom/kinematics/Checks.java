@@ -2,7 +2,7 @@ package no.hials.crosscom.kinematics;
 
 import org.junit.jupiter.params.aggregator.ArgumentsAccessor;
 
-/** What several tests need: rows of a table, and differences of angles. */
+/** Shared by several tests: rows of a table, and differences of angles. */
 final class Checks {
 
   private Checks() {}
@@ -16,7 +16,7 @@ final class Checks {
     return new Frame(six[0], six[1], six[2], six[3], six[4], six[5]);
   }
 
-  /** Gives the angle between two directions, so that 180 and -180 are the same. */
+  /** Returns the angle between two directions; 180 and -180 are the same. */
   static double turnBetween(double one, double other) {
     return Math.abs(Math.IEEEremainder(one - other, 360));
   }

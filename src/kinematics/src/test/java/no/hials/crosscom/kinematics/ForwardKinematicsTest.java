@@ -39,7 +39,7 @@ final class ForwardKinematicsTest {
 
   @Test
   void showsTheTurnOfA1InAWhenTheFlangePointsForward() {
-    // B = 90: A and C cannot be told apart, C = 0 is the choice.
+    // B = 90: A and C are one angle, and C = 0 is chosen.
     Frame flange = ROBOT.forward(ROBOT.home().with(0, 30));
 
     assertThat(flange.a()).isCloseTo(-30, within(1e-9));

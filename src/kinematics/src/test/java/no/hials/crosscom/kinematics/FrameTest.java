@@ -25,7 +25,7 @@ final class FrameTest {
 
   @ParameterizedTest
   @CsvSource({
-    // Each about one axis: the next axis goes where the right-hand rule takes it.
+    // Each about one axis, by the right-hand rule.
     "90, 0, 0, 0, 1, 0",
     "0, 90, 0, 0, 0, -1",
     "0, 0, 90, 1, 0, 0",
@@ -76,7 +76,7 @@ final class FrameTest {
     "190, 0, 0, -170, 0, 0",
     "-180, 0, 0, 180, 0, 0",
     "0, 100, 0, 180, 80, 180",
-    // B = 90: C - A is all that matters; C = 0
+    // B = 90: only C - A matters; C = 0
     "10, 90, 30, -20, 90, 0",
     "10, -90, 30, 40, -90, 0"
   })
@@ -127,7 +127,7 @@ final class FrameTest {
   void refusesAPartOutsideTheWay(double s) {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> Frame.IDENTITY.interpolate(SOME, s))
-        .withMessage("the part of the way must be 0 to 1, is " + s);
+        .withMessage("s must be 0 to 1, is " + s);
   }
 
   @ParameterizedTest
@@ -163,7 +163,7 @@ final class FrameTest {
 
   private static void assertSame(Frame actual, Frame expected) {
     assertThat(actual.distance(expected)).isLessThan(1e-9);
-    // Near B = 90 the choice of A and C may lose so much.
+    // The choice of A and C near B = 90 may lose this much.
     assertThat(actual.angle(expected)).isLessThan(1e-6);
   }
 }

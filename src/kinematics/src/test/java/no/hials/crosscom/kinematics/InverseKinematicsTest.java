@@ -16,7 +16,7 @@ final class InverseKinematicsTest {
 
   @ParameterizedTest
   @CsvSource({
-    // Each bit at either side of where it changes.
+    // Each bit on both sides of its change.
     "0, -90, 4.77, 0, 10, 0, 2",
     "0, -90, 4.76, 0, 10, 0, 0",
     "0, -90, 90, 0, 0.1, 0, 2",
@@ -73,7 +73,7 @@ final class InverseKinematicsTest {
 
   @Test
   void anAxisAtZeroFitsEitherBitOfTheTurn() throws Exception {
-    // What a REAL loses can make a negative angle of 0, but must not send the axis once round.
+    // The rounding of a REAL can make 0 negative, but must not turn the axis by a full revolution.
     Frame flange = KR6.forward(BENT.with(5, -0.009));
 
     assertThat(KR6.inverse(flange, KR6.status(BENT), 0b000010).a6())
@@ -107,7 +107,8 @@ final class InverseKinematicsTest {
 
     Axes found = KR6.inverse(read, KR6.status(axes), KR6.turn(axes));
 
-    // At A3 = 4.8, all but straight, the elbow makes much of little.
+    // At A3 = 4.8 the arm is almost straight, and small errors of the frame are large for the
+    // elbow.
     assertThat(found.largestDifference(axes)).isLessThan(a3 > 5 ? 1e-4 : 0.05);
   }
 
@@ -126,7 +127,7 @@ final class InverseKinematicsTest {
 
   @Test
   void saysByHowMuchAFrameIsBeyondReach() {
-    // The wrist centre on the level of A2, 10 mm further than the arm is long.
+    // The wrist centre is at the height of A2, 10 mm beyond the length of the arm.
     double reach = 25 + 455 + Math.hypot(420, 35);
     Frame flange = new Frame(reach + 10 + 80, 0, 400, 0, 90, 0);
 
@@ -150,7 +151,8 @@ final class InverseKinematicsTest {
 
     assertThatExceptionOfType(UnreachableException.class)
         .isThrownBy(() -> KR6.inverse(flange, 2, 2))
-        .withMessage("the wrist centre is 20.088 mm too near to A2, from which it keeps 33.544 mm");
+        .withMessage(
+            "the wrist centre is 20.088 mm too close to A2, its minimum distance is 33.544 mm");
   }
 
   @Test
@@ -159,14 +161,15 @@ final class InverseKinematicsTest {
 
     assertThatExceptionOfType(UnreachableException.class)
         .isThrownBy(() -> Robots.INVENTED.inverse(flange, 2, 0))
-        .withMessage("the wrist centre is 10.000 mm too near to A1, from which it keeps 15.000 mm");
+        .withMessage(
+            "the wrist centre is 10.000 mm too close to A1, its minimum distance is 15.000 mm");
   }
 
   @ParameterizedTest
   @CsvSource({
-    "8, 2, 'no such Status: it has the bits 10111, is 8'",
-    "-1, 2, 'no such Status: it has the bits 10111, is -1'",
-    "2, 64, 'no such Turn: it has the bits 111111, is 64'"
+    "8, 2, 'Status has only the bits 10111, is 8'",
+    "-1, 2, 'Status has only the bits 10111, is -1'",
+    "2, 64, 'Turn has only the bits 111111, is 64'"
   })
   void refusesAStatusOrTurnThatIsNone(int status, int turn, String message) {
     Frame flange = KR6.forward(KR6.home());
@@ -179,7 +182,7 @@ final class InverseKinematicsTest {
 
   @Test
   void ignoresTheStatusBitOfAnAbsolutelyAccurateRobot() throws Exception {
-    // krl.md 3 has a sample with S 18.
+    // A sample has S 18 (docs/reference/kinematics.md#status-and-turn).
     Frame flange = KR6.forward(BENT);
 
     assertThat(KR6.inverse(flange, 18, KR6.turn(BENT)))
@@ -221,7 +224,7 @@ final class InverseKinematicsTest {
 
   @Test
   void aPathNeverChangesTheElbow() throws Exception {
-    // The other elbow's solution is the target itself, and near.
+    // The solution with the other elbow is near.
     Axes start = Axes.of(0, -60, Robots.STRAIGHT + 8, 0, 50, 0);
     Axes other = Axes.of(0, -52, Robots.STRAIGHT - 8, 0, 58, 0);
 

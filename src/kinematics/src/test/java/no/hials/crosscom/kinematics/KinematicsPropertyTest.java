@@ -12,13 +12,13 @@ final class KinematicsPropertyTest {
   /** A robot and a position inside its limits. */
   record Pose(RobotModel robot, Axes axes) {
 
-    /** Tells whether no solution for the flange, this one or another, is near a singularity. */
+    /** Returns whether all solutions for the flange are away from singularities. */
     boolean isRegular() {
       return robot.inverse(robot.forward(axes)).stream()
           .allMatch(solution -> Math.abs(determinant(robot.jacobian(solution))) > 1);
     }
 
-    /** Reduces the matrix to a triangle, of which the determinant is the diagonal's product. */
+    /** Reduces the matrix to a triangle; its determinant is the product of the diagonal. */
     private static double determinant(double[][] matrix) {
       double product = 1;
       for (int i = 0; i < matrix.length; i++) {
@@ -126,7 +126,7 @@ final class KinematicsPropertyTest {
         });
   }
 
-  /** Gives the column of an axis: mm and degrees by which the flange moves per degree. */
+  /** Returns the column of an axis: the motion of the flange in mm and degrees per degree. */
   private static double[] centralDifference(Pose pose, int axis) {
     double step = 0.001;
     double angle = pose.axes().get(axis);
@@ -159,7 +159,7 @@ final class KinematicsPropertyTest {
   }
 
   private static double axis(Random random, RobotModel robot, int axis) {
-    // Within one turn: what Status and Turn can say.
+    // Within one revolution, the range of Status and Turn.
     double minimum = Math.max(-359, robot.minimum(axis));
     double maximum = Math.min(359, robot.maximum(axis));
     return Samples.between(random, minimum, maximum);

@@ -25,7 +25,7 @@ final class RobotModelTest {
   @Test
   void anotherModelIsAFile() {
     RobotModel robot = Robots.INVENTED;
-    // The arm stretched upwards: A1 to A6 at the file's offsets.
+    // The arm stretched upwards: A1 to A6 at the offsets of the file.
     Frame stretched = robot.forward(Axes.of(10, -90, 90, 5, 0, -20));
 
     assertThat(robot.name()).isEqualTo("Invented R700");
@@ -46,7 +46,7 @@ final class RobotModelTest {
         "c2; 0; c2: expected a number above 0, found 0",
         "c3; -420; c3: expected a number above 0, found -420",
         "offset; 0 -90 0 0 0; offset: expected six numbers, found 0 -90 0 0 0",
-        "sign; 1 1 1 1 1 2; sign: expected six times 1 or -1, found 2",
+        "sign; 1 1 1 1 1 2; sign: expected six numbers, each 1 or -1, found 2",
         "speed; 1 1 -1 1 1 1; speed: expected six numbers above 0, found -1",
         "acceleration; 1 1 1 1 1 0; acceleration: expected six numbers above 0, found 0",
         "minimum; 0 45 0 0 0 0; minimum: expected less than the maximum of A2, 45.0, found 45.0",
@@ -66,7 +66,7 @@ final class RobotModelTest {
   void namesTheFileThatIsNoPropertiesFile() {
     assertThatIOException()
         .isThrownBy(() -> RobotModel.load(new StringReader("name = \\u12"), "mine.properties"))
-        .withMessageStartingWith("mine.properties: a properties file is expected, found ");
+        .withMessageStartingWith("mine.properties: expected a properties file, found ");
   }
 
   @Test
@@ -117,10 +117,10 @@ final class RobotModelTest {
   void refusesLimitsThatLeaveNoRoom() {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> KR6.withLimits(Axes.ZERO, Axes.of(1, 1, 0, 1, 1, 1)))
-        .withMessage("the limits of A3 must be a minimum below a maximum, are 0.0 and 0.0");
+        .withMessage("the minimum of A3 must be less than its maximum, are 0.0 and 0.0");
   }
 
-  /** Gives the text of the KR 6 R900 sixx with one key changed, or left out. */
+  /** Returns the file of the KR 6 R900 sixx with one key changed or omitted. */
   private static String changed(String key, String value) throws IOException {
     Properties properties = new Properties();
     try (InputStream file = RobotModel.class.getResourceAsStream("kr6r900sixx.properties")) {

@@ -5,12 +5,12 @@ import java.net.URISyntaxException;
 import java.nio.file.Path;
 import java.util.Objects;
 
-/** The two robots of the tests. */
+/** The robots of the tests. */
 final class Robots {
   static final RobotModel KR6 = RobotModel.kr6r900sixx();
   static final RobotModel INVENTED = invented();
 
-  /** A3 of the KR 6 R900 sixx with the arm straight: atan(35/420), krl.md 3. */
+  /** A3 of the KR 6 R900 sixx with the arm straight: atan(35/420). */
   static final double STRAIGHT = Math.toDegrees(Math.atan2(35, 420));
 
   private Robots() {}

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 final class SingularityTest {
 
-  /** A5 = 0: only the sum of A4 and A6 says where the flange is. */
+  /** A5 = 0: only the sum of A4 and A6 determines the flange. */
   private static final Axes WRIST = Axes.of(20, -80, 100, 30, 0, 40);
 
   /** The wrist centre 800 mm above A2's level, on A1, and the flange 80 mm above it. */
@@ -85,7 +85,7 @@ final class SingularityTest {
     Axes straight = Axes.of(10, -40, Robots.STRAIGHT, 0, 30, 0);
     Frame flange = KR6.forward(straight);
 
-    // Where the arm is straight, the error of A3 is the square root of what doubles lose.
+    // With a straight arm the error of A3 is the square root of the rounding error.
     assertThat(KR6.inverse(flange, 2, 2).largestDifference(straight)).isLessThan(1e-4);
     assertThat(KR6.inverse(flange, straight).largestDifference(straight)).isLessThan(1e-4);
     assertThat(KR6.inverse(flange)).allSatisfy(axes -> assertBringsBack(axes, flange));
@@ -105,7 +105,7 @@ final class SingularityTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 90, 180, -180, 1e-9, 1e300})
   void noPoseGivesANumberThatIsNone(double angle) {
-    // Frame and Axes refuse NaN, so a result is all finite.
+    // Frame and Axes refuse NaN, so results are finite.
     for (int axis = 0; axis < 6; axis++) {
       Axes axes = Axes.ZERO.with(axis, angle);
       for (RobotModel robot : new RobotModel[] {KR6, INVENTED}) {
@@ -120,7 +120,7 @@ final class SingularityTest {
 
   @Test
   void aFlangeTurnedFullyBackHasSolutions() {
-    // A5 = 180, which no limits allow: only the difference of A4 and A6 matters.
+    // A5 = 180, outside the limits of every robot: only the difference of A4 and A6 matters.
     Frame flange = KR6.forward(Axes.of(20, -80, 100, 30, 180, 40));
 
     assertThat(KR6.inverse(flange)).hasSize(8).allSatisfy(axes -> assertBringsBack(axes, flange));

@@ -7,9 +7,9 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.control.OperatingMode;
 import no.hials.crosscom.control.Safety;
 import no.hials.crosscom.kinematics.Axes;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -46,7 +46,7 @@ final class Cell implements Closeable {
     MockServer mock = MockServer.start();
     Controller controller = mock.controller();
     controller.load(KrlFolder.file("config.dat"));
-    controller.setMode(no.hials.crosscom.mock.OperatingMode.AUT);
+    controller.setMode(no.hials.crosscom.simulator.OperatingMode.AUT);
     controller.place(START);
     controller.submit().select(controller.load(KrlFolder.file("jov_sps.sub")));
     controller.submit().start();

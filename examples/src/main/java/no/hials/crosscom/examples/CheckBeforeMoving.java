@@ -9,10 +9,10 @@ import no.hials.crosscom.KRL.KRLReal;
 import no.hials.crosscom.KRL.KRLString;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.VariableResult;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.SimulationClock;
 
 /**
  * Checks mode, program and limits before it moves the robot, and whether it has arrived. {@code
@@ -40,7 +40,7 @@ public final class CheckBeforeMoving {
       }
       return;
     }
-    try (MockServer robot = MockServer.start(cfg -> cfg.clock(Clock.unlimited()));
+    try (MockServer robot = MockServer.start(cfg -> cfg.clock(SimulationClock.unlimited()));
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       Controller controller = robot.controller();
       controller.load(KrlFolder.file("config.dat"));

@@ -12,7 +12,7 @@ import no.hials.crosscom.control.LoopStatistics.TrackingError;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.kinematics.Frame;
-import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.simulator.KrlFileException;
 
 /**
  * Moves the tool along a circle by a law that says where it is to be at each time. {@code

@@ -12,7 +12,7 @@ import no.hials.crosscom.control.Trace;
 import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.control.input.Input;
 import no.hials.crosscom.control.input.InputDevice;
-import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.simulator.KrlFileException;
 import org.jspecify.annotations.Nullable;
 
 /**

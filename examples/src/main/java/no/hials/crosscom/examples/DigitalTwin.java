@@ -11,9 +11,9 @@ import no.hials.crosscom.VariableResult;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.SimulationClock;
 
 /**
  * Keeps a model of the robot where the robot is: it computes the flange from the axes, and compares
@@ -46,7 +46,7 @@ public final class DigitalTwin {
       }
       return;
     }
-    try (MockServer robot = MockServer.start(cfg -> cfg.clock(Clock.stepped()));
+    try (MockServer robot = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       String program = "DEF GO ( )\n  PTP {A1 60, A2 -70, A5 30}\nEND\n";
       robot.controller().robot().select(robot.controller().load("go.src", program));

@@ -12,7 +12,7 @@ import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.simulator.KrlFileException;
 import org.jspecify.annotations.Nullable;
 
 /**

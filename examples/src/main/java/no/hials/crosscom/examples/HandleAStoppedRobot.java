@@ -3,14 +3,14 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
-import no.hials.crosscom.mock.ProgramState;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.simulator.SimulationClock;
 
 /**
  * Finds out why a robot stands, confirms the messages, and starts its program again. It needs C3
@@ -30,7 +30,8 @@ public final class HandleAStoppedRobot {
    */
   public static void main(String[] args) throws IOException, KrlFileException {
     try (MockServer robot =
-            MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(Clock.stepped()));
+            MockServer.start(
+                cfg -> cfg.server(ServerType.C3_BRIDGE).clock(SimulationClock.stepped()));
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       Controller controller = robot.controller();
       controller.setMode(OperatingMode.AUT);

@@ -3,11 +3,11 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.ProgramState;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.simulator.SimulationClock;
 
 /**
  * Runs a data list and a program of one's own, first one with a mistake. It needs the simulation,
@@ -43,7 +43,7 @@ public final class LoadOwnProgram {
    * @throws KrlFileException if the program has errors
    */
   public static void main(String[] args) throws IOException, KrlFileException {
-    try (MockServer robot = MockServer.start(cfg -> cfg.clock(Clock.stepped()));
+    try (MockServer robot = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       Controller controller = robot.controller();
       controller.load("$config.dat", CONFIG);

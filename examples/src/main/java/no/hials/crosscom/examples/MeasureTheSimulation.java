@@ -2,12 +2,12 @@ package no.hials.crosscom.examples;
 
 import java.io.IOException;
 import java.time.Duration;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
-import no.hials.crosscom.mock.ProgramState;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.simulator.SimulationClock;
 
 /** Measures how fast the simulation is on this machine. It needs the simulation. */
 public final class MeasureTheSimulation {
@@ -78,7 +78,7 @@ public final class MeasureTheSimulation {
 
   private static void measure(String what, String program, Duration time)
       throws IOException, KrlFileException {
-    try (MockServer robot = MockServer.start(cfg -> cfg.clock(Clock.stepped()))) {
+    try (MockServer robot = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()))) {
       Controller controller = robot.controller();
       controller.setMode(OperatingMode.AUT);
       controller.robot().select(controller.load("program.src", program));

@@ -6,11 +6,11 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
 
 /**
  * Moves the simulated robot by increments that a client writes, with {@code krl/actuator.src}. It
@@ -27,7 +27,7 @@ public final class MoveTheSimulatedRobot {
    * @throws KrlFileException if a file has errors
    */
   public static void main(String[] args) throws IOException, KrlFileException {
-    try (MockServer robot = MockServer.start(cfg -> cfg.clock(Clock.stepped()))) {
+    try (MockServer robot = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()))) {
       Controller controller = robot.controller();
       controller.load(KrlFolder.file("config.dat"));
       controller.setMode(OperatingMode.AUT);

@@ -9,7 +9,7 @@ import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.PathPlayer;
 import no.hials.crosscom.control.Safety;
 import no.hials.crosscom.kinematics.Axes;
-import no.hials.crosscom.mock.KrlFileException;
+import no.hials.crosscom.simulator.KrlFileException;
 
 /**
  * Has {@code krl/play_path.src} drive along ten points, and shows that a path with one bad point is

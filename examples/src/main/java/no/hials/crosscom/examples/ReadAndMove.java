@@ -5,9 +5,9 @@ import java.util.Arrays;
 import java.util.Locale;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
 
 /**
  * Reads, writes and moves by calls that other languages can make as well: without lambdas and

@@ -3,11 +3,11 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComRefusedException;
-import no.hials.crosscom.mock.Clock;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
 
 /** Uploads a program, selects it, starts it and stops it. It needs C3 Bridge. */
 public final class RunAProgram {
@@ -32,7 +32,8 @@ public final class RunAProgram {
    */
   public static void main(String[] args) throws IOException {
     try (MockServer robot =
-            MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(Clock.stepped()));
+            MockServer.start(
+                cfg -> cfg.server(ServerType.C3_BRIDGE).clock(SimulationClock.stepped()));
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       robot.controller().setMode(OperatingMode.AUT);
       robot.files().put("/R1/COUNTS.SRC", COUNTS);

@@ -13,9 +13,9 @@ import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.c3.Verification;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.simulator.OperatingMode;
 
 /**
  * Brings {@code krl/actuator.src} to the controller, runs it, and moves the robot by it, all over

@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.control.SubmitOutputs;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.SimulationClock;
 
 /**
  * Switches an output on and off, and reads an input, by way of the submit interpreter: {@code
@@ -35,7 +35,7 @@ public final class SetOutputs {
       }
       return;
     }
-    try (MockServer robot = MockServer.start(cfg -> cfg.clock(Clock.stepped()));
+    try (MockServer robot = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       Controller controller = robot.controller();
       controller.load(KrlFolder.file("config.dat"));

@@ -11,9 +11,9 @@ import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics;
 import no.hials.crosscom.control.OperatingMode;
 import no.hials.crosscom.kinematics.Axes;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
 
 /**
  * Swings A1 by a control law of its own, one command every 20 ms, and shows how a law that wants
@@ -48,7 +48,7 @@ public final class SwingAxisOne {
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       Controller controller = robot.controller();
       controller.load(KrlFolder.file("config.dat"));
-      controller.setMode(no.hials.crosscom.mock.OperatingMode.AUT);
+      controller.setMode(no.hials.crosscom.simulator.OperatingMode.AUT);
       controller.submit().select(controller.load(KrlFolder.file("jov_sps.sub")));
       controller.submit().start();
       controller.robot().select(controller.load(KrlFolder.file("ext_move_axis.src")));

@@ -7,11 +7,11 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
 
 /** Reads two robots at once, and lets one follow the other. */
 public final class TwoRobots {
@@ -39,8 +39,8 @@ public final class TwoRobots {
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, ExecutionException, InterruptedException {
-    try (MockServer first = MockServer.start(cfg -> cfg.clock(Clock.stepped()));
-        MockServer second = MockServer.start(cfg -> cfg.clock(Clock.stepped()));
+    try (MockServer first = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
+        MockServer second = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
         CrossComClient leader = new CrossComClient(first.host(), first.port());
         CrossComClient follower = new CrossComClient(second.host(), second.port())) {
       run(first.controller(), first.controller().load("lead.src", LEAD));

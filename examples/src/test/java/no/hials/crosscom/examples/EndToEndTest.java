@@ -16,13 +16,13 @@ import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.c3.Verification;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -44,7 +44,8 @@ class EndToEndTest {
 
   @BeforeEach
   void connect() throws Exception {
-    robot = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(Clock.stepped()));
+    robot =
+        MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(SimulationClock.stepped()));
     controller = robot.controller();
     client =
         new CrossComClient(

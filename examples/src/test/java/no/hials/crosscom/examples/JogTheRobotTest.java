@@ -7,10 +7,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.time.Duration;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.mock.Controller;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.mock.junit.KukaController;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.OperatingMode;
 import org.junit.jupiter.api.Test;
 
 class JogTheRobotTest {

@@ -15,11 +15,11 @@ import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.kinematics.Axes;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
-import no.hials.crosscom.mock.ProgramState;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -39,7 +39,7 @@ class KrlProgramsTest {
 
   @BeforeEach
   void start() throws Exception {
-    server = MockServer.start(cfg -> cfg.clock(Clock.stepped()));
+    server = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
     controller = server.controller();
     controller.load(KRL.resolve("config.dat"));
     controller.setMode(OperatingMode.AUT);

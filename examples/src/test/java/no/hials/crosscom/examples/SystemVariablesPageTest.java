@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import no.hials.crosscom.mock.Access;
-import no.hials.crosscom.mock.VariableInfo;
-import no.hials.crosscom.mock.VariableTable;
+import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.simulator.VariableInfo;
+import no.hials.crosscom.simulator.VariableTable;
 import org.junit.jupiter.api.Test;
 
 /** Compares the table of system variables in the documentation with the built-in data lists. */

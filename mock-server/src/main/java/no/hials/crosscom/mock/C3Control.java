@@ -4,8 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import no.hials.crosscom.lang.Statement.MotionKind;
-import no.hials.crosscom.mock.internal.kernel.Kernel;
-import no.hials.crosscom.mock.internal.program.ProgramFault;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MotionRequest;
 import no.hials.crosscom.protocol.MotionResponse;
@@ -28,6 +26,11 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.ProgramControl;
+import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.ProgramState;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -53,22 +56,15 @@ final class C3Control {
   private static final int FIRST_ANGLE = 3;
 
   private final Supplier<Controller> controller;
-  private final Supplier<TreePrograms> programs;
 
-  /**
-   * Makes what serves all connections.
-   *
-   * @param programs gives the programs among the files; from the first time on, changes of files
-   *     are seen
-   */
-  C3Control(Supplier<Controller> controller, Supplier<TreePrograms> programs) {
+  /** Creates the handler of all connections. */
+  C3Control(Supplier<Controller> controller) {
     this.controller = controller;
-    this.programs = programs;
   }
 
-  /** Prepares for a change of the files, and gives the programs among them. */
-  TreePrograms watchFiles() {
-    return programs.get();
+  /** Prepares for a change of the files: the controller has to see it. */
+  void watchFiles() {
+    controller.get();
   }
 
   /** Something that a controller can refuse. */
@@ -161,7 +157,7 @@ final class C3Control {
     if (request.force() && robot.state() == ProgramState.ACTIVE) {
       robot.stop();
     }
-    robot.select(watchFiles().prepare(request.name()), parameters);
+    robot.select(controller.get().loadFromFiles(request.name()), parameters);
     if (request.command().is(ProgramCommand.RUN)) {
       robot.start();
     }
@@ -211,7 +207,7 @@ final class C3Control {
     if (!(value(request.position()) instanceof KrlStruct position)) {
       throw new IllegalArgumentException("a position, was '" + request.position() + "'");
     }
-    controller.get().kernel().move(MotionKind.valueOf(type.name()), position);
+    controller.get().move(MotionKind.valueOf(type.name()), position);
     return ErrorCode.SUCCESS;
   }
 
@@ -261,11 +257,11 @@ final class C3Control {
 
   private ErrorCode jog(PendantKeyRequest request, MotionKind kind, KrlStruct target)
       throws ProgramFault {
-    Kernel kernel = controller.get().kernel();
+    Controller machine = controller.get();
     if (request.released()) {
-      kernel.releaseJog();
+      machine.releaseJog();
     } else {
-      kernel.jog(kind, target);
+      machine.jog(kind, target);
     }
     return ErrorCode.SUCCESS;
   }

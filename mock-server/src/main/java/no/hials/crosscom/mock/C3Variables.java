@@ -3,7 +3,6 @@ package no.hials.crosscom.mock;
 import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.mock.Handler.Outcome;
-import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.protocol.AccessResult;
 import no.hials.crosscom.protocol.Assignment;
 import no.hials.crosscom.protocol.BenchmarkReadRequest;
@@ -24,6 +23,10 @@ import no.hials.crosscom.protocol.WriteRequest;
 import no.hials.crosscom.protocol.WriteResponse;
 import no.hials.crosscom.protocol.WriteUtf16Request;
 import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.simulator.Refusal;
+import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 
 /** Executes the requests of C3 Bridge for variables: types 0, 1, 4 to 7 and 17. */

@@ -4,6 +4,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 
 /**

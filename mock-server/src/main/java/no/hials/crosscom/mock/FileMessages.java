@@ -5,10 +5,6 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.function.Predicate;
-import no.hials.crosscom.mock.internal.files.FileRefusedException;
-import no.hials.crosscom.mock.internal.files.Item;
-import no.hials.crosscom.mock.internal.files.Transfer;
-import no.hials.crosscom.mock.internal.files.Tree;
 import no.hials.crosscom.protocol.BeginReadRequest;
 import no.hials.crosscom.protocol.BeginWriteRequest;
 import no.hials.crosscom.protocol.Bytes;
@@ -45,6 +41,11 @@ import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.FileProperty;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
+import no.hials.crosscom.simulator.files.FileRefusedException;
+import no.hials.crosscom.simulator.files.FileTree;
+import no.hials.crosscom.simulator.files.Item;
+import no.hials.crosscom.simulator.files.Transfer;
+import no.hials.crosscom.simulator.files.Tree;
 
 /**
  * Answers the messages 20 to 30 of one connection as C3 Bridge does (c3-bridge.md, "Messages";

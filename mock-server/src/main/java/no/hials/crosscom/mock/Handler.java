@@ -1,10 +1,10 @@
 package no.hials.crosscom.mock;
 
-import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
+import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**

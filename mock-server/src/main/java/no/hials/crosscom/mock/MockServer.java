@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
@@ -13,6 +12,9 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.VariableTable;
+import no.hials.crosscom.simulator.files.FileTree;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -57,9 +59,6 @@ public final class MockServer implements AutoCloseable {
   /** Made when it is asked for; guarded by {@link #variables}. */
   private @Nullable Controller controller;
 
-  /** Made with the controller, for C3 Bridge only; guarded by {@link #variables}. */
-  private @Nullable TreePrograms treePrograms;
-
   /** Guarded by {@link #variables}. */
   private boolean closed;
 
@@ -82,7 +81,7 @@ public final class MockServer implements AutoCloseable {
       return () -> handler;
     }
     C3Variables access = new C3Variables(variables, bridge, config);
-    C3Control control = new C3Control(this::controller, this::treePrograms);
+    C3Control control = new C3Control(this::controller);
     return () -> new C3Handler(bridge, access, control, new FileMessages(files, this::isSelected));
   }
 
@@ -251,18 +250,10 @@ public final class MockServer implements AutoCloseable {
             new Controller(
                 variables, config.clock(), config.robot(), "mock-server-" + port() + "-clock");
         if (config.server() == ServerType.C3_BRIDGE) {
-          treePrograms = new TreePrograms(files, controller);
-          controller.onLoad(treePrograms::show);
+          controller.connect(files);
         }
       }
       return controller;
-    }
-  }
-
-  private TreePrograms treePrograms() {
-    controller();
-    synchronized (variables) {
-      return Objects.requireNonNull(treePrograms);
     }
   }
 

@@ -10,6 +10,8 @@ import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.Version;
+import no.hials.crosscom.simulator.SimulationClock;
+import no.hials.crosscom.simulator.files.FileTree;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -92,7 +94,7 @@ public record MockServerConfig(
     Latency latency,
     OptionalInt discoveryPort,
     int discoveryReplyPort,
-    Clock clock,
+    SimulationClock clock,
     RobotModel robot,
     ServerType server,
     Version version,
@@ -192,7 +194,7 @@ public record MockServerConfig(
     private Latency latency = Latency.none();
     private OptionalInt discoveryPort = OptionalInt.empty();
     private int discoveryReplyPort = 7000;
-    private Clock clock = Clock.real();
+    private SimulationClock clock = SimulationClock.real();
     private RobotModel robot = RobotModel.kr6r900sixx();
     private ServerType server = ServerType.KUKAVARPROXY;
     private Version version = new Version(1, 4, 0);
@@ -425,7 +427,7 @@ public record MockServerConfig(
      * @param value the clock
      * @return this
      */
-    public Builder clock(Clock value) {
+    public Builder clock(SimulationClock value) {
       clock = value;
       return this;
     }

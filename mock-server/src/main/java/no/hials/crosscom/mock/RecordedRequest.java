@@ -14,6 +14,7 @@ import no.hials.crosscom.protocol.WriteArrayRequest;
 import no.hials.crosscom.protocol.WriteMultipleRequest;
 import no.hials.crosscom.protocol.WriteRequest;
 import no.hials.crosscom.protocol.WriteUtf16Request;
+import no.hials.crosscom.simulator.Refusal;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -2,7 +2,6 @@ package no.hials.crosscom.mock;
 
 import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.mock.internal.data.RefusedException;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
@@ -22,6 +21,9 @@ import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.Refusal;
+import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 
 /** Executes requests on a table of variables, as KUKAVARPROXY does on a controller. */

@@ -2,7 +2,7 @@ package no.hials.crosscom.mock;
 
 import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.mock.internal.kernel.Threads;
+import no.hials.crosscom.simulator.internal.core.Threads;
 
 /** The threads of a server: all daemons. Safe for use by several threads. */
 final class ServerThreads {

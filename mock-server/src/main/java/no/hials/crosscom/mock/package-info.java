@@ -2,13 +2,13 @@
  * A simulated KR C4 with KUKAVARPROXY, for tests and for trying out clients without a robot.
  *
  * <p>{@link no.hials.crosscom.mock.MockServer} speaks the protocol over real TCP, {@link
- * no.hials.crosscom.mock.VariableTable} holds the variables of a KR 6 R900 sixx, with types, access
- * rights and the controller's way of printing, and {@link no.hials.crosscom.mock.Controller} runs
- * KRL programs on them and moves the robot. The server records what it is asked ({@link
- * no.hials.crosscom.mock.RecordedRequest}); it can be made as slow as a controller ({@link
- * no.hials.crosscom.mock.Latency}) and told to misbehave ({@link no.hials.crosscom.mock.Fault}, for
- * some requests by {@link no.hials.crosscom.mock.FaultRule}). Tests with JUnit get one from {@link
- * no.hials.crosscom.mock.junit.KukaController}.
+ * no.hials.crosscom.simulator.VariableTable} holds the variables of a KR 6 R900 sixx, with types,
+ * access rights and the controller's way of printing, and {@link
+ * no.hials.crosscom.simulator.Controller} runs KRL programs on them and moves the robot. The server
+ * records what it is asked ({@link no.hials.crosscom.mock.RecordedRequest}); it can be made as slow
+ * as a controller ({@link no.hials.crosscom.mock.Latency}) and told to misbehave ({@link
+ * no.hials.crosscom.mock.Fault}, for some requests by {@link no.hials.crosscom.mock.FaultRule}).
+ * Tests with JUnit get one from {@link no.hials.crosscom.mock.junit.KukaController}.
  *
  * <pre>{@code
  * try (MockServer server = MockServer.start()) {

@@ -68,6 +68,8 @@ import no.hials.crosscom.protocol.code.ListFlag;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.simulator.Refusal;
+import no.hials.crosscom.simulator.files.FileTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

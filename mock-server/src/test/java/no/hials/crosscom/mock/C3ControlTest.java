@@ -27,6 +27,10 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Nested;
@@ -46,7 +50,8 @@ final class C3ControlTest {
 
   @BeforeEach
   void start() throws IOException {
-    server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(Clock.stepped()));
+    server =
+        MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(SimulationClock.stepped()));
     client = new RawClient(server);
     controller = server.controller();
     controller.place(START);

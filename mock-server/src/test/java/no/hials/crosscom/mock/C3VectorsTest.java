@@ -24,6 +24,8 @@ import no.hials.crosscom.protocol.ReadResponse;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.TextResponse;
+import no.hials.crosscom.simulator.SimulationClock;
+import no.hials.crosscom.simulator.VariableTable;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -147,7 +149,7 @@ final class C3VectorsTest {
             cfg ->
                 cfg.server(ServerType.C3_BRIDGE)
                     .computerName("VM")
-                    .clock(Clock.stepped())
+                    .clock(SimulationClock.stepped())
                     .discoveryPort(0)
                     .discoveryReplyPort(0)
                     .standardDiscoveryPort(0));

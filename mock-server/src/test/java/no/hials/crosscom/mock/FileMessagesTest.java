@@ -67,6 +67,8 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
 import no.hials.crosscom.protocol.code.ModulePart;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.files.FileTree;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -424,8 +426,9 @@ final class FileMessagesTest {
 
       assertThat(tree.list(PROGRAM)).containsExactly("JOB.dat", "JOB.src");
       try (MockServer server = MockServer.start()) {
-        TreePrograms programs = new TreePrograms(tree, server.controller());
-        server.controller().robot().select(programs.prepare("/R1/JOB.SRC"));
+        Controller controller = server.controller();
+        controller.connect(tree);
+        controller.robot().select(controller.loadFromFiles("/R1/JOB.SRC"));
       }
     }
 

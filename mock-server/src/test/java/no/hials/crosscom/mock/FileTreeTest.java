@@ -33,6 +33,8 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
 import no.hials.crosscom.protocol.code.ModulePart;
+import no.hials.crosscom.simulator.VariableTable;
+import no.hials.crosscom.simulator.files.FileTree;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;

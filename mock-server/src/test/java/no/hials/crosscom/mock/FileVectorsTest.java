@@ -23,6 +23,7 @@ import no.hials.crosscom.protocol.WriteDataRequest;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.simulator.files.FileTree;
 import org.assertj.core.api.SoftAssertions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -51,7 +52,7 @@ final class FileVectorsTest {
             cfg ->
                 cfg.server(ServerType.C3_BRIDGE)
                     .files(tree())
-                    .clock(no.hials.crosscom.mock.Clock.stepped()));
+                    .clock(no.hials.crosscom.simulator.SimulationClock.stepped()));
     client = new RawClient(server);
   }
 

@@ -21,6 +21,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.protocol.ReadArrayRequest;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.WriteArrayRequest;
+import no.hials.crosscom.simulator.Refusal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

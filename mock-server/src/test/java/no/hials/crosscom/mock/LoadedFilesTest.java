@@ -13,6 +13,11 @@ import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.simulator.SimulationClock;
+import no.hials.crosscom.simulator.files.FileTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -29,7 +34,8 @@ final class LoadedFilesTest {
 
   @BeforeEach
   void start() throws IOException {
-    server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(Clock.stepped()));
+    server =
+        MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(SimulationClock.stepped()));
     controller = server.controller();
   }
 

@@ -13,6 +13,8 @@ import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.Version;
+import no.hials.crosscom.simulator.SimulationClock;
+import no.hials.crosscom.simulator.files.FileTree;
 import org.junit.jupiter.api.Test;
 
 class MockServerConfigTest {
@@ -45,7 +47,7 @@ class MockServerConfigTest {
                 Latency.none(),
                 OptionalInt.empty(),
                 7000,
-                Clock.real(),
+                SimulationClock.real(),
                 RobotModel.kr6r900sixx(),
                 ServerType.KUKAVARPROXY,
                 new Version(1, 4, 0),
@@ -81,7 +83,7 @@ class MockServerConfigTest {
                         .latency(Latency.krc4(1))
                         .discoveryPort(65_535)
                         .discoveryReplyPort(0)
-                        .clock(Clock.stepped())
+                        .clock(SimulationClock.stepped())
                         .robot(otherLimits)
                         .server(ServerType.C3_BRIDGE)
                         .version(new Version(1, 1, 2))
@@ -107,7 +109,7 @@ class MockServerConfigTest {
                 Latency.krc4(1),
                 OptionalInt.of(65_535),
                 0,
-                Clock.stepped(),
+                SimulationClock.stepped(),
                 otherLimits,
                 ServerType.C3_BRIDGE,
                 new Version(1, 1, 2),
@@ -134,7 +136,7 @@ class MockServerConfigTest {
                     .ping(false)
                     .discoveryPort(7)
                     .discoveryReplyPort(8)
-                    .clock(Clock.stepped())
+                    .clock(SimulationClock.stepped())
                     .asOnTheController(9));
     assertThat(config)
         .isEqualTo(
@@ -156,7 +158,7 @@ class MockServerConfigTest {
                 Latency.krc4(9),
                 OptionalInt.of(7),
                 8,
-                Clock.stepped(),
+                SimulationClock.stepped(),
                 RobotModel.kr6r900sixx(),
                 ServerType.KUKAVARPROXY,
                 new Version(1, 4, 0),
@@ -186,7 +188,7 @@ class MockServerConfigTest {
             Latency.krc4(3),
             OptionalInt.empty(),
             7000,
-            Clock.real(),
+            SimulationClock.real(),
             RobotModel.kr6r900sixx(),
             ServerType.C3_BRIDGE,
             new Version(1, 4, 0),

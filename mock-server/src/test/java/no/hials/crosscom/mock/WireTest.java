@@ -17,6 +17,7 @@ import no.hials.crosscom.protocol.WriteArrayRequest;
 import no.hials.crosscom.protocol.WriteArrayResponse;
 import no.hials.crosscom.protocol.WriteRequest;
 import no.hials.crosscom.protocol.WriteResponse;
+import no.hials.crosscom.simulator.Refusal;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -24,11 +24,9 @@ import no.hials.crosscom.c3.BenchmarkResult;
 import no.hials.crosscom.c3.BridgeInfo;
 import no.hials.crosscom.c3.KeyAction;
 import no.hials.crosscom.c3.PressedKey;
-import no.hials.crosscom.mock.Clock;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
-import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
@@ -42,6 +40,8 @@ import no.hials.crosscom.protocol.Version;
 import no.hials.crosscom.protocol.code.BuildType;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.MotionType;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -502,7 +502,7 @@ class C3BridgeTest {
 
   @Test
   void theRobotMoves() throws Exception {
-    restart(cfg -> cfg.clock(Clock.stepped()));
+    restart(cfg -> cfg.clock(SimulationClock.stepped()));
     robot.controller().setMode(OperatingMode.AUT);
     KRLAxis target = new KRLAxis("TARGET");
     target.setA1(20);

@@ -5,14 +5,14 @@ import java.lang.annotation.ElementType;
 import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
 import no.hials.crosscom.mock.FaultRule;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
-import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
@@ -142,7 +142,7 @@ public @interface KukaController {
   OperatingMode mode() default OperatingMode.T1;
 
   /**
-   * Gives how the time of programs and robot passes, see {@link Clock#parse}.
+   * Gives how the time of programs and robot passes, see {@link SimulationClock#parse}.
    *
    * @return {@code stepped} for a test that lets it pass by {@link Controller#step}; {@code real},
    *     {@code max}, or a factor

@@ -8,14 +8,14 @@ import java.lang.reflect.Parameter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.function.Predicate;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
 import no.hials.crosscom.mock.FaultRule;
-import no.hials.crosscom.mock.KrlFileException;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
-import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
@@ -127,7 +127,7 @@ final class MockServerExtension
     if (settings.maxClients() != Integer.MIN_VALUE) {
       cfg.maxClients(settings.maxClients());
     }
-    cfg.server(settings.server()).clock(Clock.parse(settings.clock()));
+    cfg.server(settings.server()).clock(SimulationClock.parse(settings.clock()));
   }
 
   /** Makes a server that runs already what the attributes say. */

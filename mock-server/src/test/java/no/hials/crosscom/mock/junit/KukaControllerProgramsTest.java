@@ -8,10 +8,10 @@ import static org.junit.platform.testkit.engine.TestExecutionResultConditions.me
 import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.time.Duration;
-import no.hials.crosscom.mock.Controller;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
-import no.hials.crosscom.mock.ProgramState;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.ProgramState;
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.platform.testkit.engine.EngineTestKit;

@@ -8,11 +8,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.FileTree;
-import no.hials.crosscom.mock.KrlFileException;
-import no.hials.crosscom.mock.OperatingMode;
-import no.hials.crosscom.mock.ProgramControl;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.ProgramControl;
+import no.hials.crosscom.simulator.files.FileTree;
 
 /**
  * What a person would do at the pendant before the robot runs.

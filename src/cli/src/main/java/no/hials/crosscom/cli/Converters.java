@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
@@ -87,13 +87,13 @@ final class Converters {
   }
 
   /** How fast the time of the simulated controller passes. */
-  static final class Speed implements ITypeConverter<Clock> {
+  static final class Speed implements ITypeConverter<SimulationClock> {
     @Override
-    public Clock convert(String text) {
+    public SimulationClock convert(String text) {
       try {
-        Clock clock = Clock.parse(text);
+        SimulationClock clock = SimulationClock.parse(text);
         // a test steps it; here it would stand still for ever
-        if (!(clock instanceof Clock.Stepped)) {
+        if (!(clock instanceof SimulationClock.Stepped)) {
           return clock;
         }
       } catch (IllegalArgumentException e) {

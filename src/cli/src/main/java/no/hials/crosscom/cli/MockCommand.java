@@ -14,14 +14,14 @@ import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import no.hials.crosscom.ClientConfig;
-import no.hials.crosscom.mock.Clock;
 import no.hials.crosscom.mock.FaultRule;
-import no.hials.crosscom.mock.FileTree;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
-import no.hials.crosscom.mock.OperatingMode;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
+import no.hials.crosscom.simulator.files.FileTree;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -163,7 +163,7 @@ final class MockCommand extends ConsoleCommand {
         "How fast the time of programs and robot passes: 10 for ten times as fast, max for as fast as"
             + " this machine can; real if not given."
       })
-  private Clock speed = Clock.real();
+  private SimulationClock speed = SimulationClock.real();
 
   @Option(
       names = "--latency",

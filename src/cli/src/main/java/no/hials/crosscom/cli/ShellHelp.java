@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import no.hials.crosscom.mock.Access;
+import no.hials.crosscom.simulator.Access;
 
 /** The answers of {@code help}. */
 final class ShellHelp {

@@ -8,9 +8,9 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
-import no.hials.crosscom.mock.Controller;
-import no.hials.crosscom.mock.Message;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.Message;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,8 +1,8 @@
 package no.hials.crosscom.cli;
 
 import java.util.List;
-import no.hials.crosscom.mock.Access;
-import no.hials.crosscom.mock.VariableInfo;
+import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.simulator.VariableInfo;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -12,8 +12,8 @@ import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.KrlParser;
-import no.hials.crosscom.mock.VariableInfo;
-import no.hials.crosscom.mock.VariableTable;
+import no.hials.crosscom.simulator.VariableInfo;
+import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 
 /**

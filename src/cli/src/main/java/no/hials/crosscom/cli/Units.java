@@ -1,8 +1,8 @@
 package no.hials.crosscom.cli;
 
 import java.util.Locale;
-import no.hials.crosscom.mock.VariableInfo;
-import no.hials.crosscom.mock.VariableTable;
+import no.hials.crosscom.simulator.VariableInfo;
+import no.hials.crosscom.simulator.VariableTable;
 
 /**
  * The units of variables, from the table of system variables and, where it does not say, from the

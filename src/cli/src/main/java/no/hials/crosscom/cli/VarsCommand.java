@@ -10,7 +10,7 @@ import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
-import no.hials.crosscom.mock.VariableTable;
+import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;

@@ -9,9 +9,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import no.hials.crosscom.mock.Clock;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -214,7 +214,7 @@ class MockProgramsTest {
   @Test
   void saysThatTheControllerRefusedToStart() throws Exception {
     Path program = Path.of(file("waits.src", "DEF WAITS ( )", "  WAIT FOR $IN[1]", "END"));
-    try (MockServer server = MockServer.start(cfg -> cfg.clock(Clock.stepped()))) {
+    try (MockServer server = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()))) {
       server.controller().emergencyStop(true);
 
       List<String> lines =

@@ -3,14 +3,14 @@ package no.hials.crosscom.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import no.hials.crosscom.mock.Clock;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.OperatingMode;
-import no.hials.crosscom.mock.ProgramState;
 import no.hials.crosscom.protocol.ProgramControlRequest;
 import no.hials.crosscom.protocol.ProgramSelectRequest;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -26,7 +26,8 @@ class ProgramCommandsTest {
 
   @BeforeEach
   void start() throws IOException {
-    server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(Clock.stepped()));
+    server =
+        MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(SimulationClock.stepped()));
     server.files().put("/R1/WAITS.SRC", WAITS);
     server.controller().setMode(OperatingMode.AUT);
   }

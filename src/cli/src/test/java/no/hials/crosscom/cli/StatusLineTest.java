@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.time.Duration;
 import java.util.Map;
-import no.hials.crosscom.mock.Clock;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -21,7 +21,7 @@ class StatusLineTest {
 
   @BeforeEach
   void start() throws IOException {
-    server = MockServer.start(cfg -> cfg.clock(Clock.stepped()));
+    server = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
   }
 
   @AfterEach

@@ -12,7 +12,6 @@ import java.util.stream.Stream;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.mock.Fault;
-import no.hials.crosscom.mock.FileTree;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.BeginReadRequest;
@@ -28,6 +27,7 @@ import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.WriteDataRequest;
 import no.hials.crosscom.protocol.code.ContentOperation;
+import no.hials.crosscom.simulator.files.FileTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 

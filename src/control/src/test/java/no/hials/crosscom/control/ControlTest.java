@@ -10,11 +10,11 @@ import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
-import no.hials.crosscom.mock.Clock;
-import no.hials.crosscom.mock.Controller;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
-import no.hials.crosscom.mock.ProgramState;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 
@@ -37,7 +37,7 @@ abstract class ControlTest {
     server = MockServer.start(this::configure);
     controller = server.controller();
     controller.load(KRL.resolve("config.dat"));
-    controller.setMode(no.hials.crosscom.mock.OperatingMode.AUT);
+    controller.setMode(no.hials.crosscom.simulator.OperatingMode.AUT);
     controller.place(START);
     client = new CrossComClient(ClientConfig.create(server.host(), cfg -> cfg.port(server.port())));
     time = new SimulatedTime(controller);
@@ -45,7 +45,7 @@ abstract class ControlTest {
   }
 
   void configure(MockServerConfig.Builder cfg) {
-    cfg.clock(Clock.stepped());
+    cfg.clock(SimulationClock.stepped());
   }
 
   @AfterEach

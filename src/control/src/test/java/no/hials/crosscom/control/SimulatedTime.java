@@ -2,7 +2,7 @@ package no.hials.crosscom.control;
 
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicLong;
-import no.hials.crosscom.mock.Controller;
+import no.hials.crosscom.simulator.Controller;
 
 /**
  * Lets the time of a loop be that of a simulated controller, which passes only while the loop

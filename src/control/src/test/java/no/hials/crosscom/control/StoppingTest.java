@@ -18,11 +18,11 @@ import no.hials.crosscom.control.input.InputDevice;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.Fault;
-import no.hials.crosscom.mock.ProgramState;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ReadRequest;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.WriteRequest;
+import no.hials.crosscom.simulator.ProgramState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -563,7 +563,7 @@ class StoppingTest extends ControlTest {
             Law.jointVelocity(
                 s -> {
                   if (s.time() > 1) {
-                    controller.setMode(no.hials.crosscom.mock.OperatingMode.T2);
+                    controller.setMode(no.hials.crosscom.simulator.OperatingMode.T2);
                   }
                   return TURNING;
                 }));

@@ -1,8 +1,0 @@
-/**
- * The simulated controller behind the network: cycles, modes, messages, programs and the robot. One
- * lock, no thread of its own but the one that lets time pass.
- */
-@NullMarked
-package no.hials.crosscom.mock.internal.kernel;
-
-import org.jspecify.annotations.NullMarked;

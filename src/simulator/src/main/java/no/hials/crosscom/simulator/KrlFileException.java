@@ -1,0 +1,41 @@
+package no.hials.crosscom.simulator;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import no.hials.crosscom.lang.KrlError;
+
+/** Says all that is wrong with a data list or a program; nothing of it has been loaded. */
+public final class KrlFileException extends Exception {
+  private static final long serialVersionUID = 1L;
+
+  /** So many errors are in the message; a file that is no data list at all has hundreds. */
+  private static final int SHOWN = 20;
+
+  private final transient List<KrlError> errors;
+
+  /**
+   * Makes the exception.
+   *
+   * @param errors what is wrong, in the order of the file; at least one
+   */
+  public KrlFileException(List<KrlError> errors) {
+    super(message(errors));
+    this.errors = List.copyOf(errors);
+  }
+
+  private static String message(List<KrlError> errors) {
+    String shown =
+        errors.stream().limit(SHOWN).map(KrlError::toString).collect(Collectors.joining("\n"));
+    int rest = errors.size() - SHOWN;
+    return rest > 0 ? shown + "\nand " + rest + " more" : shown;
+  }
+
+  /**
+   * Gives all that is wrong.
+   *
+   * @return the errors in the order of the file, each with its place
+   */
+  public List<KrlError> errors() {
+    return errors;
+  }
+}

@@ -1,0 +1,104 @@
+package no.hials.crosscom.simulator;
+
+import java.util.List;
+import java.util.Optional;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.internal.core.Kernel;
+import no.hials.crosscom.simulator.internal.program.Interpreter;
+import no.hials.crosscom.simulator.internal.program.LinkException;
+
+/**
+ * An interpreter of the simulated controller: selects a program and runs it. What the state does
+ * not allow is an {@link IllegalStateException} that says why, and changes nothing.
+ */
+public final class ProgramControl {
+  private final Kernel kernel;
+  private final Interpreter.Kind kind;
+
+  ProgramControl(Kernel kernel, Interpreter.Kind kind) {
+    this.kernel = kernel;
+    this.kind = kind;
+  }
+
+  /**
+   * Selects a program, in place of one that is not active.
+   *
+   * @param name the name of its module, in any case
+   * @throws KrlFileException if there is none of that name, or it or one that it calls has errors
+   */
+  public void select(String name) throws KrlFileException {
+    select(name, List.of());
+  }
+
+  /**
+   * Selects a program with values for its first parameters.
+   *
+   * @param name the name of its module, in any case
+   * @param arguments the values
+   * @throws KrlFileException if there is none of that name, or it or one that it calls has errors
+   */
+  public void select(String name, List<KrlValue> arguments) throws KrlFileException {
+    try {
+      kernel.select(kind, name, arguments);
+    } catch (LinkException e) {
+      throw new KrlFileException(e.errors());
+    } catch (ProgramFault e) {
+      throw new IllegalArgumentException(name + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** Starts the selected program, or lets it go on; from its end it begins again. */
+  public void start() {
+    kernel.start(kind, false);
+  }
+
+  /** Stops the program, if it runs; the robot slows down on its path. */
+  public void stop() {
+    kernel.stop(kind);
+  }
+
+  /** Stops the program and sets it back to its beginning. */
+  public void reset() {
+    kernel.reset(kind);
+  }
+
+  /** Stops the program and takes it away. */
+  public void cancel() {
+    kernel.cancel(kind);
+  }
+
+  /**
+   * Gives the state.
+   *
+   * @return what {@code $PRO_STATE0} or {@code $PRO_STATE1} shows
+   */
+  public ProgramState state() {
+    return kernel.state(kind);
+  }
+
+  /**
+   * Names the selected program.
+   *
+   * @return the name of its module; nothing if none is selected
+   */
+  public Optional<String> program() {
+    return kernel.program(kind);
+  }
+
+  /**
+   * Gives the line of the program pointer.
+   *
+   * @return the line in the file of the innermost routine; 0 if no program is selected
+   */
+  public int line() {
+    List<Interpreter.Level> levels = kernel.levels(kind);
+    return levels.isEmpty() ? 0 : levels.get(0).position().line();
+  }
+
+  @Override
+  public String toString() {
+    return program()
+        .map(name -> name + " #" + state().constant() + " line " + line())
+        .orElse("no program");
+  }
+}

@@ -1,0 +1,63 @@
+package no.hials.crosscom.simulator;
+
+import java.util.List;
+import java.util.Locale;
+import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.internal.data.Scope;
+
+/** The ranges of system variables, which clients and programs have to keep to. */
+final class Ranges {
+  private record Range(String name, int minimum, int maximum) {}
+
+  private static final List<Range> ALL =
+      List.of(
+          // krl.md 2.2
+          new Range("$OV_PRO", 0, 100),
+          new Range("$ADVANCE", 0, 5),
+          // krl.md 2.6
+          new Range("$ANOUT", -1, 1),
+          // krl.md 2.2 says that these are in %; that 0 and more than 100 are refused is assumed
+          new Range("$OV_JOG", 0, 100),
+          new Range("$VEL_AXIS", 1, 100),
+          new Range("$ACC_AXIS", 1, 100),
+          new Range("$VEL_EXTAX", 1, 100),
+          new Range("$ACC_EXTAX", 1, 100));
+
+  private Ranges() {}
+
+  static void guard(Scope scope) {
+    for (Range range : ALL) {
+      scope.guard(range.name(), (path, value) -> check(range, value));
+    }
+  }
+
+  private static void check(Range range, KrlValue value) throws RefusedException {
+    if (value instanceof KrlArray array) {
+      for (KrlValue element : array.elements()) {
+        check(range, element);
+      }
+      return;
+    }
+    double number;
+    if (value instanceof KrlInt integer) {
+      number = integer.value();
+    } else if (value instanceof KrlReal real) {
+      number = real.value();
+    } else {
+      return; // the variable's type says what is wrong with it
+    }
+    if (!(number >= range.minimum() && number <= range.maximum())) {
+      throw new RefusedException(
+          Refusal.OUT_OF_RANGE,
+          String.format(
+              Locale.ROOT,
+              "must be %d to %d, was given %s",
+              range.minimum(),
+              range.maximum(),
+              value.print()));
+    }
+  }
+}

@@ -1,0 +1,470 @@
+package no.hials.crosscom.simulator;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.lang.ParseResult;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.internal.data.DataListLoader;
+import no.hials.crosscom.simulator.internal.data.DataListWriter;
+import no.hials.crosscom.simulator.internal.data.DataLists;
+import no.hials.crosscom.simulator.internal.data.Declared;
+import no.hials.crosscom.simulator.internal.data.Note;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Scope;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Holds the variables of the simulated controller: their types, access rights and values.
+ *
+ * <p>Names are those that clients send, in any case: {@code $OV_PRO}, {@code $POS_ACT.X}, {@code
+ * LOAD_DATA[1].CM.X}, {@code $TORQUE_AXIS_ACT[3]}, {@code $TORQUE_AXIS_ACT[]} for a whole array,
+ * {@code $MODEL_NAME[]} for a CHAR array, {@code TOOL_NAME[1,]} for one text of several. The
+ * methods here are for Java code, which may write everything; a client's write keeps to the access
+ * rights and, of {@code $OV_PRO}, {@code $ADVANCE} and some more of {@link #krc4}, to a range. What
+ * is not possible is an {@link IllegalArgumentException} that says why.
+ *
+ * <p>Safe for use by several threads; every access is atomic. The table starts no thread.
+ */
+public final class VariableTable {
+  private final Scope scope = new Scope();
+
+  /** What is known of the variables, by their names in upper case; replaced, never changed. */
+  private volatile Map<String, Note> notes = Map.of();
+
+  private VariableTable() {}
+
+  /**
+   * Makes a table of a KR 6 R900 sixx with a KR C4 (KSS 8.3), standing at its home position in mode
+   * T1, with some user variables such as {@code MYPOS}. What it holds can be read in the data lists
+   * {@code $TYPES.DAT}, {@code $OPERATE.DAT}, {@code $MACHINE.DAT} and {@code $CONFIG.DAT}, which
+   * lie beside this class in the jar.
+   *
+   * @return a new table
+   */
+  public static VariableTable krc4() {
+    return BuiltInTable.KRC4.copy();
+  }
+
+  /**
+   * Makes a table without variables that knows the base types only.
+   *
+   * @return a new table
+   */
+  public static VariableTable empty() {
+    return new VariableTable();
+  }
+
+  /**
+   * Makes a table with the same contents, which can be changed independently.
+   *
+   * @return a new table
+   */
+  public VariableTable copy() {
+    VariableTable copy = new VariableTable();
+    copy.scope.copyFrom(scope);
+    copy.notes = notes;
+    return copy;
+  }
+
+  // data lists
+
+  /**
+   * Loads a data list as KSS writes it, such as a robot's own {@code $CONFIG.DAT}. What it declares
+   * takes the place of what is there; the rights of clients to a variable whose name begins with
+   * {@code $} stay. Of a module's list, whose name does not begin with {@code $}, clients see what
+   * it declares GLOBAL, if it is PUBLIC; the rest is checked only.
+   *
+   * @param file the file, in ISO 8859-1, with the line ends of any system
+   * @throws IOException if it cannot be read
+   * @throws KrlFileException if something in it is wrong; it says all of it, and the table is as
+   *     before
+   */
+  public void load(java.nio.file.Path file) throws IOException, KrlFileException {
+    load(file.toString(), DataLists.parse(file));
+  }
+
+  /**
+   * Loads a data list from its text, as {@link #load(java.nio.file.Path)} does.
+   *
+   * @param name the name that stands in messages
+   * @param text the text
+   * @throws KrlFileException if something in it is wrong; it says all of it, and the table is as
+   *     before
+   */
+  public void load(String name, String text) throws KrlFileException {
+    load(name, KrlParser.parse(name, text));
+  }
+
+  /** Loads a data list from what came of parsing it. */
+  void load(String name, ParseResult result) throws KrlFileException {
+    List<KrlError> errors = new ArrayList<>();
+    Optional<DataList> parsed = DataLists.dataList(name, result, errors);
+    boolean loaded = parsed.isPresent() && scope.attempt(() -> take(parsed.get(), errors));
+    if (!loaded) {
+      throw new KrlFileException(DataLists.sorted(errors));
+    }
+  }
+
+  private boolean take(DataList list, List<KrlError> errors) {
+    DataListLoader.load(list, new Scope(scope), scope, errors::add);
+    if (!errors.isEmpty()) {
+      return false;
+    }
+    Map<String, Note> all = new HashMap<>(notes);
+    all.putAll(DataLists.notes(list));
+    notes = Map.copyOf(all);
+    return true;
+  }
+
+  /**
+   * Saves all types and variables as a data list. Loaded again, into this table or another, it
+   * gives every variable the value that it has now, also those that follow the simulated robot;
+   * what has no value gets none. A variable that only Java code could declare, with a name longer
+   * than the 24 characters of KRL, is saved, but not loaded again.
+   *
+   * @param file the file, which is overwritten; in ISO 8859-1, with CR and LF
+   * @throws IOException if it cannot be written
+   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   */
+  public void save(java.nio.file.Path file) throws IOException {
+    DataLists.write(file, toDataList(file.getFileName().toString()));
+  }
+
+  /**
+   * Saves some variables and the types that they use, as {@link #save(java.nio.file.Path)} does:
+   * {@code save(file, name -> !name.startsWith("$"))} leaves the system variables out.
+   *
+   * @param file the file, which is overwritten; in ISO 8859-1, with CR and LF
+   * @param variables says of a name as declared whether it is to be saved
+   * @throws IOException if it cannot be written
+   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   */
+  public void save(java.nio.file.Path file, Predicate<String> variables) throws IOException {
+    DataLists.write(file, toDataList(file.getFileName().toString(), variables));
+  }
+
+  /**
+   * Gives the text that {@link #save(java.nio.file.Path)} writes.
+   *
+   * @param name the name behind {@code DEFDAT}; with {@code $} in front if it has none, since only
+   *     such a data list may declare system variables
+   * @return the text of a data list
+   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   */
+  public String toDataList(String name) {
+    return DataListWriter.write(DataLists.systemName(name), scope, null, notes);
+  }
+
+  /**
+   * Gives the text that {@link #save(java.nio.file.Path, Predicate)} writes.
+   *
+   * @param name the name behind {@code DEFDAT}; with {@code $} in front if it has none
+   * @param variables says of a name as declared whether it is to be saved
+   * @return the text of a data list
+   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   */
+  public String toDataList(String name, Predicate<String> variables) {
+    Set<String> chosen =
+        names().stream().filter(variables).map(Scope::key).collect(Collectors.toSet());
+    return DataListWriter.write(DataLists.systemName(name), scope, chosen, notes);
+  }
+
+  // what is known of the variables
+
+  /**
+   * Describes a variable.
+   *
+   * @param name its name in any case, without index
+   * @return type, access, unit, meaning; nothing if there is no such variable
+   */
+  public Optional<VariableInfo> describe(String name) {
+    return Declared.find(scope, name).map(this::describe);
+  }
+
+  /**
+   * Describes all variables.
+   *
+   * @return what {@link #describe(String)} gives for each, sorted by name; a copy
+   */
+  public List<VariableInfo> describeAll() {
+    List<VariableInfo> all = new ArrayList<>();
+    for (String name : names()) {
+      describe(name).ifPresent(all::add);
+    }
+    return all;
+  }
+
+  private VariableInfo describe(Declared declared) {
+    Note note = notes.getOrDefault(Scope.key(declared.name()), Note.NONE);
+    return new VariableInfo(
+        declared.name(),
+        declared.type(),
+        declared.dimensions(),
+        declared.access(),
+        note.unit(),
+        note.meaning(),
+        note.source());
+  }
+
+  /** Forgets what is known of a variable that is no longer the same. */
+  private void forget(String declarator) {
+    int bracket = declarator.indexOf('[');
+    String key = Scope.key(bracket < 0 ? declarator : declarator.substring(0, bracket));
+    synchronized (scope) {
+      if (notes.containsKey(key)) {
+        Map<String, Note> rest = new HashMap<>(notes);
+        rest.remove(key);
+        notes = Map.copyOf(rest);
+      }
+    }
+  }
+
+  // declarations
+
+  /**
+   * Declares a STRUC type, in place of one of the same name. Variables declared before keep theirs.
+   *
+   * @param name the type's name
+   * @param definition the components in print order, such as {@code REAL SPEED; INT SEAM; CHAR
+   *     NAME[24]; FRAME OFFSET}
+   */
+  public void declareStruc(String name, String definition) {
+    List<Scope.Component> components = new ArrayList<>();
+    for (String group : definition.split(";", -1)) {
+      String declaration = group.strip();
+      int blank = declaration.indexOf(' ');
+      if (blank < 0) {
+        throw new IllegalArgumentException(
+            "a group of components is a type and names, is '" + declaration + "'");
+      }
+      // commas within brackets part dimensions
+      for (String component : declaration.substring(blank).split(",(?![^\\[]*])", -1)) {
+        components.add(new Scope.Component(declaration.substring(0, blank), component));
+      }
+    }
+    scope.declareStruc(name, components);
+  }
+
+  /**
+   * Declares an ENUM type, in place of one of the same name. Variables declared before keep theirs.
+   *
+   * @param name the type's name
+   * @param constants the constants, without {@code #}
+   */
+  public void declareEnum(String name, String... constants) {
+    scope.declareEnum(name, List.of(constants));
+  }
+
+  /**
+   * Declares a variable that clients may read and write, in place of one of the same name.
+   *
+   * @param name the name, for an array with its dimensions: {@code MYPOINTS[10]}
+   * @param type {@code INT}, {@code REAL}, {@code BOOL}, {@code CHAR}, a declared type, or {@code
+   *     SIGNAL}
+   * @param value the initial value as KRL text; for an array all elements separated by blanks, or
+   *     one value for every element; for a SIGNAL its wiring, {@code $OUT[5] TO $OUT[8]}; null for
+   *     an uninitialised variable
+   */
+  public void declare(String name, String type, @Nullable String value) {
+    declare(name, type, Access.READ_WRITE, value);
+  }
+
+  /**
+   * Declares a variable, in place of one of the same name.
+   *
+   * @param name the name, for an array with its dimensions: {@code MYPOINTS[10]}
+   * @param type {@code INT}, {@code REAL}, {@code BOOL}, {@code CHAR}, a declared type, or {@code
+   *     SIGNAL}
+   * @param access what clients may do
+   * @param value the initial value as KRL text; for an array all elements separated by blanks, or
+   *     one value for every element; for a SIGNAL its wiring, {@code $OUT[5] TO $OUT[8]}; null for
+   *     an uninitialised variable
+   */
+  public void declare(String name, String type, Access access, @Nullable String value) {
+    if (Scope.key(type).equals("SIGNAL")) {
+      if (value == null) {
+        throw new IllegalArgumentException("SIGNAL " + name + " needs a wiring");
+      }
+      scope.declareSignal(name, value, access);
+      forget(name);
+      return;
+    }
+    try {
+      scope.declare(name, type, access, value == null ? null : parse(value));
+      forget(name);
+    } catch (RefusedException e) {
+      throw refusedToJava(name, e);
+    }
+  }
+
+  /**
+   * Removes a variable.
+   *
+   * @param name its name, without index
+   * @return whether there was one
+   */
+  public boolean remove(String name) {
+    forget(name);
+    return scope.remove(name);
+  }
+
+  /**
+   * Says whether a variable is declared.
+   *
+   * @param name its name, without index
+   * @return whether there is one
+   */
+  public boolean contains(String name) {
+    return scope.contains(name);
+  }
+
+  /**
+   * Lists the variables.
+   *
+   * @return the names as declared, without dimensions, sorted; a copy
+   */
+  public SortedSet<String> names() {
+    return scope.names();
+  }
+
+  // access from Java
+
+  /**
+   * Reads a variable as the controller prints it: {@code {E6POS: X 525.000, ...}}; the text of a
+   * whole array ends with a blank.
+   *
+   * @param name what to read
+   * @return the text
+   * @throws IllegalArgumentException if there is no such variable or it has no value
+   */
+  public String get(String name) {
+    try {
+      return read(name);
+    } catch (RefusedException e) {
+      throw refusedToJava(name, e);
+    }
+  }
+
+  /**
+   * Reads a variable as a value.
+   *
+   * @param name what to read
+   * @return the value
+   * @throws IllegalArgumentException if there is no such variable or it has no value
+   */
+  public KrlValue value(String name) {
+    try {
+      return readValue(name);
+    } catch (RefusedException e) {
+      throw refusedToJava(name, e);
+    }
+  }
+
+  /**
+   * Writes a variable, whatever its access rights.
+   *
+   * @param name what to write; here a whole array, too
+   * @param text the value as KRL text; an aggregate changes the fields it has; a whole array takes
+   *     all elements or one value for every element
+   * @throws IllegalArgumentException if there is no such variable or the value is not of its type
+   */
+  public void set(String name, String text) {
+    try {
+      set(name, parse(text));
+    } catch (RefusedException e) {
+      throw refusedToJava(name, e);
+    }
+  }
+
+  /**
+   * Writes a variable, whatever its access rights.
+   *
+   * @param name what to write; here a whole array, too
+   * @param value the value; an aggregate changes the fields it has; a whole array takes all
+   *     elements or one value for every element
+   * @throws IllegalArgumentException if there is no such variable or the value is not of its type
+   */
+  public void set(String name, KrlValue value) {
+    try {
+      scope.write(Path.parse(name), value, Scope.Writer.SYSTEM);
+    } catch (RefusedException e) {
+      throw refusedToJava(name, e);
+    }
+  }
+
+  private static IllegalArgumentException refusedToJava(String name, RefusedException e) {
+    return new IllegalArgumentException(name + ": " + e.getMessage(), e);
+  }
+
+  // access by clients
+
+  /**
+   * Reads a variable as a client does.
+   *
+   * @param name what to read
+   * @return the text, as the controller prints it
+   * @throws RefusedException if the controller refuses the access
+   */
+  public String read(String name) throws RefusedException {
+    return scope.print(Path.parse(name));
+  }
+
+  /**
+   * Reads the value of a variable as a client does.
+   *
+   * @param name what to read
+   * @return the value
+   * @throws RefusedException if the controller refuses the access
+   */
+  public KrlValue readValue(String name) throws RefusedException {
+    return scope.read(Path.parse(name));
+  }
+
+  /** Gives the scope of the global variables. */
+  Scope scope() {
+    return scope;
+  }
+
+  /**
+   * Writes a variable as a client does.
+   *
+   * @param name what to write
+   * @param text the value
+   * @param maxAggregateLength how long the text of an aggregate may be, 0 for no limit
+   * @throws RefusedException if the controller refuses the access
+   */
+  public void write(String name, String text, int maxAggregateLength) throws RefusedException {
+    Path path = Path.parse(name);
+    KrlValue value = parse(text);
+    // kukavarproxy.md: at most 255 bytes for a written aggregate; text is one byte a character
+    if (value instanceof KrlStruct
+        && maxAggregateLength > 0
+        && text.length() > maxAggregateLength) {
+      throw new RefusedException(
+          Refusal.TOO_LONG,
+          "an aggregate may have " + maxAggregateLength + " bytes, has " + text.length());
+    }
+    scope.write(path, value, Scope.Writer.CLIENT);
+  }
+
+  private static KrlValue parse(String text) throws RefusedException {
+    try {
+      return KrlValue.parse(text.strip());
+    } catch (KrlSyntaxException e) {
+      throw new RefusedException(Refusal.NO_VALUE, e.getMessage());
+    }
+  }
+}

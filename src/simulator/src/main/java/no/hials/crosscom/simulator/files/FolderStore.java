@@ -1,0 +1,243 @@
+package no.hials.crosscom.simulator.files;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+import java.util.UUID;
+import no.hials.crosscom.protocol.code.FileAttribute;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Keeps all in a folder of this machine, and never leaves it: links are not followed but refused,
+ * and what is neither a file nor a folder or has a name that a tree cannot have is not there. The
+ * attributes are kept in memory, as most file systems have none of Windows.
+ *
+ * <p>Who can change the folder at the same time from elsewhere can have it left; a client of the
+ * server cannot.
+ */
+final class FolderStore implements Store {
+  private final Path root;
+  private final long maxFile;
+
+  /** What was set, by the full name in capital letters. */
+  private final Map<String, Integer> attributes = new HashMap<>();
+
+  /**
+   * Takes a folder.
+   *
+   * @param root the folder
+   * @param maxFile how large a file may be that is read, in bytes
+   * @throws IOException if it is none
+   */
+  FolderStore(Path root, long maxFile) throws IOException {
+    this.root = root.toRealPath();
+    this.maxFile = maxFile;
+  }
+
+  @Override
+  public @Nullable Item find(TreePath path) throws IOException {
+    Item item = item(TreePath.ROOT, root);
+    for (String name : path.names()) {
+      item = item == null || !item.directory() ? null : entries(item.path()).get(name);
+    }
+    if (item == null && !path.isRoot()) {
+      refuseLink(path);
+    }
+    return item;
+  }
+
+  /** Refuses a name under which there is a link or something else that is not seen. */
+  private void refuseLink(TreePath path) throws IOException {
+    Path folder = root;
+    for (String name : path.names()) {
+      Path found = null;
+      if (Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
+          for (Path file : files) {
+            found = fileName(file).equalsIgnoreCase(name) ? file : found;
+          }
+        }
+      }
+      if (found == null) {
+        return;
+      }
+      if (!isPlain(attributes(found))) {
+        throw FileRefusedException.access(path, "is a link or no file");
+      }
+      folder = found;
+    }
+  }
+
+  private static String fileName(Path file) {
+    return Objects.requireNonNull(file.getFileName(), "an entry of a folder has a name").toString();
+  }
+
+  private static BasicFileAttributes attributes(Path file) throws IOException {
+    return Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
+  }
+
+  /** Leaves out links, those of Windows too, which say that they are folders, and devices. */
+  private static boolean isPlain(BasicFileAttributes found) {
+    return (found.isDirectory() || found.isRegularFile())
+        && !found.isSymbolicLink()
+        && !found.isOther();
+  }
+
+  private Path file(TreePath path) throws FileRefusedException {
+    try {
+      Path file = root;
+      for (String name : path.names()) {
+        file = file.resolve(name);
+      }
+      return file;
+    } catch (InvalidPathException e) {
+      throw FileRefusedException.argument("this machine cannot have " + path);
+    }
+  }
+
+  /** Of names that differ in case only, the first is there. */
+  private Map<String, Item> entries(TreePath folder) throws IOException {
+    Map<String, Item> items = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+    List<Path> sorted = new ArrayList<>();
+    try (DirectoryStream<Path> files = Files.newDirectoryStream(file(folder))) {
+      files.forEach(sorted::add);
+    }
+    sorted.sort(null);
+    for (Path file : sorted) {
+      String name = fileName(file);
+      Item item = TreePath.isSafe(name) ? item(folder.known(name), file) : null;
+      if (item != null) {
+        items.putIfAbsent(name, item);
+      }
+    }
+    return items;
+  }
+
+  private @Nullable Item item(TreePath path, Path file) throws IOException {
+    BasicFileAttributes found = attributes(file);
+    if (!isPlain(found)) {
+      return null;
+    }
+    int kind = (found.isDirectory() ? FileAttribute.DIRECTORY : FileAttribute.ARCHIVE).code();
+    return new Item(
+        path,
+        found.isDirectory(),
+        found.isDirectory() ? 0 : found.size(),
+        attributes.getOrDefault(key(path), kind),
+        found.creationTime().toInstant(),
+        found.lastAccessTime().toInstant(),
+        found.lastModifiedTime().toInstant());
+  }
+
+  private static String key(TreePath path) {
+    return TreePath.upper(path.fullName());
+  }
+
+  @Override
+  public List<Item> children(TreePath folder) throws IOException {
+    return List.copyOf(entries(folder).values());
+  }
+
+  @Override
+  public byte[] read(Item file) throws IOException {
+    int limit = (int) Math.min(maxFile, Integer.MAX_VALUE - 64);
+    try (var in =
+        Files.newInputStream(
+            file(file.path()), StandardOpenOption.READ, LinkOption.NOFOLLOW_LINKS)) {
+      byte[] content = in.readNBytes(limit);
+      if (in.read() >= 0) {
+        throw Tree.tooLarge(file.path(), limit);
+      }
+      return content;
+    }
+  }
+
+  @Override
+  public void write(TreePath path, byte[] content) throws IOException {
+    Path target = file(path);
+    if (Files.exists(target, LinkOption.NOFOLLOW_LINKS) && !Files.isWritable(target)) {
+      throw new AccessDeniedException(target.toString());
+    }
+    // beside its place at first, so that on a full disk there is no half file, and the old one
+    // stays
+    Path part = target.resolveSibling(UUID.randomUUID() + ".part");
+    try {
+      Files.write(part, content, StandardOpenOption.CREATE_NEW);
+      Files.move(part, target, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(part);
+    }
+    attributes.computeIfPresent(key(path), (k, bits) -> bits | FileAttribute.ARCHIVE.code());
+  }
+
+  @Override
+  public void makeFolder(TreePath path) throws IOException {
+    Files.createDirectory(file(path));
+  }
+
+  @Override
+  public void delete(Item item) throws IOException {
+    Files.delete(file(item.path()));
+    attributes.remove(key(item.path()));
+  }
+
+  @Override
+  public void move(Item item, TreePath to) throws IOException {
+    Files.move(file(item.path()), file(to));
+    String from = key(item.path());
+    Map<String, Integer> moved = new HashMap<>();
+    attributes
+        .entrySet()
+        .removeIf(
+            entry -> {
+              String name = entry.getKey();
+              boolean inside = name.equals(from) || name.startsWith(from + "\\");
+              if (inside) {
+                moved.put(key(to) + name.substring(from.length()), entry.getValue());
+              }
+              return inside;
+            });
+    attributes.putAll(moved);
+  }
+
+  @Override
+  public void setAttributes(Item item, int bits) {
+    attributes.put(key(item.path()), bits);
+  }
+
+  @Override
+  public long used() throws IOException {
+    long[] used = {0};
+    Files.walkFileTree(
+        root,
+        new SimpleFileVisitor<>() {
+          @Override
+          public FileVisitResult visitFile(Path file, BasicFileAttributes found) {
+            used[0] += found.size() + ITEM_COST;
+            return FileVisitResult.CONTINUE;
+          }
+
+          @Override
+          public FileVisitResult postVisitDirectory(Path folder, @Nullable IOException e) {
+            used[0] += ITEM_COST;
+            return FileVisitResult.CONTINUE;
+          }
+        });
+    return used[0];
+  }
+}

@@ -1,0 +1,62 @@
+package no.hials.crosscom.simulator.files;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.code.ItemType;
+import no.hials.crosscom.protocol.code.ListFlag;
+
+/** What a list has so far; it ends when an answer cannot hold more (c3-bridge.md, type 21). */
+final class Listing {
+  /** What a u16 length can hold, less type, two counts and the footer. */
+  private static final int ROOM = 0xFFFF - 1 - 2 * 2 - 3;
+
+  private final int types;
+  private final boolean infos;
+
+  /**
+   * Measured with all flags set only (c3-vectors.tsv, type 21): full names come out. That both of
+   * these flags ask for them is assumed, as names alone would not say where a file is.
+   */
+  private final boolean fullNames;
+
+  private final List<Item> items = new ArrayList<>();
+  private int length;
+
+  Listing(Flags<ItemType> types, Flags<ListFlag> flags) {
+    this.types = types.bits();
+    this.infos = infos(flags);
+    this.fullNames = flags.has(ListFlag.RECURSIVE) || flags.has(ListFlag.EXPAND);
+  }
+
+  /** Whether items have an info; that the old form is the same is assumed. */
+  private static boolean infos(Flags<ListFlag> flags) {
+    return flags.has(ListFlag.LONG) || flags.has(ListFlag.OLD_LONG);
+  }
+
+  void add(Item item) throws FileRefusedException {
+    // no types asks for all (c3-vectors.tsv, type 21)
+    if (types != 0 && (types & item.type().code()) == 0) {
+      return;
+    }
+    length += 2 + 2 * name(item).length() + (infos ? 2 + 2 * item.info().length() : 0);
+    if (length > ROOM) {
+      throw new FileRefusedException(
+          ErrorCode.LONG_ANSWER, "the list does not fit into one message");
+    }
+    items.add(item);
+  }
+
+  private String name(Item item) {
+    return fullNames ? item.path().fullName() : item.path().name();
+  }
+
+  List<String> names() {
+    return items.stream().map(this::name).toList();
+  }
+
+  List<String> infos() {
+    return infos ? items.stream().map(Item::info).toList() : List.of();
+  }
+}

@@ -1,0 +1,151 @@
+package no.hials.crosscom.simulator.files;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+
+/**
+ * A place in the tree, there or not. Only names that are safe on every file system can be in it: no
+ * {@code ..}, no device of Windows, no character that means something to a shell or a drive.
+ *
+ * @param names the names from {@code KRC:\} downwards; none for that itself
+ */
+public record TreePath(List<String> names) {
+  /** {@code KRC:\} itself. */
+  public static final TreePath ROOT = new TreePath(List.of());
+
+  private static final String DRIVE = "KRC:";
+
+  /** That of Windows without the NUL at the end; that a KR C4 keeps to it is assumed. */
+  private static final int MAX_LENGTH = 259;
+
+  private static final String FORBIDDEN = "<>:\"|?*/\\";
+
+  private static final Set<String> DEVICES = Set.of("CON", "PRN", "AUX", "NUL");
+
+  /** Copies the names. */
+  public TreePath {
+    names = List.copyOf(names);
+  }
+
+  /** A name as a client wrote it: the names in it, and which of the two forms it had. */
+  record Parsed(TreePath path, boolean krcForm) {}
+
+  /** Takes {@code KRC:\R1\X.SRC} or {@code /R1/X.SRC}, with either kind of slash. */
+  static Parsed parse(String text) throws FileRefusedException {
+    String slashed = text.replace('/', '\\');
+    boolean full = slashed.regionMatches(true, 0, DRIVE, 0, DRIVE.length());
+    String rest = full ? slashed.substring(DRIVE.length()) : slashed;
+    if (rest.isEmpty() ? !full : rest.charAt(0) != '\\') {
+      throw FileRefusedException.argument(
+          "a name must begin with KRC:\\ or a slash, is " + quoted(text));
+    }
+    List<String> names = new ArrayList<>();
+    for (String name : rest.split("\\\\", -1)) {
+      names.add(name);
+    }
+    names.remove(0);
+    if (!names.isEmpty() && names.get(names.size() - 1).isEmpty()) {
+      names.remove(names.size() - 1); // a slash at the end is measured (c3-vectors.tsv, type 21)
+    }
+    TreePath path = ROOT;
+    for (String name : names) {
+      path = path.child(name);
+    }
+    return new Parsed(path, !full);
+  }
+
+  /** Adds a name, which is checked. */
+  TreePath child(String name) throws FileRefusedException {
+    if (!isSafe(name)) {
+      throw FileRefusedException.argument(quoted(name) + " cannot be the name of a file");
+    }
+    TreePath child = known(name);
+    if (child.fullName().length() > MAX_LENGTH) {
+      throw FileRefusedException.argument(
+          "a full name has at most "
+              + MAX_LENGTH
+              + " characters, has "
+              + child.fullName().length());
+    }
+    return child;
+  }
+
+  /** Adds the name of something that is there. */
+  TreePath known(String name) {
+    List<String> longer = new ArrayList<>(names);
+    longer.add(name);
+    return new TreePath(longer);
+  }
+
+  static boolean isSafe(String name) {
+    if (name.isEmpty() || name.endsWith(".") || name.endsWith(" ") || name.startsWith(" ")) {
+      return false;
+    }
+    boolean good =
+        name.chars()
+            .allMatch(
+                c ->
+                    c >= ' '
+                        && c != 0x7F
+                        && !Character.isSurrogate((char) c)
+                        && FORBIDDEN.indexOf(c) < 0);
+    return good && !isDevice(name);
+  }
+
+  private static boolean isDevice(String name) {
+    int dot = name.indexOf('.');
+    String base = (dot < 0 ? name : name.substring(0, dot)).strip().toUpperCase(Locale.ROOT);
+    return DEVICES.contains(base) || base.matches("(COM|LPT)[0-9¹²³]");
+  }
+
+  private static String quoted(String text) {
+    StringBuilder shown = new StringBuilder("\"");
+    text.chars().limit(60).forEach(c -> shown.append(c < ' ' || c == 0x7F ? '?' : (char) c));
+    return shown.append('"').toString();
+  }
+
+  /** Whether this is {@code KRC:\} itself. */
+  boolean isRoot() {
+    return names.isEmpty();
+  }
+
+  /** Gives the last name; empty for the root. */
+  public String name() {
+    return isRoot() ? "" : names.get(names.size() - 1);
+  }
+
+  /** The folder that this is in; the root is in itself. */
+  TreePath parent() {
+    return isRoot() ? this : new TreePath(names.subList(0, names.size() - 1));
+  }
+
+  /** Gives the form {@code KRC:\R1\Program\x.src}, in the spelling of the names. */
+  public String fullName() {
+    return DRIVE + "\\" + String.join("\\", names);
+  }
+
+  /** Whether another place is this one or below it. */
+  boolean contains(TreePath other) {
+    return other.names.size() >= names.size()
+        && new TreePath(other.names.subList(0, names.size())).isSame(this);
+  }
+
+  /** Whether another place is this one; the case of letters does not matter. */
+  boolean isSame(TreePath other) {
+    return names.size() == other.names.size() && fullName().equalsIgnoreCase(other.fullName());
+  }
+
+  /** Makes capital letters of all, one for one. */
+  static String upper(String text) {
+    StringBuilder upper = new StringBuilder(text.length());
+    text.chars().forEach(c -> upper.append(Character.toUpperCase((char) c)));
+    return upper.toString();
+  }
+
+  @Override
+  public String toString() {
+    return fullName();
+  }
+}

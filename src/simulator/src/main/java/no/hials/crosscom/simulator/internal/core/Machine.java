@@ -1,0 +1,105 @@
+package no.hials.crosscom.simulator.internal.core;
+
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.Node;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Scope;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Reads and writes those variables of the controller that the simulation itself works with. A user
+ * may have removed or redeclared any of them; then a default takes their place.
+ */
+final class Machine {
+  private static final Logger log = LoggerFactory.getLogger(Machine.class);
+
+  private final Scope globals;
+
+  Machine(Scope globals) {
+    this.globals = globals;
+  }
+
+  static Path path(String name) {
+    try {
+      return Path.parse(name);
+    } catch (RefusedException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+  }
+
+  private @Nullable KrlValue read(Path path) {
+    try {
+      return globals.read(path);
+    } catch (RefusedException e) {
+      return null;
+    }
+  }
+
+  /**
+   * Gives the contents of a variable, which are another object after each write; null if there is
+   * none.
+   */
+  @Nullable Node contents(String name) {
+    try {
+      return globals.contents(name);
+    } catch (RefusedException e) {
+      return null;
+    }
+  }
+
+  double number(Path path, double otherwise) {
+    KrlValue value = read(path);
+    try {
+      return value == null ? otherwise : Values.number(value);
+    } catch (IllegalArgumentException e) {
+      return otherwise;
+    }
+  }
+
+  boolean bool(Path path, boolean otherwise) {
+    return read(path) instanceof KrlBool value ? value.value() : otherwise;
+  }
+
+  String constant(Path path, String otherwise) {
+    return read(path) instanceof KrlEnum value ? value.name() : otherwise;
+  }
+
+  Frame frame(Path path) {
+    return read(path) instanceof KrlStruct struct
+        ? Values.toFrame(struct, Frame.IDENTITY)
+        : Frame.IDENTITY;
+  }
+
+  /** Reads the first six elements of an array. */
+  Axes axes(String array, double otherwise) {
+    double[] numbers = new double[Values.ROBOT_AXES];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = number(Path.element(array, i + 1), otherwise);
+    }
+    return Axes.of(numbers);
+  }
+
+  /** Reads the aggregate of an axis position. */
+  Axes position(Path path, Axes otherwise) {
+    return read(path) instanceof KrlStruct struct ? Values.toAxes(struct, otherwise) : otherwise;
+  }
+
+  /** Writes a value; says whether that was possible. */
+  boolean write(Path path, KrlValue value) {
+    try {
+      globals.write(path, value, Scope.Writer.SYSTEM);
+      return true;
+    } catch (RefusedException e) {
+      log.trace("{} cannot be set: {}", path.first().name(), e.getMessage());
+      return false;
+    }
+  }
+}

@@ -1,0 +1,69 @@
+package no.hials.crosscom.simulator.internal.core;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import no.hials.crosscom.simulator.Message;
+
+/** The message window of the pendant: the last messages, and those that wait to be confirmed. */
+final class Messages {
+  /*
+   * The reference has no numbers of KSS: these are this simulation's own, beside those of the
+   * interpreter.
+   */
+
+  /** A target is beyond the reach of the arm or a software limit. */
+  static final int WORK_ENVELOPE = 9101;
+
+  /** The robot came to a software limit on its path. */
+  static final int SOFTWARE_LIMIT = 9102;
+
+  /** The path leads through a singularity. */
+  static final int SINGULARITY = 9103;
+
+  /** The operating mode was changed while a program ran. */
+  static final int MODE_CHANGED = 9104;
+
+  /** The emergency stop was pressed. */
+  static final int EMERGENCY_STOP = 9105;
+
+  /** A motion statement makes no sense. */
+  static final int BAD_MOTION = 9106;
+
+  /** The simulation itself has failed. */
+  static final int FAILED = 9107;
+
+  private static final int KEPT = 1000;
+
+  private final Deque<Message> all = new ArrayDeque<>();
+  private int unconfirmed;
+
+  void add(Message message) {
+    if (all.size() == KEPT) {
+      all.removeFirst();
+    }
+    all.addLast(message);
+    if (message.kind() == Message.Kind.ACKNOWLEDGEMENT) {
+      unconfirmed++;
+    }
+  }
+
+  void add(Message.Kind kind, int number, String text, long millis) {
+    add(new Message(kind, number, text, Duration.ofMillis(millis)));
+  }
+
+  boolean stop() {
+    return unconfirmed > 0;
+  }
+
+  int confirm() {
+    int confirmed = unconfirmed;
+    unconfirmed = 0;
+    return confirmed;
+  }
+
+  List<Message> list() {
+    return List.copyOf(all);
+  }
+}

@@ -1,0 +1,336 @@
+package no.hials.crosscom.simulator.internal.core;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.motion.Motion;
+import no.hials.crosscom.simulator.internal.motion.MotionEvent;
+import no.hials.crosscom.simulator.internal.motion.MotionRefusedException;
+import no.hials.crosscom.simulator.internal.motion.MotionSystem;
+import no.hials.crosscom.simulator.internal.motion.Problem;
+import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
+import no.hials.crosscom.simulator.internal.motion.Suspended;
+import no.hials.crosscom.simulator.internal.program.MotionOrder;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The motions of the robot's program: those that are planned and under way, those that interrupts
+ * have put aside, and what has to wait until the robot stands.
+ */
+final class Motions {
+  private static final Logger log = LoggerFactory.getLogger(Motions.class);
+
+  /** Learns what happens. */
+  interface Listener {
+    /** Learns that the robot cannot move as the program says. */
+    void failed(int number, String text);
+
+    /** Learns that a motion has begun, and in which base (in the robot's root) and tool. */
+    void started(Axes from, Axes to, Frame base, Frame tool);
+
+    /** Learns where the robot leaves its path for an interrupt. */
+    void leftPath(Axes axes);
+  }
+
+  /** What has to wait until the robot stands, in the order in which it was asked for. */
+  private sealed interface Step {}
+
+  private record PutAside() implements Step {}
+
+  private record Forget() implements Step {}
+
+  private record Begin(MotionOrder order) implements Step {}
+
+  /** A plan that an interrupt has put aside, and the statements it came from. */
+  private record Aside(Suspended plan, Map<Long, MotionOrder> orders) {}
+
+  private final Machine machine;
+  private final RobotModel robot;
+  private final Planner planner;
+  private final Triggers triggers;
+  private final Listener listener;
+  private RobotModel model;
+  private MotionSystem motion;
+
+  /** Motions that were handed over and have not ended. */
+  private Map<Long, MotionOrder> orders = new HashMap<>();
+
+  /** The bases in which motions were planned. */
+  private final Map<Long, Frame> bases = new HashMap<>();
+
+  /** The plans that interrupts have put aside, the last one first. */
+  private final Deque<Aside> aside = new ArrayDeque<>();
+
+  private final Deque<Step> waiting = new ArrayDeque<>();
+
+  Motions(Machine machine, RobotModel robot, Triggers triggers, Listener listener) {
+    this.machine = machine;
+    this.robot = robot;
+    this.triggers = triggers;
+    this.listener = listener;
+    model = robot;
+    Axes start = machine.position(Machine.path("$AXIS_ACT"), robot.home());
+    planner = new Planner(machine, robot, start);
+    motion = new MotionSystem(robot, start);
+    readLimits();
+  }
+
+  MotionSystem system() {
+    return motion;
+  }
+
+  Planner planner() {
+    return planner;
+  }
+
+  RobotModel model() {
+    return model;
+  }
+
+  /** Takes over the software limits, which clients and data lists may have changed. */
+  void readLimits() {
+    Axes low = robot.home();
+    Axes high = robot.home();
+    for (int i = 0; i < Values.ROBOT_AXES; i++) {
+      low = low.with(i, machine.number(Path.element("$SOFTN_END", i + 1), robot.minimum(i)));
+      high = high.with(i, machine.number(Path.element("$SOFTP_END", i + 1), robot.maximum(i)));
+    }
+    if (isOf(model, low, high)) {
+      return;
+    }
+    try {
+      model = robot.withLimits(low, high);
+    } catch (IllegalArgumentException e) {
+      // a minimum above its maximum, perhaps while a client is about to change both
+      log.debug("the software limits stay as they were: {}", e.getMessage());
+      return;
+    }
+    planner.robot(model);
+    motion.robot(model);
+  }
+
+  private static boolean isOf(RobotModel model, Axes low, Axes high) {
+    for (int i = 0; i < Values.ROBOT_AXES; i++) {
+      if (model.minimum(i) != low.get(i) || model.maximum(i) != high.get(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // what a program asks for
+
+  void move(MotionOrder order) throws ProgramFault {
+    if (waiting.isEmpty()) {
+      take(order);
+    } else {
+      waiting.add(new Begin(order));
+    }
+  }
+
+  private void take(MotionOrder order) throws ProgramFault {
+    readLimits();
+    Motion planned;
+    try {
+      planned = planner.plan(order);
+      motion.add(planned);
+    } catch (MotionRefusedException e) {
+      throw new ProgramFault(number(e.problem()), e.problem().message());
+    } catch (IllegalArgumentException e) {
+      // numbers with which nothing can be computed, such as a target of 1E38 mm
+      throw new ProgramFault(Messages.BAD_MOTION, String.valueOf(e.getMessage()));
+    }
+    planner.startAt(motion.plannedEnd());
+    orders.put(planned.id(), order);
+    bases.put(planned.id(), planner.base());
+    triggers.add(planned, order.triggers());
+  }
+
+  static int number(Problem problem) {
+    if (problem instanceof Problem.AxisLimit) {
+      return Messages.SOFTWARE_LIMIT;
+    }
+    if (problem instanceof Problem.Singularity) {
+      return Messages.SINGULARITY;
+    }
+    return problem instanceof Problem.OutOfReach ? Messages.WORK_ENVELOPE : Messages.BAD_MOTION;
+  }
+
+  int ahead() {
+    int ahead = motion.planned();
+    for (Step step : waiting) {
+      ahead += step instanceof Begin ? 1 : 0;
+    }
+    return ahead;
+  }
+
+  boolean finished() {
+    return waiting.isEmpty() && motion.finished();
+  }
+
+  /** Says whether nothing is put aside either. */
+  boolean idle() {
+    return finished() && aside.isEmpty();
+  }
+
+  void hold(boolean maximum) {
+    waiting.add(new PutAside());
+    motion.brake(maximum);
+  }
+
+  void release() {
+    // nothing is there to go on with if somebody has placed the robot in the meantime
+    if (!aside.isEmpty()) {
+      Aside last = aside.pop();
+      motion.resume(last.plan(), planner.axisRates());
+      orders = last.orders();
+    }
+    planner.startAt(motion.plannedEnd());
+  }
+
+  void discard(int holds) {
+    dropMotionsLast();
+    for (int i = 0; i < holds; i++) {
+      if (waiting.peekLast() instanceof PutAside) {
+        waiting.removeLast();
+        dropMotionsLast();
+      } else {
+        aside.poll();
+      }
+    }
+    // what an earlier interrupt is about to put aside stays, and has the robot brake anyway
+    if (waiting.stream().noneMatch(step -> step instanceof PutAside)) {
+      waiting.add(new Forget());
+      orders.clear();
+      motion.cancel();
+    }
+    triggers.retain(kept());
+  }
+
+  private void dropMotionsLast() {
+    while (waiting.peekLast() instanceof Begin) {
+      waiting.removeLast();
+    }
+  }
+
+  private Set<Long> kept() {
+    Set<Long> kept = new HashSet<>(orders.keySet());
+    aside.forEach(plan -> kept.addAll(plan.orders().keySet()));
+    return kept;
+  }
+
+  // what the controller asks for
+
+  /** Slows the robot down, and forgets everything when it stands. */
+  void discardAll() {
+    aside.clear();
+    waiting.clear();
+    orders.clear();
+    triggers.clear();
+    waiting.add(new Forget());
+    motion.cancel();
+    settle(false);
+  }
+
+  /** Puts the robot somewhere, at once. */
+  void place(Axes axes) {
+    motion = new MotionSystem(model, axes);
+    discardAll();
+    listener.started(axes, axes, planner.base(), planner.tool());
+  }
+
+  /**
+   * Does what had to wait until the robot stands.
+   *
+   * @param active whether the program runs; motions are planned only then
+   */
+  void settle(boolean active) {
+    while (!waiting.isEmpty() && motion.standing()) {
+      if (waiting.element() instanceof Begin && !active) {
+        return;
+      }
+      Step step = waiting.remove();
+      if (step instanceof Begin begin) {
+        if (!begin(begin.order())) {
+          return;
+        }
+        continue;
+      }
+      if (step instanceof PutAside) {
+        aside.push(new Aside(motion.suspend(), orders));
+        orders = new HashMap<>();
+        listener.leftPath(motion.axes());
+      }
+      planner.startAt(motion.axes());
+    }
+  }
+
+  private boolean begin(MotionOrder order) {
+    try {
+      take(order);
+      return true;
+    } catch (ProgramFault e) {
+      listener.failed(e.number(), order.position() + ": " + e.getMessage());
+      return false;
+    }
+  }
+
+  /** Lets the robot move for a cycle. */
+  void cycle(long time, double override, boolean released, SpeedLimit speedLimit) {
+    for (MotionEvent event : motion.cycle(override, released, speedLimit)) {
+      Motion of = event.motion();
+      if (event instanceof MotionEvent.Started) {
+        listener.started(
+            motion.currentStart(),
+            motion.currentEnd(),
+            bases.getOrDefault(of.id(), planner.base()),
+            of.tool());
+        triggers.started(of, time);
+      } else if (event instanceof MotionEvent.Passed) {
+        triggers.passed(of, time);
+        orders.remove(of.id());
+      } else if (event instanceof MotionEvent.Faulted fault) {
+        fault(fault);
+      }
+    }
+    if (idle()) {
+      bases.clear();
+    }
+    triggers.cycle(
+        time,
+        motion.current().map(Motion::id).orElse(0L),
+        motion.distanceToEnd(),
+        motion.pathVelocity(),
+        MotionSystem.CYCLE);
+  }
+
+  /**
+   * Forgets the motion. Those behind it are planned again when the program goes on, and a plan that
+   * an interrupt has put aside stays.
+   */
+  private void fault(MotionEvent.Faulted fault) {
+    MotionOrder order = orders.get(fault.motion().id());
+    String where = order == null ? "" : order.position() + ": ";
+    List<MotionOrder> behind =
+        orders.entrySet().stream()
+            .filter(entry -> entry.getKey() > fault.motion().id())
+            .sorted(Map.Entry.<Long, MotionOrder>comparingByKey().reversed())
+            .map(Map.Entry::getValue)
+            .toList();
+    behind.forEach(next -> waiting.addFirst(new Begin(next)));
+    orders.clear();
+    triggers.retain(kept());
+    planner.startAt(motion.axes());
+    listener.failed(number(fault.problem()), where + fault.problem().message());
+  }
+}

@@ -1,0 +1,69 @@
+package no.hials.crosscom.simulator.internal.core;
+
+import java.util.concurrent.locks.LockSupport;
+import no.hials.crosscom.simulator.SimulationClock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Lets the time of a controller pass, on a thread of its own. */
+public final class Pacemaker implements AutoCloseable {
+  private static final Logger log = LoggerFactory.getLogger(Pacemaker.class);
+  private static final double CYCLE_NANOS = Kernel.CYCLE_MILLIS * 1e6;
+
+  /** Time that could not be caught up with is let go, so that it is not made up for in a rush. */
+  private static final double MAX_LAG_CYCLES = 20;
+
+  private final Kernel kernel;
+  private final double factor;
+  private final boolean unlimited;
+  private final Thread thread;
+  private volatile boolean closed;
+
+  /**
+   * Starts the time.
+   *
+   * @param kernel the controller
+   * @param clock how fast; not stepped
+   * @param threadName the name of the thread
+   */
+  public Pacemaker(Kernel kernel, SimulationClock clock, String threadName) {
+    this.kernel = kernel;
+    unlimited = clock instanceof SimulationClock.Unlimited;
+    factor = clock instanceof SimulationClock.Running running ? running.factor() : 1;
+    thread = new Thread(this::run, threadName);
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  private void run() {
+    double period = CYCLE_NANOS / factor;
+    double due = System.nanoTime() + period;
+    try {
+      while (!closed) {
+        if (unlimited && kernel.busy()) {
+          kernel.cycle();
+          due = System.nanoTime() + period;
+          continue;
+        }
+        double ahead = due - System.nanoTime();
+        if (ahead > 0) {
+          LockSupport.parkNanos((long) ahead);
+        } else {
+          kernel.cycle();
+          due = Math.max(due, System.nanoTime() - MAX_LAG_CYCLES * period) + period;
+        }
+      }
+    } catch (RuntimeException e) {
+      // an error of the simulation itself, which the kernel has told its users of
+      log.error("the simulated controller has stopped", e);
+    }
+  }
+
+  /** Stops the time, and waits until the cycle under way has ended. */
+  @Override
+  public void close() {
+    closed = true;
+    LockSupport.unpark(thread);
+    Threads.join(thread);
+  }
+}

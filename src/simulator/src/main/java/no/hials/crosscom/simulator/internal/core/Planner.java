@@ -1,0 +1,256 @@
+package no.hials.crosscom.simulator.internal.core;
+
+import java.util.OptionalDouble;
+import java.util.Set;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.kinematics.UnreachableException;
+import no.hials.crosscom.lang.Statement;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.motion.Approximation;
+import no.hials.crosscom.simulator.internal.motion.AxisRates;
+import no.hials.crosscom.simulator.internal.motion.Circular;
+import no.hials.crosscom.simulator.internal.motion.Linear;
+import no.hials.crosscom.simulator.internal.motion.Motion;
+import no.hials.crosscom.simulator.internal.motion.OrientationControl;
+import no.hials.crosscom.simulator.internal.motion.PathRates;
+import no.hials.crosscom.simulator.internal.motion.PointToPoint;
+import no.hials.crosscom.simulator.internal.program.MotionOrder;
+
+/**
+ * Resolves motion statements: what a target means by {@code $BASE}, {@code $TOOL} and the end of
+ * the motion before, and how fast it may be by {@code $VEL}, {@code $ACC} and the like, all as they
+ * are when the advance run comes by.
+ */
+final class Planner {
+  private static final Path BASE = Machine.path("$BASE");
+  private static final Path TOOL = Machine.path("$TOOL");
+  private static final Path ROBROOT = Machine.path("$ROBROOT");
+  private static final Path ORI_TYPE = Machine.path("$ORI_TYPE");
+  private static final Path VEL_CP = Machine.path("$VEL.CP");
+  private static final Path VEL_ORI = Machine.path("$VEL.ORI1");
+  private static final Path ACC_CP = Machine.path("$ACC.CP");
+  private static final Path ACC_ORI = Machine.path("$ACC.ORI1");
+  private static final Path VEL_MAX = Machine.path("$VEL_MA.CP");
+  private static final Path VEL_ORI_MAX = Machine.path("$VEL_MA.ORI1");
+  private static final Path ACC_MAX = Machine.path("$ACC_MA.CP");
+  private static final Path ACC_ORI_MAX = Machine.path("$ACC_MA.ORI1");
+  private static final Path APO_CPTP = Machine.path("$APO.CPTP");
+  private static final Path APO_CDIS = Machine.path("$APO.CDIS");
+  private static final Path APO_CVEL = Machine.path("$APO.CVEL");
+  private static final Path APO_CORI = Machine.path("$APO.CORI");
+
+  /** What INITMOV sets (krl.md 2.7), for a controller without these variables. */
+  private static final double DEFAULT_VELOCITY = 2;
+
+  private static final double DEFAULT_TURN_VELOCITY = 200;
+  private static final double DEFAULT_ACCELERATION = 2.3;
+  private static final double DEFAULT_TURN_ACCELERATION = 100;
+
+  /** Slower than this a motion would hardly end; a rate of 0 is taken for it (assumed). */
+  private static final double LEAST_PERCENT = 0.1;
+
+  private static final double LEAST_RATE = 0.001;
+
+  private final Machine machine;
+  private RobotModel robot;
+
+  /** Where the last planned motion ends. */
+  private Axes last;
+
+  private long planned;
+
+  Planner(Machine machine, RobotModel robot, Axes start) {
+    this.machine = machine;
+    this.robot = robot;
+    this.last = start;
+  }
+
+  /** Takes the robot with other software limits. */
+  void robot(RobotModel limited) {
+    robot = limited;
+  }
+
+  /** Says where the robot will be when the next motion begins. */
+  void startAt(Axes axes) {
+    last = axes;
+  }
+
+  Frame base() {
+    return machine.frame(ROBROOT).inverse().times(machine.frame(BASE));
+  }
+
+  Frame tool() {
+    return machine.frame(TOOL);
+  }
+
+  /** Makes a motion of a statement. */
+  Motion plan(MotionOrder order) throws ProgramFault {
+    planned++;
+    return switch (order.kind()) {
+      case PTP, PTP_REL -> pointToPoint(order);
+      case LIN, LIN_REL ->
+          new Linear(
+              planned,
+              frame(order, order.target()),
+              tool(),
+              pathRates(),
+              orientation(),
+              pathApproximation(order.approximations()));
+      case CIRC, CIRC_REL -> circular(order);
+    };
+  }
+
+  private Motion pointToPoint(MotionOrder order) throws ProgramFault {
+    KrlStruct target = order.target();
+    Axes axes;
+    if (Values.isAxes(target)) {
+      axes =
+          order.kind().relative()
+              ? last.plus(Values.toAxes(target, Axes.ZERO))
+              : Values.toAxes(target, last);
+    } else {
+      axes = inverse(order, frame(order, target));
+    }
+    return new PointToPoint(
+        planned, axes, axisRates(), tool(), axisApproximation(order.approximations()));
+  }
+
+  /**
+   * Finds the axes of a PTP motion's Cartesian target. Without Status and Turn, and for an
+   * increment, the arm stays as it is (krl.md 3: S and T apply to PTP; for PTP_REL assumed).
+   */
+  private Axes inverse(MotionOrder order, Frame tcp) throws ProgramFault {
+    try {
+      if (order.kind().relative()) {
+        return robot.inverse(tcp.times(tool().inverse()), last);
+      }
+      return inverse(order.target(), last);
+    } catch (UnreachableException e) {
+      throw new ProgramFault(Messages.WORK_ENVELOPE, e.getMessage());
+    }
+  }
+
+  private Motion circular(MotionOrder order) throws ProgramFault {
+    KrlStruct auxiliary = order.auxiliary();
+    if (auxiliary == null) {
+      throw new IllegalArgumentException("a circle needs an auxiliary point");
+    }
+    return new Circular(
+        planned,
+        frame(order, auxiliary),
+        frame(order, order.target()),
+        order.circularAngle(),
+        tool(),
+        pathRates(),
+        orientation(),
+        pathApproximation(order.approximations()));
+  }
+
+  /**
+   * Gives the TCP's frame in {@code $ROBROOT}. An increment is added in the axes of {@code $BASE};
+   * its angles turn the TCP about these axes, too. With {@code #TOOL} it is in those of the tool
+   * (both assumed).
+   */
+  private Frame frame(MotionOrder order, KrlStruct target) throws ProgramFault {
+    if (Values.isAxes(target)) {
+      if (order.kind().relative()) {
+        throw new ProgramFault(
+            ProgramFault.WRONG_TYPE, order.kind() + " needs a Cartesian increment, was given axes");
+      }
+      return robot.forward(Values.toAxes(target, last)).times(tool());
+    }
+    Frame base = base();
+    Frame from = base.inverse().times(robot.forward(last)).times(tool());
+    if (!order.kind().relative()) {
+      return base.times(Values.toFrame(target, from));
+    }
+    Frame increment = Values.toFrame(target, Frame.IDENTITY);
+    if ("TOOL".equals(order.coordinates())) {
+      return base.times(from).times(increment);
+    }
+    Frame turn = new Frame(0, 0, 0, increment.a(), increment.b(), increment.c());
+    Frame turned = turn.times(new Frame(0, 0, 0, from.a(), from.b(), from.c()));
+    return base.times(
+        new Frame(
+            from.x() + increment.x(),
+            from.y() + increment.y(),
+            from.z() + increment.z(),
+            turned.a(),
+            turned.b(),
+            turned.c()));
+  }
+
+  /** Finds the axes that bring the tool to a position: with its Status and Turn, or near others. */
+  Axes inverse(KrlStruct position, Axes near) throws UnreachableException {
+    Frame from = base().inverse().times(robot.forward(near)).times(tool());
+    Frame flange = base().times(Values.toFrame(position, from)).times(tool().inverse());
+    OptionalDouble status = Values.number(position, "S");
+    OptionalDouble turn = Values.number(position, "T");
+    if (status.isEmpty()) {
+      return robot.inverse(flange, near);
+    }
+    return robot.inverse(flange, (int) status.getAsDouble(), (int) turn.orElse(robot.turn(near)));
+  }
+
+  // rates
+
+  AxisRates axisRates() {
+    return new AxisRates(
+        percent(machine.axes("$VEL_AXIS", 100)), percent(machine.axes("$ACC_AXIS", 100)));
+  }
+
+  private static Axes percent(Axes axes) {
+    Axes result = axes;
+    for (int i = 0; i < Values.ROBOT_AXES; i++) {
+      result = result.with(i, Math.max(LEAST_PERCENT, Math.min(100, axes.get(i))));
+    }
+    return result;
+  }
+
+  private PathRates pathRates() {
+    return new PathRates(
+        rate(VEL_CP, DEFAULT_VELOCITY, VEL_MAX),
+        rate(ACC_CP, DEFAULT_ACCELERATION, ACC_MAX),
+        rate(VEL_ORI, DEFAULT_TURN_VELOCITY, VEL_ORI_MAX),
+        rate(ACC_ORI, DEFAULT_TURN_ACCELERATION, ACC_ORI_MAX));
+  }
+
+  private double rate(Path path, double otherwise, Path limit) {
+    double value = Math.min(machine.number(path, otherwise), machine.number(limit, otherwise));
+    return Math.max(LEAST_RATE, value);
+  }
+
+  private OrientationControl orientation() {
+    return switch (machine.constant(ORI_TYPE, "VAR")) {
+      case "CONSTANT" -> OrientationControl.CONSTANT;
+      case "JOINT" -> OrientationControl.JOINT;
+      default -> OrientationControl.VAR;
+    };
+  }
+
+  private Approximation axisApproximation(Set<Statement.Approximation> asked) {
+    return asked.isEmpty()
+        ? new Approximation.Exact()
+        : new Approximation.AxisDistance(within(machine.number(APO_CPTP, 0), 100));
+  }
+
+  private Approximation pathApproximation(Set<Statement.Approximation> asked) {
+    if (asked.contains(Statement.Approximation.C_VEL)) {
+      return new Approximation.Speed(within(machine.number(APO_CVEL, 100), 100));
+    }
+    if (asked.contains(Statement.Approximation.C_ORI)) {
+      return new Approximation.Orientation(within(machine.number(APO_CORI, 0), Double.MAX_VALUE));
+    }
+    return asked.isEmpty()
+        ? new Approximation.Exact()
+        : new Approximation.Distance(within(machine.number(APO_CDIS, 0), Double.MAX_VALUE));
+  }
+
+  private static double within(double value, double most) {
+    return Math.max(0, Math.min(most, value));
+  }
+}

@@ -1,0 +1,395 @@
+package no.hials.crosscom.simulator.internal.core;
+
+import java.time.Duration;
+import java.time.LocalDateTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.program.Interpreter;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Shows the state of the simulation in the system variables of krl.md 2. What is a number or a text
+ * is computed when somebody reads it; what is wired to an output is written when it changes.
+ */
+final class SystemVariables {
+  /** Access to these waits until the robot has come to the end of its motions (krl.md 4). */
+  private static final Set<String> STOP_ADVANCE =
+      Set.of(
+          "$IN",
+          "$OUT",
+          "$ANIN",
+          "$ANOUT",
+          "$TIMER",
+          "$TIMER_STOP",
+          "$TIMER_FLAG",
+          "$POS_ACT",
+          "$POS_ACT_MES",
+          "$AXIS_ACT",
+          "$AXIS_ACT_MEAS",
+          "$VEL_ACT",
+          "$VEL_AXIS_ACT",
+          "$DIST_NEXT",
+          "$POS_INT",
+          "$AXIS_INT",
+          "$POS_RET",
+          "$AXIS_RET",
+          "$POS_BACK",
+          "$AXIS_BACK",
+          "$POS_FOR",
+          "$AXIS_FOR",
+          "$BRAKE_SIG");
+
+  /** The brakes of A1 to A6, open (krl.md 2.1). */
+  private static final int BRAKES_OPEN = 63;
+
+  private static final Path ROB_STOPPED = Machine.path("$ROB_STOPPED");
+  private static final Path PRO_ACT = Machine.path("$PRO_ACT");
+  private static final Path PRO_MOVE = Machine.path("$PRO_MOVE");
+  private static final Path STOPMESS = Machine.path("$STOPMESS");
+  private static final Path ALARM_STOP = Machine.path("$ALARM_STOP");
+  private static final Path PERI_RDY = Machine.path("$PERI_RDY");
+  private static final Path IN_HOME = Machine.path("$IN_HOME");
+  private static final Path T1 = Machine.path("$T1");
+  private static final Path T2 = Machine.path("$T2");
+  private static final Path AUT = Machine.path("$AUT");
+  private static final Path EXT = Machine.path("$EXT");
+  private static final Path H_POS = Machine.path("$H_POS");
+  private static final Path H_POS_TOL = Machine.path("$H_POS_TOL");
+
+  private static final double PERCENT = 100;
+  private static final int SHOWN_LEVELS = 10;
+  private static final int CENTISECOND_NANOS = 10_000_000;
+
+  /**
+   * What is shown, as it is after a cycle.
+   *
+   * @param axes degrees
+   * @param axisVelocity degrees/s
+   * @param pathVelocity m/s
+   * @param standing whether no axis moves
+   * @param planned motions that have not begun
+   * @param distanceToEnd mm to the end of the motion
+   * @param mode the operating mode
+   * @param emergency whether the emergency stop is pressed
+   * @param stopMessage whether a message has to be confirmed
+   * @param idle whether all motions have ended
+   */
+  record State(
+      Axes axes,
+      Axes axisVelocity,
+      double pathVelocity,
+      boolean standing,
+      int planned,
+      double distanceToEnd,
+      OperatingMode mode,
+      boolean emergency,
+      boolean stopMessage,
+      boolean idle) {}
+
+  /** What an interpreter shows. */
+  private record Pointer(ProgramState state, String program, List<Interpreter.Level> levels) {}
+
+  private static final Pointer NO_POINTER = new Pointer(ProgramState.FREE, " ", List.of());
+
+  private final Scope globals;
+  private final Machine machine;
+  private final RobotModel robot;
+  private final Interpreter robotInterpreter;
+  private final Interpreter submitInterpreter;
+  private final Path base = Machine.path("$BASE");
+  private final Path tool = Machine.path("$TOOL");
+  private final Path robroot = Machine.path("$ROBROOT");
+
+  private volatile State state;
+  private volatile Pointer robotPointer = NO_POINTER;
+  private volatile Pointer submitPointer = NO_POINTER;
+
+  /** Where the motion under way ends, where it began, and where an interrupt came. */
+  private volatile Axes target;
+
+  private volatile Axes origin;
+  private volatile Axes interrupted;
+
+  /** Where an interrupt has put the motions aside. */
+  private volatile Axes left;
+
+  /** The base and the tool of the motion under way; null if there is none. */
+  private volatile @Nullable Frame mainBase;
+
+  private volatile @Nullable Frame mainTool;
+
+  private boolean inInterrupt;
+
+  SystemVariables(
+      Scope globals,
+      Machine machine,
+      RobotModel robot,
+      Interpreter robotInterpreter,
+      Interpreter submitInterpreter,
+      State state) {
+    this.globals = globals;
+    this.machine = machine;
+    this.robot = robot;
+    this.robotInterpreter = robotInterpreter;
+    this.submitInterpreter = submitInterpreter;
+    this.state = state;
+    target = state.axes();
+    origin = state.axes();
+    interrupted = state.axes();
+    left = state.axes();
+  }
+
+  static boolean stopsAdvanceRun(String name) {
+    return STOP_ADVANCE.contains(name.toUpperCase(Locale.ROOT));
+  }
+
+  // computed when they are read
+
+  /**
+   * Binds them.
+   *
+   * @param time ms since the start
+   * @param begin what $DATE shows at first
+   */
+  void bind(LongSupplier time, LocalDateTime begin) {
+    long counted = (long) machine.number(Machine.path("$ROB_TIMER"), 0);
+    bindPositions();
+    bind("$VEL_ACT", () -> KrlReal.of(state.pathVelocity()));
+    bind("$VEL_AXIS_ACT", this::axisVelocity);
+    bind("$DIST_NEXT", () -> KrlReal.of(-state.distanceToEnd()));
+    bind("$ACT_ADVANCE", () -> new KrlInt(state.planned()));
+    // the brakes of a robot that waits for a program stay open (assumed)
+    bind("$BRAKE_SIG", () -> new KrlInt(drivesOn() ? BRAKES_OPEN : 0));
+    bind("$MODE_OP", () -> new KrlEnum(state.mode().constant()));
+    bind("$ROB_TIMER", () -> new KrlInt((int) (counted + time.getAsLong())));
+    bind("$DATE", () -> date(begin.plus(Duration.ofMillis(time.getAsLong()))));
+    // the robot interpreter is the one that the pendant shows ($INTERPRETER 1)
+    bindPointer("", () -> robotPointer);
+    bindPointer("0", () -> submitPointer);
+    bindPointer("1", () -> robotPointer);
+  }
+
+  private void bindPositions() {
+    bind("$AXIS_ACT", () -> Values.e6Axis(state.axes()));
+    bind("$AXIS_ACT_MEAS", () -> Values.e6Axis(state.axes()));
+    bind("$AXIS_FOR", () -> Values.e6Axis(target));
+    bind("$AXIS_BACK", () -> Values.e6Axis(origin));
+    bind("$AXIS_INT", () -> Values.e6Axis(interrupted));
+    bind("$AXIS_RET", () -> Values.e6Axis(left));
+    bind("$POS_ACT", () -> position(state.axes()));
+    bind("$POS_ACT_MES", () -> position(state.axes()));
+    bind("$POS_FOR", () -> position(target));
+    bind("$POS_BACK", () -> position(origin));
+    bind("$POS_INT", () -> position(interrupted));
+    bind("$BASE_C", () -> Values.frame(machine.frame(robroot).times(baseOfMainRun())));
+    bind("$TOOL_C", () -> Values.frame(toolOfMainRun()));
+    bind("$POS_RET", () -> position(left));
+  }
+
+  private void bindPointer(String suffix, Supplier<Pointer> pointer) {
+    bind("$PRO_STATE" + suffix, () -> new KrlEnum("P_" + pointer.get().state().name()));
+    bind("$PRO_NAME" + suffix, () -> new KrlString(pointer.get().program()));
+    bind("$PRO_IP" + suffix, () -> programPointer(pointer.get()));
+  }
+
+  /** Leaves out what the user has removed or declared as a SIGNAL. */
+  private void bind(String name, Supplier<KrlValue> value) {
+    if (globals.contains(name)) {
+      globals.bind(name, value);
+    }
+  }
+
+  /** krl.md 2.1: in the base and with the tool of the main run. */
+  private KrlStruct position(Axes axes) {
+    Frame tcp = baseOfMainRun().inverse().times(robot.forward(axes)).times(toolOfMainRun());
+    return Values.e6Pos(tcp, robot.status(axes), robot.turn(axes));
+  }
+
+  /** In the robot's root. Without a motion it is that of the advance run (assumed). */
+  private Frame baseOfMainRun() {
+    Frame of = mainBase;
+    return of == null ? machine.frame(robroot).inverse().times(machine.frame(base)) : of;
+  }
+
+  private Frame toolOfMainRun() {
+    Frame of = mainTool;
+    return of == null ? machine.frame(tool) : of;
+  }
+
+  /** krl.md 2.1: in % of the highest speed. */
+  private KrlValue axisVelocity() {
+    double[] percent = new double[Values.ROBOT_AXES];
+    for (int i = 0; i < percent.length; i++) {
+      percent[i] = PERCENT * state.axisVelocity().get(i) / robot.maxSpeed(i);
+    }
+    return Values.axisArray(percent);
+  }
+
+  private boolean drivesOn() {
+    return !state.emergency()
+        && (!state.mode().manual() || robotPointer.state() == ProgramState.ACTIVE);
+  }
+
+  private static KrlStruct date(LocalDateTime date) {
+    return struct(
+        "DATE",
+        integer("CSEC", date.getNano() / CENTISECOND_NANOS),
+        integer("SEC", date.getSecond()),
+        integer("MIN", date.getMinute()),
+        integer("HOUR", date.getHour()),
+        integer("DAY", date.getDayOfMonth()),
+        integer("MONTH", date.getMonthValue()),
+        integer("YEAR", date.getYear()));
+  }
+
+  private static KrlStruct struct(String type, KrlStruct.Field... fields) {
+    return new KrlStruct(type, List.of(fields));
+  }
+
+  private static KrlStruct.Field integer(String name, int value) {
+    return new KrlStruct.Field(name, new KrlInt(value));
+  }
+
+  private static KrlStruct.Field text(String name, String value) {
+    return new KrlStruct.Field(name + "[]", new KrlString(value));
+  }
+
+  /** krl.md 1.3 (OSV): {@code /R1/XXX.SRC}. */
+  private static String moduleName(Interpreter.Level level) {
+    String file = level.position().file().toUpperCase(Locale.ROOT);
+    String module = level.module().toUpperCase(Locale.ROOT);
+    return "/R1/" + module + (file.endsWith(".SUB") ? ".SUB" : ".SRC");
+  }
+
+  /** The main run's pointer is the advance run's: assumed, the reference has no rule. */
+  private static KrlStruct programPointer(Pointer pointer) {
+    List<Interpreter.Level> levels = pointer.levels();
+    String name = levels.isEmpty() ? " " : moduleName(levels.get(0));
+    int line = levels.isEmpty() ? 0 : levels.get(0).position().line();
+    List<KrlStruct.Field> fields = new ArrayList<>();
+    fields.add(text("NAME", name));
+    fields.add(integer("SNR", line));
+    fields.add(text("NAME_C", name));
+    fields.add(integer("SNR_C", line));
+    fields.add(new KrlStruct.Field("I_EXECUTED", new KrlBool(false)));
+    fields.add(integer("P_ARRIVED", 0));
+    for (int i = 0; i < Math.min(SHOWN_LEVELS, levels.size()); i++) {
+      Interpreter.Level level = levels.get(i);
+      fields.add(
+          new KrlStruct.Field(
+              String.format(Locale.ROOT, "SI%02d", i + 1),
+              struct(
+                  "CALL_STACK",
+                  text("NAME", moduleName(level)),
+                  integer("SNR", level.position().line()),
+                  new KrlStruct.Field("INT_FLAG", new KrlBool(level.interrupt())))));
+    }
+    return new KrlStruct("PRO_IP", fields);
+  }
+
+  // told by the kernel
+
+  void started(Axes from, Axes to, Frame inBase, Frame withTool) {
+    origin = from;
+    target = to;
+    mainBase = inBase;
+    mainTool = withTool;
+  }
+
+  void leftPath(Axes axes) {
+    left = axes;
+  }
+
+  /** Puts the number of an error into $ERR. */
+  void error(int number, Interpreter.Kind kind) {
+    boolean ofRobot = kind == Interpreter.Kind.ROBOT;
+    List<Interpreter.Level> levels = (ofRobot ? robotInterpreter : submitInterpreter).levels();
+    int line = levels.isEmpty() ? 0 : levels.get(0).position().line();
+    String module = levels.isEmpty() ? " " : moduleName(levels.get(0));
+    String routine = levels.isEmpty() ? " " : levels.get(0).routine();
+    machine.write(
+        Machine.path("$ERR"),
+        new KrlStruct(
+            null,
+            List.of(
+                integer("NUMBER", number),
+                new KrlStruct.Field("INTERPRETER", new KrlEnum(ofRobot ? "R_INT" : "S_INT")),
+                integer("LINE_NR", line),
+                text("MODULE", module),
+                text("UP_NAME", routine))));
+  }
+
+  void publish(State newState) {
+    state = newState;
+    if (newState.idle()) {
+      mainBase = null;
+      mainTool = null;
+    }
+    robotPointer = pointer(robotInterpreter, robotPointer);
+    submitPointer = pointer(submitInterpreter, submitPointer);
+    boolean interrupt =
+        !robotPointer.levels().isEmpty() && robotPointer.levels().get(0).interrupt();
+    if (interrupt && !inInterrupt) {
+      interrupted = newState.axes();
+    }
+    inInterrupt = interrupt;
+    boolean active = robotPointer.state() == ProgramState.ACTIVE;
+    signal(ROB_STOPPED, newState.standing());
+    signal(PRO_ACT, active);
+    signal(PRO_MOVE, !newState.idle() && active);
+    signal(STOPMESS, newState.stopMessage());
+    signal(ALARM_STOP, !newState.emergency());
+    signal(PERI_RDY, drivesOn());
+    signal(IN_HOME, atHome(newState.axes()));
+    signal(T1, newState.mode() == OperatingMode.T1);
+    signal(T2, newState.mode() == OperatingMode.T2);
+    signal(AUT, newState.mode() == OperatingMode.AUT);
+    signal(EXT, newState.mode() == OperatingMode.EXT);
+  }
+
+  private static Pointer pointer(Interpreter interpreter, Pointer old) {
+    List<Interpreter.Level> levels = interpreter.levels();
+    if (old.state() == interpreter.state() && old.levels().equals(levels)) {
+      return old;
+    }
+    String program = interpreter.program().map(p -> p.name().toUpperCase(Locale.ROOT)).orElse(" ");
+    return new Pointer(interpreter.state(), program, levels);
+  }
+
+  private void signal(Path path, boolean value) {
+    // looked at each time: a data list or Java code may have changed the output
+    if (machine.bool(path, !value) != value) {
+      machine.write(path, new KrlBool(value));
+    }
+  }
+
+  /** Within $H_POS_TOL of every axis of the home position (krl.md 2.1). */
+  private boolean atHome(Axes axes) {
+    Axes tolerance = machine.position(H_POS_TOL, Axes.ZERO);
+    Axes away = machine.position(H_POS, robot.home()).minus(axes);
+    for (int i = 0; i < Values.ROBOT_AXES; i++) {
+      if (Math.abs(away.get(i)) > tolerance.get(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+}

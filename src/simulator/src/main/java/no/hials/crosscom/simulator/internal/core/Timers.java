@@ -1,0 +1,98 @@
+package no.hials.crosscom.simulator.internal.core;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Iterator;
+import java.util.List;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.simulator.internal.data.Node;
+import no.hials.crosscom.simulator.internal.data.Path;
+import org.jspecify.annotations.Nullable;
+
+/** Counts the timers up and ends the pulses of outputs, in simulated time. */
+final class Timers {
+  /** How many timers a KR C4 has (krl.md 2.6). */
+  private static final int COUNT = 64;
+
+  private record Pulse(int output, boolean level, long end) {}
+
+  private final Machine machine;
+  private final List<Path> timers = new ArrayList<>();
+  private final List<Path> stops = new ArrayList<>();
+  private final List<Path> flags = new ArrayList<>();
+  private final List<Pulse> pulses = new ArrayList<>();
+
+  /** Whether a timer counts. */
+  private boolean running;
+
+  /** The contents of the variables at the last look: as long as they stay nothing is to do. */
+  private List<@Nullable Node> seen = List.of();
+
+  Timers(Machine machine) {
+    this.machine = machine;
+    for (int i = 1; i <= COUNT; i++) {
+      timers.add(Path.element("$TIMER", i));
+      stops.add(Path.element("$TIMER_STOP", i));
+      flags.add(Path.element("$TIMER_FLAG", i));
+    }
+  }
+
+  void advance(long now, int millis) {
+    List<@Nullable Node> contents = contents();
+    if (running || !contents.equals(seen)) {
+      count(millis);
+      // those of before: what a client has written meanwhile is looked at the next time
+      seen = contents;
+    }
+    for (Iterator<Pulse> it = pulses.iterator(); it.hasNext(); ) {
+      Pulse pulse = it.next();
+      if (pulse.end() <= now) {
+        it.remove();
+        machine.write(Path.element("$OUT", pulse.output()), new KrlBool(!pulse.level()));
+      }
+    }
+  }
+
+  private List<@Nullable Node> contents() {
+    return Arrays.asList(
+        machine.contents("$TIMER"),
+        machine.contents("$TIMER_STOP"),
+        machine.contents("$TIMER_FLAG"));
+  }
+
+  private void count(int millis) {
+    running = false;
+    for (int i = 0; i < COUNT; i++) {
+      int value = (int) machine.number(timers.get(i), 0);
+      // what is not known is taken for stopped, as a KR C4 has them when it starts
+      if (machine.bool(stops.get(i), true)) {
+        show(i, value);
+        continue;
+      }
+      running = true;
+      // a timer that has come to the end of its range stays there (assumed)
+      int next = (int) Math.min(Integer.MAX_VALUE, (long) value + millis);
+      machine.write(timers.get(i), new KrlInt(next));
+      show(i, next);
+    }
+  }
+
+  private void show(int index, int value) {
+    boolean over = value > 0;
+    if (machine.bool(flags.get(index), over) != over) {
+      machine.write(flags.get(index), new KrlBool(over));
+    }
+  }
+
+  /** Sets an output until a moment; says whether there is one. */
+  boolean pulse(int output, boolean level, long end) {
+    // a new pulse takes the place of an old one at the same output (assumed)
+    pulses.removeIf(pulse -> pulse.output() == output);
+    boolean there = machine.write(Path.element("$OUT", output), new KrlBool(level));
+    if (there) {
+      pulses.add(new Pulse(output, level, end));
+    }
+    return there;
+  }
+}

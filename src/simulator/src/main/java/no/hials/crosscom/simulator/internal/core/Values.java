@@ -1,0 +1,125 @@
+package no.hials.crosscom.simulator.internal.core;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.regex.Pattern;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+
+/** Turns frames and axis positions into KRL values and back. */
+final class Values {
+  private static final String[] FRAME = {"X", "Y", "Z", "A", "B", "C"};
+  private static final String[] EXTERNAL = {"E1", "E2", "E3", "E4", "E5", "E6"};
+  private static final Pattern AXIS = Pattern.compile("A[1-6]", Pattern.CASE_INSENSITIVE);
+
+  /** How many axes the arrays of the controller have. */
+  static final int AXES = 12;
+
+  /** How many of them the robot itself has. */
+  static final int ROBOT_AXES = 6;
+
+  private Values() {}
+
+  private static KrlStruct.Field real(String name, double value) {
+    return new KrlStruct.Field(name, KrlReal.of(value));
+  }
+
+  private static void addFrame(List<KrlStruct.Field> fields, Frame frame) {
+    double[] numbers = {frame.x(), frame.y(), frame.z(), frame.a(), frame.b(), frame.c()};
+    for (int i = 0; i < FRAME.length; i++) {
+      fields.add(real(FRAME[i], numbers[i]));
+    }
+  }
+
+  private static void addExternal(List<KrlStruct.Field> fields) {
+    for (String name : EXTERNAL) {
+      fields.add(real(name, 0));
+    }
+  }
+
+  static KrlStruct frame(Frame frame) {
+    List<KrlStruct.Field> fields = new ArrayList<>();
+    addFrame(fields, frame);
+    return new KrlStruct("FRAME", fields);
+  }
+
+  static KrlStruct e6Pos(Frame frame, int status, int turn) {
+    List<KrlStruct.Field> fields = new ArrayList<>();
+    addFrame(fields, frame);
+    fields.add(new KrlStruct.Field("S", new KrlInt(status)));
+    fields.add(new KrlStruct.Field("T", new KrlInt(turn)));
+    addExternal(fields);
+    return new KrlStruct("E6POS", fields);
+  }
+
+  static KrlStruct e6Axis(Axes axes) {
+    List<KrlStruct.Field> fields = new ArrayList<>();
+    for (int i = 0; i < ROBOT_AXES; i++) {
+      fields.add(real("A" + (i + 1), axes.get(i)));
+    }
+    addExternal(fields);
+    return new KrlStruct("E6AXIS", fields);
+  }
+
+  /** Makes an array of all axes; those that the robot has not are 0. */
+  static KrlArray axisArray(double[] robotAxes) {
+    List<KrlValue> numbers = new ArrayList<>();
+    for (int i = 0; i < AXES; i++) {
+      numbers.add(KrlReal.of(i < robotAxes.length ? robotAxes[i] : 0));
+    }
+    return new KrlArray(numbers);
+  }
+
+  /** Gives the number in a field of an aggregate; nothing if the field has no value. */
+  static OptionalDouble number(KrlStruct struct, String field) {
+    return struct
+        .get(field)
+        .map(Values::number)
+        .map(OptionalDouble::of)
+        .orElse(OptionalDouble.empty());
+  }
+
+  static double number(KrlValue value) {
+    if (value instanceof KrlInt number) {
+      return number.value();
+    }
+    if (value instanceof KrlReal number) {
+      return number.value();
+    }
+    throw new IllegalArgumentException("needs a number, was given " + value);
+  }
+
+  /** Makes a frame of an aggregate; what it lacks comes from another one. */
+  static Frame toFrame(KrlStruct struct, Frame missing) {
+    return new Frame(
+        number(struct, "X").orElse(missing.x()),
+        number(struct, "Y").orElse(missing.y()),
+        number(struct, "Z").orElse(missing.z()),
+        number(struct, "A").orElse(missing.a()),
+        number(struct, "B").orElse(missing.b()),
+        number(struct, "C").orElse(missing.c()));
+  }
+
+  /** Makes an axis position of an aggregate; what it lacks comes from another one. */
+  static Axes toAxes(KrlStruct struct, Axes missing) {
+    Axes axes = missing;
+    for (int i = 0; i < ROBOT_AXES; i++) {
+      OptionalDouble angle = number(struct, "A" + (i + 1));
+      if (angle.isPresent()) {
+        axes = axes.with(i, angle.getAsDouble());
+      }
+    }
+    return axes;
+  }
+
+  /** Says whether an aggregate is an axis position rather than a Cartesian one. */
+  static boolean isAxes(KrlStruct struct) {
+    return struct.fields().stream().anyMatch(field -> AXIS.matcher(field.name()).matches());
+  }
+}

@@ -1,0 +1,207 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.lang.Expression;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.simulator.RefusedException;
+
+/**
+ * Evaluates the expressions that a declaration may hold: literals, aggregates of them, and sums,
+ * differences, products and quotients of literals and CONST variables.
+ */
+public final class ConstantExpressions {
+  private ConstantExpressions() {}
+
+  /**
+   * Evaluates an expression.
+   *
+   * @param expression the expression
+   * @param scope where CONST variables are looked for, there and around
+   * @return its value
+   * @throws KrlErrorException if it is not constant, or has no value
+   */
+  public static KrlValue evaluate(Expression expression, Scope scope) throws KrlErrorException {
+    try {
+      return value(expression, scope);
+    } catch (IllegalArgumentException | ArithmeticException e) {
+      throw new KrlErrorException(expression.position(), String.valueOf(e.getMessage()));
+    }
+  }
+
+  private static KrlValue value(Expression expression, Scope scope) throws KrlErrorException {
+    if (expression instanceof Expression.IntLiteral literal) {
+      return new KrlInt(literal.value());
+    }
+    if (expression instanceof Expression.RealLiteral literal) {
+      return KrlReal.of(literal.value());
+    }
+    if (expression instanceof Expression.BoolLiteral literal) {
+      return new KrlBool(literal.value());
+    }
+    if (expression instanceof Expression.TextLiteral literal) {
+      return new KrlString(literal.text());
+    }
+    if (expression instanceof Expression.EnumLiteral literal) {
+      return new KrlEnum(literal.name());
+    }
+    if (expression instanceof Expression.Aggregate aggregate) {
+      return struct(aggregate, scope);
+    }
+    if (expression instanceof Expression.Variable variable) {
+      return constant(variable, scope);
+    }
+    if (expression instanceof Expression.Unary unary) {
+      return signed(unary, scope);
+    }
+    if (expression instanceof Expression.Binary binary) {
+      return computed(binary, scope);
+    }
+    throw notConstant(expression.position(), "a call of a function");
+  }
+
+  private static KrlErrorException notConstant(Position position, String found) {
+    return new KrlErrorException(
+        position,
+        "a value here is made of literals, CONST variables and + - * /, expected one of them, found "
+            + found);
+  }
+
+  private static KrlStruct struct(Expression.Aggregate aggregate, Scope scope)
+      throws KrlErrorException {
+    List<KrlStruct.Field> fields = new ArrayList<>();
+    for (Expression.Field field : aggregate.fields()) {
+      KrlValue value = evaluate(field.value(), scope);
+      try {
+        fields.add(new KrlStruct.Field(field.name(), value));
+      } catch (IllegalArgumentException e) {
+        throw new KrlErrorException(field.position(), e.getMessage());
+      }
+    }
+    return new KrlStruct(aggregate.type(), fields);
+  }
+
+  private static KrlValue constant(Expression.Variable expression, Scope scope)
+      throws KrlErrorException {
+    Path path = path(expression, scope);
+    Variable variable = scope.lookup(path.first().name());
+    if (variable == null) {
+      throw new KrlErrorException(
+          expression.position(), "no variable " + expression.name() + " is declared");
+    }
+    // of what may only be read, the controller itself changes the system variables
+    boolean isConstant =
+        variable.access() == Access.READ_ONLY
+            && variable.contents() != null
+            && !variable.name().startsWith("$");
+    if (!isConstant) {
+      throw notConstant(expression.position(), "the variable " + variable.name());
+    }
+    try {
+      return scope.read(path);
+    } catch (RefusedException e) {
+      throw new KrlErrorException(expression.position(), variable.name() + " " + e.getMessage());
+    }
+  }
+
+  /**
+   * Gives the path that a variable's expression stands for.
+   *
+   * @throws KrlErrorException if an index is not a constant INT
+   */
+  static Path path(Expression.Variable variable, Scope scope) throws KrlErrorException {
+    List<Path.Step> steps = new ArrayList<>(variable.steps().size());
+    for (Expression.Step step : variable.steps()) {
+      Index index = Index.NONE;
+      if (step.brackets()) {
+        int[] numbers = new int[step.indices().size()];
+        for (int i = 0; i < numbers.length; i++) {
+          numbers[i] = integer(step.indices().get(i), scope);
+        }
+        index = new Index(numbers, step.open());
+      }
+      steps.add(new Path.Step(Scope.key(step.name()), index));
+    }
+    return new Path(steps);
+  }
+
+  /**
+   * Evaluates an index or the length of a dimension.
+   *
+   * @throws KrlErrorException if it is no constant INT
+   */
+  static int integer(Expression expression, Scope scope) throws KrlErrorException {
+    KrlValue value = evaluate(expression, scope);
+    if (value instanceof KrlInt number) {
+      return number.value();
+    }
+    throw new KrlErrorException(
+        expression.position(), "an index is an INT, expected one, found " + value.print());
+  }
+
+  private static KrlValue signed(Expression.Unary unary, Scope scope) throws KrlErrorException {
+    KrlValue operand = evaluate(unary.operand(), scope);
+    switch (unary.operator()) {
+      case PLUS -> {
+        return number(unary.operand(), operand);
+      }
+      case MINUS -> {
+        return number(unary.operand(), operand) instanceof KrlInt integer
+            ? new KrlInt(Math.negateExact(integer.value()))
+            : new KrlReal(-real(operand));
+      }
+      default -> throw notConstant(unary.position(), unary.operator().toString());
+    }
+  }
+
+  private static KrlValue computed(Expression.Binary binary, Scope scope) throws KrlErrorException {
+    KrlValue left = number(binary.left(), evaluate(binary.left(), scope));
+    KrlValue right = number(binary.right(), evaluate(binary.right(), scope));
+    if (left instanceof KrlInt a && right instanceof KrlInt b) {
+      return new KrlInt(computed(binary, a.value(), b.value()));
+    }
+    return new KrlReal(computed(binary, real(left), real(right)));
+  }
+
+  private static int computed(Expression.Binary binary, int a, int b) throws KrlErrorException {
+    return switch (binary.operator()) {
+      case PLUS -> Math.addExact(a, b);
+      case MINUS -> Math.subtractExact(a, b);
+      case TIMES -> Math.multiplyExact(a, b);
+      // assumed: the quotient of two INT is an INT, cut off (krl.md 4 does not say)
+      case DIVIDED -> a / b;
+      default -> throw notConstant(binary.position(), binary.operator().toString());
+    };
+  }
+
+  private static float computed(Expression.Binary binary, float a, float b)
+      throws KrlErrorException {
+    return switch (binary.operator()) {
+      case PLUS -> a + b;
+      case MINUS -> a - b;
+      case TIMES -> a * b;
+      case DIVIDED -> a / b;
+      default -> throw notConstant(binary.position(), binary.operator().toString());
+    };
+  }
+
+  private static KrlValue number(Expression expression, KrlValue value) throws KrlErrorException {
+    if (value instanceof KrlInt || value instanceof KrlReal) {
+      return value;
+    }
+    throw new KrlErrorException(
+        expression.position(), "+ - * / take numbers, expected INT or REAL, found " + value);
+  }
+
+  private static float real(KrlValue number) {
+    return number instanceof KrlInt integer ? integer.value() : ((KrlReal) number).value();
+  }
+}

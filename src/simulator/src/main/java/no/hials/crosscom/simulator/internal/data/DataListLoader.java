@@ -1,0 +1,503 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.lang.Declaration;
+import no.hials.crosscom.lang.Expression;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.simulator.RefusedException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Declares what a data list declares, and gives it its initial values.
+ *
+ * <p>In a system data list, whose name begins with {@code $}, everything is global (krl.md 4). A
+ * declaration takes the place of an earlier one in the same scope; the access right of a system
+ * variable and the source of a bound one stay. One form is our own: behind the declaration of an
+ * array whose name begins with {@code $} one value may stand for every element, {@code BOOL
+ * $IN[4096]=FALSE}, since no data list of KSS declares those.
+ *
+ * <p>{@code EXT} and {@code EXTFCT} declare nothing here. {@code IMPORT} does not either: what it
+ * names must be global already, under the same name.
+ */
+public final class DataListLoader {
+  private final DataList list;
+  private final boolean isSystem;
+  private final Scope module;
+  private final Scope globals;
+  private final Consumer<KrlError> errors;
+
+  /** What this list declares, and where; also what it declares wrongly. */
+  private final Map<String, Scope> variables = new HashMap<>();
+
+  private final Set<String> types = new HashSet<>();
+
+  /** Names whose declaration is wrong: what follows from that is not reported again. */
+  private final Set<String> broken = new HashSet<>();
+
+  private final Set<String> brokenTypes = new HashSet<>();
+
+  private DataListLoader(DataList list, Scope module, Scope globals, Consumer<KrlError> errors) {
+    this.list = list;
+    this.isSystem = isSystem(list);
+    this.module = isSystem ? globals : module;
+    this.globals = globals;
+    this.errors = errors;
+  }
+
+  /**
+   * Declares the types, variables and signals of a data list and gives them their initial values.
+   *
+   * @param list the data list
+   * @param module takes what is the module's own; a scope in {@code globals}
+   * @param globals takes what is global: everything of a system data list, whose name begins with
+   *     {@code $}, and what a public one declares GLOBAL
+   * @param errors is told what is wrong, in the order of the file; the rest is still declared
+   */
+  public static void load(DataList list, Scope module, Scope globals, Consumer<KrlError> errors) {
+    DataListLoader loader = new DataListLoader(list, module, globals, errors);
+    for (Declaration declaration : list.declarations()) {
+      loader.tell(() -> loader.declare(declaration));
+    }
+  }
+
+  /**
+   * Says whether a data list is one of the controller itself, such as {@code $CONFIG}.
+   *
+   * @param list the data list
+   * @return whether its name begins with {@code $}
+   */
+  public static boolean isSystem(DataList list) {
+    return list.name().startsWith("$");
+  }
+
+  /** Something that may be wrong in the file. */
+  private interface Step {
+    void run() throws KrlErrorException;
+  }
+
+  /** Reports what is wrong and goes on. */
+  private boolean tell(Step step) {
+    try {
+      step.run();
+      return true;
+    } catch (KrlErrorException e) {
+      errors.accept(e.error());
+      return false;
+    }
+  }
+
+  private void declare(Declaration declaration) throws KrlErrorException {
+    if (declaration instanceof Declaration.Variables group) {
+      declareVariables(group);
+    } else if (declaration instanceof Declaration.Struc struc) {
+      declareStruc(struc);
+    } else if (declaration instanceof Declaration.Enumeration enumeration) {
+      declareEnum(enumeration);
+    } else if (declaration instanceof Declaration.Signal signal) {
+      declareSignal(signal);
+    } else if (declaration instanceof Declaration.InitialValue initial) {
+      initialise(initial);
+    } else if (declaration instanceof Declaration.External external) {
+      checkExternal(external);
+    }
+  }
+
+  private Scope target(boolean global, Position position) {
+    if (isSystem || (global && list.isPublic())) {
+      return globals;
+    }
+    if (global) {
+      errors.accept(
+          new KrlError(
+              position,
+              "GLOBAL needs a public data list, expected DEFDAT "
+                  + list.name()
+                  + " PUBLIC, found no PUBLIC"));
+    }
+    return module;
+  }
+
+  // types
+
+  private void checkNewType(String name, Position position) throws KrlErrorException {
+    if (!types.add(Scope.key(name))) {
+      throw new KrlErrorException(
+          position, "a data list declares a type once, type " + name + " is declared again");
+    }
+  }
+
+  private void declareEnum(Declaration.Enumeration declaration) throws KrlErrorException {
+    checkNewType(declaration.name(), declaration.position());
+    Scope target = target(declaration.global(), declaration.position());
+    try {
+      target.declareEnum(declaration.name(), declaration.constants());
+    } catch (IllegalArgumentException e) {
+      brokenTypes.add(Scope.key(declaration.name()));
+      throw new KrlErrorException(declaration.position(), String.valueOf(e.getMessage()));
+    }
+  }
+
+  private void declareStruc(Declaration.Struc declaration) throws KrlErrorException {
+    checkNewType(declaration.name(), declaration.position());
+    Scope target = target(declaration.global(), declaration.position());
+    List<Scope.Component> components = new ArrayList<>();
+    boolean whole = true;
+    for (Declaration.Component component : declaration.components()) {
+      whole &= tell(() -> components.add(component(component)));
+    }
+    if (whole) {
+      try {
+        target.declareStruc(declaration.name(), components);
+        return;
+      } catch (IllegalArgumentException e) {
+        errors.accept(new KrlError(declaration.position(), String.valueOf(e.getMessage())));
+      }
+    }
+    brokenTypes.add(Scope.key(declaration.name()));
+  }
+
+  private Scope.Component component(Declaration.Component component) throws KrlErrorException {
+    Declaration.Declarator declarator = component.declarator();
+    checkType(component.type(), declarator.position());
+    List<Integer> dimensions = dimensions(declarator);
+    StringBuilder text = new StringBuilder(declarator.name());
+    if (!dimensions.isEmpty()) {
+      text.append(dimensions);
+    }
+    return new Scope.Component(component.type(), text.toString());
+  }
+
+  private void checkType(String name, Position position) throws KrlErrorException {
+    if (!module.knowsType(name)) {
+      throw new KrlErrorException(
+          position, "a type is declared before it is used, type " + name + " is not declared");
+    }
+  }
+
+  // variables
+
+  /** Checks a name, and remembers where it is declared. */
+  private Scope checkNew(String name, boolean global, Position position) throws KrlErrorException {
+    Scope target = target(global, position);
+    if (variables.putIfAbsent(Scope.key(name), target) != null) {
+      throw new KrlErrorException(
+          position, "a data list declares a name once, " + name + " is declared again");
+    }
+    if (name.startsWith("$") && !isSystem) {
+      broken.add(Scope.key(name));
+      throw new KrlErrorException(
+          position,
+          "a system variable is declared in a system data list such as $CONFIG, "
+              + name
+              + " is declared in "
+              + list.name());
+    }
+    return target;
+  }
+
+  private void declareVariables(Declaration.Variables group) {
+    boolean typeKnown =
+        brokenTypes.contains(Scope.key(group.type()))
+            ? module.knowsType(group.type())
+            : tell(() -> checkType(group.type(), group.position()));
+    for (Declaration.Declarator declarator : group.variables()) {
+      tell(
+          () -> {
+            Scope target = checkNew(declarator.name(), group.global(), declarator.position());
+            if (!typeKnown || !tell(() -> declareVariable(group, declarator, target))) {
+              broken.add(Scope.key(declarator.name()));
+            }
+          });
+    }
+  }
+
+  private void declareVariable(
+      Declaration.Variables group, Declaration.Declarator source, Scope target)
+      throws KrlErrorException {
+    Declarator declarator;
+    try {
+      declarator = Declarator.of(module.type(group.type()), source.name(), lengths(group, source));
+    } catch (IllegalArgumentException e) {
+      throw new KrlErrorException(source.position(), String.valueOf(e.getMessage()));
+    }
+    Expression initial = source.initial();
+    Node contents = declarator.uninitialised();
+    if (initial != null) {
+      contents =
+          contents instanceof Node.ArrayNode
+              ? filled(contents, source, initial)
+              : assigned(contents, source.name(), source.position(), initial);
+    }
+    Variable old = own(target, source.name());
+    if (old != null && old.source() != null) {
+      checkBound(old, contents, source.position());
+      target.put(old.with(contents));
+    } else {
+      Access access = access(old, source.name(), group.constant(), group.comment());
+      target.put(new Variable(source.name(), access, contents, null, null));
+    }
+  }
+
+  private List<Integer> lengths(Declaration.Variables group, Declaration.Declarator source)
+      throws KrlErrorException {
+    boolean takesLengthOfText =
+        Scope.key(group.type()).equals(Type.Base.CHAR.name())
+            && source.dimensions().size() == 1
+            && source.dimensions().get(0) == null
+            && source.initial() instanceof Expression.TextLiteral text
+            && !text.text().isEmpty();
+    if (takesLengthOfText) {
+      return List.of(((Expression.TextLiteral) source.initial()).text().length());
+    }
+    return dimensions(source);
+  }
+
+  private List<Integer> dimensions(Declaration.Declarator declarator) throws KrlErrorException {
+    List<Integer> lengths = new ArrayList<>();
+    for (Expression dimension : declarator.dimensions()) {
+      if (dimension == null) {
+        throw new KrlErrorException(
+            declarator.position(),
+            "only a CHAR array with a text behind it may leave its length open, "
+                + declarator.name()
+                + " needs a length");
+      }
+      int length = ConstantExpressions.integer(dimension, module);
+      if (length < 1) {
+        throw new KrlErrorException(
+            dimension.position(), "the length of a dimension is 1 or more, is " + length);
+      }
+      lengths.add(length);
+    }
+    return lengths;
+  }
+
+  /** Gives an array with one value in every element. */
+  private Node filled(Node array, Declaration.Declarator source, Expression initial)
+      throws KrlErrorException {
+    if (!source.name().startsWith("$")) {
+      throw byElement(initial.position(), source.name());
+    }
+    try {
+      return array.assign(ConstantExpressions.evaluate(initial, module));
+    } catch (RefusedException e) {
+      throw new KrlErrorException(initial.position(), source.name() + ": " + e.getMessage());
+    }
+  }
+
+  private static KrlErrorException byElement(Position position, String name) {
+    return new KrlErrorException(
+        position,
+        "an array gets its values element by element, expected lines such as "
+            + name
+            + "[1]=..., found a value for the whole array");
+  }
+
+  private static @Nullable Variable own(Scope scope, String name) {
+    return scope.contains(name) ? scope.lookup(Scope.key(name)) : null;
+  }
+
+  private static Access access(
+      @Nullable Variable old, String name, boolean constant, String comment) {
+    if (old != null && name.startsWith("$")) {
+      return old.access();
+    }
+    Access noted = constant ? Access.READ_ONLY : Note.of(comment).access();
+    return noted == null ? Access.READ_WRITE : noted;
+  }
+
+  private static void checkBound(Variable old, @Nullable Node contents, Position position)
+      throws KrlErrorException {
+    Node kept = old.contents();
+    if (kept != null && (contents == null || !Shape.of(kept).equals(Shape.of(contents)))) {
+      throw new KrlErrorException(
+          position,
+          "the controller keeps "
+              + old.name()
+              + " itself, expected "
+              + Shape.of(kept)
+              + ", found "
+              + (contents == null ? "SIGNAL" : Shape.of(contents)));
+    }
+  }
+
+  // signals
+
+  private void declareSignal(Declaration.Signal signal) throws KrlErrorException {
+    Scope target = checkNew(signal.name(), signal.global(), signal.position());
+    try {
+      Variable old = own(target, signal.name());
+      if (old != null && old.source() != null) {
+        checkBound(old, null, signal.position());
+      }
+      Access access = access(old, signal.name(), false, signal.comment());
+      target.declareSignal(signal.name(), wiring(signal), access);
+    } catch (IllegalArgumentException e) {
+      broken.add(Scope.key(signal.name()));
+      throw new KrlErrorException(signal.position(), String.valueOf(e.getMessage()));
+    } catch (KrlErrorException e) {
+      broken.add(Scope.key(signal.name()));
+      throw e;
+    }
+  }
+
+  private String wiring(Declaration.Signal signal) throws KrlErrorException {
+    Expression.Variable first = signal.first();
+    Expression.Variable last = signal.last();
+    if (first == null) {
+      return "FALSE";
+    }
+    return terminal(first) + (last == null ? "" : " TO " + terminal(last));
+  }
+
+  private String terminal(Expression.Variable expression) throws KrlErrorException {
+    Path path = ConstantExpressions.path(expression, module);
+    try {
+      boolean isElement =
+          path.isLast(0)
+              && path.first().index().count() == 1
+              && module.node(path) instanceof Node.ScalarNode;
+      if (isElement) {
+        return path.first().name() + path.first().index();
+      }
+    } catch (RefusedException e) {
+      throw new KrlErrorException(expression.position(), print(path) + ": " + e.getMessage());
+    }
+    throw new KrlErrorException(
+        expression.position(),
+        "a SIGNAL is wired to inputs or outputs, expected one such as $OUT[1], found "
+            + print(path));
+  }
+
+  // initial values
+
+  private void initialise(Declaration.InitialValue declaration) throws KrlErrorException {
+    String name = declaration.target().name();
+    String key = Scope.key(name);
+    if (broken.contains(key)) {
+      return;
+    }
+    Scope owner = variables.get(key);
+    if (owner == null) {
+      if (!isSystem) {
+        // assumed: a module's list sets only what it declares
+        throw new KrlErrorException(
+            declaration.position(),
+            "a data list gives values to what it declares, " + name + " is not declared in it");
+      }
+      owner = globals;
+    }
+    Variable variable = owner.lookup(key);
+    if (variable == null) {
+      throw new KrlErrorException(declaration.position(), "no variable " + name + " is declared");
+    }
+    Node contents = variable.contents();
+    if (contents == null) {
+      throw new KrlErrorException(
+          declaration.position(), "a SIGNAL has no initial value, " + name + " is one");
+    }
+    Path path = ConstantExpressions.path(declaration.target(), module);
+    try {
+      Node part = contents.read(path);
+      Node changed = assigned(part, print(path), declaration.position(), declaration.value());
+      owner.put(variable.with(contents.change(path, old -> changed)));
+    } catch (RefusedException e) {
+      throw refused(declaration.position(), print(path), e);
+    }
+  }
+
+  private static KrlErrorException refused(Position position, String name, RefusedException e) {
+    return new KrlErrorException(position, name + ": " + e.getMessage());
+  }
+
+  /** Gives contents with a value assigned; of an aggregate with every field that is right. */
+  private Node assigned(Node node, String name, Position where, Expression value)
+      throws KrlErrorException {
+    if (node instanceof Node.ArrayNode) {
+      throw byElement(where, name);
+    }
+    if (value instanceof Expression.Aggregate aggregate && node instanceof Node.StrucNode struc) {
+      return withFields(struc, name, aggregate);
+    }
+    KrlValue evaluated = ConstantExpressions.evaluate(value, module);
+    try {
+      return node.assign(evaluated);
+    } catch (RefusedException e) {
+      throw refused(value.position(), name, e);
+    }
+  }
+
+  private Node withFields(Node.StrucNode struc, String name, Expression.Aggregate aggregate)
+      throws KrlErrorException {
+    String typeName = aggregate.type();
+    if (typeName != null && !typeName.equalsIgnoreCase(struc.type().name())) {
+      throw new KrlErrorException(
+          aggregate.position(),
+          name + ": needs " + struc.type().name() + ", was given an aggregate of " + typeName);
+    }
+    Node result = struc;
+    Set<String> names = new HashSet<>();
+    for (Expression.Field field : aggregate.fields()) {
+      try {
+        if (!names.add(Scope.key(field.name()))) {
+          throw new KrlErrorException(
+              field.position(),
+              "an aggregate has a field once, " + field.name() + " stands there again");
+        }
+        result = withField(result, field);
+      } catch (KrlErrorException e) {
+        errors.accept(e.error());
+      }
+    }
+    return result;
+  }
+
+  private Node withField(Node struc, Expression.Field field) throws KrlErrorException {
+    try {
+      Path path = Path.parse(field.name());
+      String component = path.first().name();
+      Node contents = struc.component(component);
+      Node part = contents.read(path);
+      Node changed = assigned(part, field.name(), field.position(), field.value());
+      return struc.changeComponent(component, old -> contents.change(path, same -> changed));
+    } catch (RefusedException e) {
+      throw refused(field.position(), field.name(), e);
+    }
+  }
+
+  private static String print(Path path) {
+    StringBuilder out = new StringBuilder();
+    for (Path.Step step : path.steps()) {
+      out.append(out.length() > 0 ? "." : "").append(step.name()).append(step.index());
+    }
+    return out.toString();
+  }
+
+  // other modules
+
+  private void checkExternal(Declaration.External external) throws KrlErrorException {
+    if (external.source().isEmpty()) {
+      return;
+    }
+    String original = external.source().substring(external.source().lastIndexOf('.') + 1);
+    if (!Scope.key(original).equals(Scope.key(external.name()))
+        || globals.lookup(Scope.key(original)) == null) {
+      throw new KrlErrorException(
+          external.position(),
+          "IMPORT finds only what is declared GLOBAL, and by its own name, expected "
+              + external.name()
+              + " in the globals, found "
+              + external.source());
+    }
+  }
+}

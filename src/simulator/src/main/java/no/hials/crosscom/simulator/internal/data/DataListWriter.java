@@ -1,0 +1,282 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.simulator.RefusedException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Writes types and variables as a system data list that {@link DataListLoader} takes back: REALs
+ * with all their digits, arrays element by element, what has no value without one.
+ */
+public final class DataListWriter {
+  /** KSS ends its lines so (krl.md 4). */
+  private static final String LINE_END = "\r\n";
+
+  private final StringBuilder out = new StringBuilder();
+  private final Map<String, Note> notes;
+
+  private DataListWriter(Map<String, Note> notes) {
+    this.notes = notes;
+  }
+
+  /**
+   * Writes a data list.
+   *
+   * @param name its name, with {@code $}
+   * @param scope where the variables are
+   * @param chosen the names of the variables to be written, in upper case; null for all variables
+   *     and all types
+   * @param notes what is known of the variables, by their names in upper case
+   * @return the text
+   * @throws IllegalStateException if it cannot be written as a data list
+   */
+  public static String write(
+      String name, Scope scope, @Nullable Collection<String> chosen, Map<String, Note> notes) {
+    DataListWriter writer = new DataListWriter(notes);
+    synchronized (scope) {
+      writer.list(name, scope, chosen);
+    }
+    return writer.out.toString();
+  }
+
+  private void list(String name, Scope scope, @Nullable Collection<String> chosen) {
+    List<Variable> variables = new ArrayList<>(scope.variables());
+    variables.removeIf(v -> chosen != null && !chosen.contains(Scope.key(v.name())));
+    variables.sort(Comparator.comparing(Variable::name));
+    Map<Variable, Node> contents = new LinkedHashMap<>();
+    List<Variable> signals = new ArrayList<>();
+    Map<String, Type> types = new LinkedHashMap<>();
+    if (chosen == null) {
+      List<Type> all = new ArrayList<>(scope.types());
+      all.sort(Comparator.comparing(Type::name));
+      all.forEach(type -> collect(type, types));
+    }
+    for (Variable variable : variables) {
+      Node node = current(variable);
+      if (node == null) {
+        signals.add(variable);
+      } else {
+        contents.put(variable, node);
+        collect(Shape.of(node).type(), types);
+      }
+    }
+
+    line("&ACCESS RVP");
+    line("DEFDAT " + name + " PUBLIC");
+    fold("TYPES", () -> types.values().forEach(this::declareType));
+    fold("VARIABLES", () -> contents.forEach(this::declareVariable));
+    fold("SIGNALS", () -> signals.forEach(this::declareSignal));
+    line("ENDDAT");
+  }
+
+  private static @Nullable Node current(Variable variable) {
+    try {
+      return Scope.current(variable);
+    } catch (RefusedException e) {
+      throw new IllegalStateException(
+          variable.name() + " is bound to what is no value of it: " + e.getMessage(), e);
+    }
+  }
+
+  private void line(String text) {
+    out.append(text).append(LINE_END);
+  }
+
+  private void fold(String title, Runnable contents) {
+    line(";FOLD " + title);
+    contents.run();
+    line(";ENDFOLD (" + title + ")");
+  }
+
+  private String comment(Variable variable, Access access) {
+    String text = notes.getOrDefault(Scope.key(variable.name()), Note.NONE).comment(access);
+    return text.isEmpty() ? "" : " ;" + text;
+  }
+
+  // types
+
+  /** Collects a type, behind those that it is made of. */
+  private static void collect(Type type, Map<String, Type> types) {
+    if (type instanceof Type.Base) {
+      return;
+    }
+    if (type instanceof Type.Struc struc) {
+      struc.components().forEach(component -> collect(component.type(), types));
+    }
+    Type known = types.putIfAbsent(Scope.key(type.name()), type);
+    if (known != null && !known.equals(type)) {
+      throw new IllegalStateException(
+          "a data list declares a type once, and variables have two types " + type.name());
+    }
+  }
+
+  private void declareType(Type type) {
+    if (type instanceof Type.Enumeration enumeration) {
+      TreeSet<String> constants = new TreeSet<>();
+      enumeration.constants().values().forEach(constant -> constants.add(constant.name()));
+      line("ENUM " + type.name() + " " + String.join(",", constants));
+    } else if (type instanceof Type.Struc struc) {
+      StringBuilder text = new StringBuilder("STRUC " + type.name());
+      String before = "";
+      String separator = " ";
+      for (Declarator component : struc.components()) {
+        String own = component.type().name();
+        text.append(separator).append(own.equals(before) ? "" : own + " ");
+        text.append(component.name()).append(dimensions(component.dimensions()));
+        before = own;
+        separator = ",";
+      }
+      line(text.toString());
+    }
+  }
+
+  private static String dimensions(List<Integer> dimensions) {
+    return dimensions.isEmpty() ? "" : dimensions.toString().replace(" ", "");
+  }
+
+  // variables
+
+  private void declareSignal(Variable variable) {
+    Signal signal = variable.signal();
+    if (signal != null) {
+      line("SIGNAL " + variable.name() + " " + signal + comment(variable, variable.access()));
+    }
+  }
+
+  private void declareVariable(Variable variable, Node contents) {
+    Shape shape = Shape.of(contents);
+    String name = variable.name();
+    Node.ArrayNode array = contents instanceof Node.ArrayNode elements ? elements : null;
+    String value = array == null ? inline(name, contents) : null;
+    boolean isText = contents instanceof Node.TextNode;
+    boolean constant =
+        variable.access() == Access.READ_ONLY
+            && contents instanceof Node.ScalarNode
+            && value != null
+            && !name.startsWith("$");
+    String filling = array != null && name.startsWith("$") ? filling(name, array) : null;
+    String behind = isText ? null : array == null ? value : filling;
+    line(
+        (shape.type() instanceof Type.Base ? "" : "DECL ")
+            + (constant ? "CONST " : "")
+            + shape.type().name()
+            + (" " + name + dimensions(shape.dimensions()))
+            + (behind == null ? "" : "=" + behind)
+            + comment(variable, constant ? Access.READ_WRITE : variable.access()));
+    if (isText && value != null) {
+      line(name + "[]=" + value);
+    }
+    if (array != null) {
+      elements(name, array, filling);
+    } else {
+      arraysIn(name, contents);
+    }
+  }
+
+  /**
+   * Gives what can stand behind an equals sign: everything but the elements of arrays; null if
+   * nothing of that has a value.
+   */
+  private static @Nullable String inline(String path, Node node) {
+    if (node instanceof Node.StrucNode struc) {
+      StringBuilder text = new StringBuilder();
+      List<Node> parts = struc.parts();
+      for (int i = 0; i < parts.size(); i++) {
+        Node part = parts.get(i);
+        String name = struc.type().components().get(i).name();
+        String value = inline(path + "." + name, part);
+        if (value != null) {
+          text.append(text.length() == 0 ? "{" : ",").append(name);
+          text.append(part instanceof Node.TextNode ? "[] " : " ").append(value);
+        }
+      }
+      return text.length() == 0 ? null : text.append('}').toString();
+    }
+    if (node instanceof Node.ArrayNode || !node.initialised()) {
+      return null;
+    }
+    return scalar(path, value(node));
+  }
+
+  private static KrlValue value(Node node) {
+    try {
+      return node.value();
+    } catch (RefusedException e) {
+      throw new IllegalStateException("it is initialised: " + e.getMessage(), e);
+    }
+  }
+
+  private static String scalar(String path, KrlValue value) {
+    // a double quote cannot be in a text at all, see KrlString
+    if (value instanceof KrlString string
+        && string.text().chars().anyMatch(c -> c == '\n' || c == '\r')) {
+      throw new IllegalStateException(
+          "a text in a data list ends on its line, " + path + " has a line break in it");
+    }
+    return value.printShort();
+  }
+
+  /** Writes the elements of the arrays that a structure has inside. */
+  private void arraysIn(String path, Node node) {
+    if (!(node instanceof Node.StrucNode struc)) {
+      return;
+    }
+    List<Node> parts = struc.parts();
+    for (int i = 0; i < parts.size(); i++) {
+      Node part = parts.get(i);
+      String name = path + "." + struc.type().components().get(i).name();
+      if (part instanceof Node.ArrayNode array) {
+        elements(name, array, null);
+      } else {
+        arraysIn(name, part);
+      }
+    }
+  }
+
+  private void elements(String path, Node.ArrayNode array, @Nullable String filling) {
+    List<Node> elements = array.elements();
+    for (int i = 0; i < elements.size(); i++) {
+      Node element = elements.get(i);
+      String name = path + new Index(array.indicesOf(i), element instanceof Node.TextNode);
+      String value = inline(name, element);
+      if (value != null && !value.equals(filling)) {
+        line(name + "=" + value);
+      }
+      arraysIn(name, element);
+    }
+  }
+
+  /**
+   * Gives the value that may stand for all elements of an array, as most of them have it; null if
+   * there is none. Only for what has no parts: an element cannot lose a component again.
+   */
+  private static @Nullable String filling(String path, Node.ArrayNode array) {
+    Map<String, Integer> counts = new HashMap<>();
+    List<Node> elements = array.elements();
+    for (Node element : elements) {
+      String value = inline(path, element);
+      if (value == null) {
+        return null;
+      }
+      counts.merge(value, 1, Integer::sum);
+    }
+    boolean mayDiffer = !(elements.get(0) instanceof Node.StrucNode);
+    int needed = mayDiffer ? elements.size() / 2 + 1 : elements.size();
+    for (Map.Entry<String, Integer> entry : counts.entrySet()) {
+      if (entry.getValue() >= needed) {
+        return entry.getKey();
+      }
+    }
+    return null;
+  }
+}

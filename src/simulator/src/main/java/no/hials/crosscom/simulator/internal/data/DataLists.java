@@ -1,0 +1,139 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.lang.Declaration;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.KrlFile;
+import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.lang.ParseResult;
+import no.hials.crosscom.lang.Position;
+
+/** Data lists as files: their text, their tree, and their names. */
+public final class DataLists {
+  /** krl.md 1.1. */
+  private static final int MAX_NAME_LENGTH = 24;
+
+  private DataLists() {}
+
+  /**
+   * Parses a file.
+   *
+   * @param file a file in ISO 8859-1
+   * @return what came of it
+   * @throws IOException if there is no such file, or it cannot be read
+   */
+  public static ParseResult parse(java.nio.file.Path file) throws IOException {
+    if (Files.isDirectory(file)) {
+      throw new FileSystemException(
+          file.toString(), null, "a data list is a file, this is a directory");
+    }
+    if (!Files.exists(file)) {
+      throw new NoSuchFileException(file.toString(), null, "there is no such data list");
+    }
+    return KrlParser.parse(file);
+  }
+
+  /**
+   * Writes the text of a data list.
+   *
+   * @param file the file, which is overwritten
+   * @param text the text
+   * @throws IOException if it cannot be written
+   */
+  public static void write(java.nio.file.Path file, String text) throws IOException {
+    Files.writeString(file, text, StandardCharsets.ISO_8859_1);
+  }
+
+  /**
+   * Picks the data list out of what came of parsing a file.
+   *
+   * @param fileName the name for messages
+   * @param result what came of it
+   * @param errors takes what is wrong
+   * @return the tree; nothing if the file is no data list, which is then among the errors
+   */
+  public static Optional<DataList> dataList(
+      String fileName, ParseResult result, List<KrlError> errors) {
+    KrlFile file = result.file().orElse(null);
+    if (file instanceof DataList list) {
+      errors.addAll(result.errors());
+      return Optional.of(list);
+    }
+    if (file != null) {
+      // what is wrong with it as a program is of no interest then
+      errors.add(
+          new KrlError(
+              file.position(), "a data list begins with DEFDAT, found the program " + file.name()));
+    } else if (result.errors().isEmpty()) {
+      errors.add(
+          new KrlError(
+              new Position(fileName, 1, 1), "a data list begins with DEFDAT, found nothing"));
+    } else {
+      errors.addAll(result.errors());
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * Sorts errors as they stand in the file; those of the parser and of the loader come apart.
+   *
+   * @param errors the errors of one file
+   * @return the same errors
+   */
+  public static List<KrlError> sorted(List<KrlError> errors) {
+    List<KrlError> sorted = new ArrayList<>(errors);
+    sorted.sort(
+        Comparator.comparingInt((KrlError error) -> error.position().line())
+            .thenComparingInt(error -> error.position().column()));
+    return sorted;
+  }
+
+  /**
+   * Collects what the comments of a data list say of the variables that it declares for everyone.
+   *
+   * @param list the data list
+   * @return the notes by the names of the variables in upper case
+   */
+  public static Map<String, Note> notes(DataList list) {
+    Map<String, Note> notes = new HashMap<>();
+    for (Declaration declaration : list.declarations()) {
+      if (declaration instanceof Declaration.Variables group && isGlobal(list, group.global())) {
+        Note note = Note.of(group.comment());
+        group.variables().forEach(variable -> notes.put(Scope.key(variable.name()), note));
+      } else if (declaration instanceof Declaration.Signal signal
+          && isGlobal(list, signal.global())) {
+        notes.put(Scope.key(signal.name()), Note.of(signal.comment()));
+      }
+    }
+    return notes;
+  }
+
+  private static boolean isGlobal(DataList list, boolean global) {
+    return DataListLoader.isSystem(list) || (global && list.isPublic());
+  }
+
+  /**
+   * Makes the name of a system data list.
+   *
+   * @param text a name with or without {@code $}, or a file's name
+   * @return the name, such as {@code $STATE} for {@code state.dat}
+   */
+  public static String systemName(String text) {
+    String name = text.replaceFirst("\\.[^.]*$", "").toUpperCase(Locale.ROOT);
+    name = name.replaceAll("[^A-Z0-9_$]", "_");
+    name = name.startsWith("$") ? name : "$" + name;
+    return name.substring(0, Math.min(name.length(), MAX_NAME_LENGTH));
+  }
+}

@@ -1,0 +1,38 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import java.util.List;
+import java.util.Optional;
+import no.hials.crosscom.simulator.Access;
+
+/**
+ * How a variable is declared.
+ *
+ * @param name as declared, without dimensions
+ * @param type the name of the type of an element; {@code SIGNAL} for a signal
+ * @param dimensions the length of each, none for what is no array; the last one of a CHAR array is
+ *     the length of its texts
+ * @param access what clients and programs may do
+ */
+public record Declared(String name, String type, List<Integer> dimensions, Access access) {
+
+  /**
+   * Finds a variable.
+   *
+   * @param scope where it is looked for, there and around
+   * @param name its name in any case, without index
+   * @return how it is declared; nothing if it is not
+   */
+  public static Optional<Declared> find(Scope scope, String name) {
+    return Optional.ofNullable(scope.lookup(Scope.key(name))).map(Declared::of);
+  }
+
+  private static Declared of(Variable variable) {
+    Node contents = variable.contents();
+    if (contents == null) {
+      return new Declared(variable.name(), "SIGNAL", List.of(), variable.access());
+    }
+    Shape shape = Shape.of(contents);
+    return new Declared(
+        variable.name(), shape.type().name(), shape.dimensions(), variable.access());
+  }
+}

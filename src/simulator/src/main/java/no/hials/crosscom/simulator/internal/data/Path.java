@@ -1,0 +1,220 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import no.hials.crosscom.simulator.Refusal;
+import no.hials.crosscom.simulator.RefusedException;
+
+/**
+ * A variable's name as clients send it, taken apart: {@code LOAD_DATA[1].CM.X} are three steps.
+ *
+ * @param steps at least one
+ */
+public record Path(List<Step> steps) {
+  /** KRL arrays have three dimensions at most (krl.md 1.1). */
+  private static final int MAX_DIMENSIONS = 3;
+
+  private static final int MAX_INDEX_DIGITS = 9;
+
+  /**
+   * One name.
+   *
+   * @param name in upper case, since names are the same in any case (krl.md 1.1)
+   * @param index what stands behind it
+   */
+  public record Step(String name, Index index) {}
+
+  /**
+   * Gives the variable's own step.
+   *
+   * @return the first step
+   */
+  public Step first() {
+    return steps.get(0);
+  }
+
+  /**
+   * Says whether a step is the last.
+   *
+   * @param step its position, from 0
+   * @return whether none follows
+   */
+  public boolean isLast(int step) {
+    return step == steps.size() - 1;
+  }
+
+  /**
+   * Gives the path of an array's element.
+   *
+   * @param array the array's name
+   * @param index the index, from 1
+   * @return the path
+   */
+  public static Path element(String array, int index) {
+    return new Path(
+        List.of(new Step(array.toUpperCase(Locale.ROOT), new Index(new int[] {index}, false))));
+  }
+
+  /**
+   * Gives the path of a part of what this one stands for.
+   *
+   * @param inner the path within that part, whose first step has another name for it
+   * @return both together
+   */
+  public Path then(Path inner) {
+    if (inner.steps.size() == 1 && inner.first().index().isNone()) {
+      return this;
+    }
+    int last = steps.size() - 1;
+    List<Step> all = new ArrayList<>(steps.subList(0, last));
+    all.add(new Step(steps.get(last).name(), steps.get(last).index().then(inner.first().index())));
+    all.addAll(inner.steps.subList(1, inner.steps.size()));
+    return new Path(all);
+  }
+
+  /**
+   * Parses a name as clients send it.
+   *
+   * @param text such as {@code LOAD_DATA[1].CM.X}
+   * @return the path
+   * @throws RefusedException if it is not a name
+   */
+  public static Path parse(String text) throws RefusedException {
+    return new Parser(text.strip()).path();
+  }
+
+  @Override
+  public String toString() {
+    StringBuilder out = new StringBuilder();
+    for (Step step : steps) {
+      out.append(out.length() > 0 ? "." : "").append(step.name()).append(step.index());
+    }
+    return out.toString();
+  }
+
+  /**
+   * Says whether a text is a KRL name.
+   *
+   * @param text a text
+   * @return whether it is one
+   */
+  public static boolean isName(String text) {
+    if (text.isEmpty() || !isNameStart(text.charAt(0))) {
+      return false;
+    }
+    for (int i = 1; i < text.length(); i++) {
+      if (!isNamePart(text.charAt(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static boolean isNameStart(char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '$';
+  }
+
+  private static boolean isDigit(char c) {
+    return c >= '0' && c <= '9';
+  }
+
+  private static boolean isNamePart(char c) {
+    return isNameStart(c) || isDigit(c);
+  }
+
+  /** Reads a name from left to right. */
+  private static final class Parser {
+    private final String text;
+    private int pos;
+
+    Parser(String text) {
+      this.text = text;
+    }
+
+    Path path() throws RefusedException {
+      Step first = step();
+      if (pos == text.length()) {
+        return new Path(List.of(first));
+      }
+      List<Step> steps = new ArrayList<>();
+      steps.add(first);
+      while (pos < text.length()) {
+        if (text.charAt(pos) != '.') {
+          throw noName();
+        }
+        pos++;
+        steps.add(step());
+      }
+      return new Path(steps);
+    }
+
+    private RefusedException noName() {
+      return new RefusedException(Refusal.UNKNOWN_VARIABLE, "'" + text + "' is not a name");
+    }
+
+    private Step step() throws RefusedException {
+      int start = pos;
+      while (pos < text.length() && isNamePart(text.charAt(pos))) {
+        pos++;
+      }
+      if (start == pos || !isNameStart(text.charAt(start))) {
+        throw noName();
+      }
+      String name = text.substring(start, pos).toUpperCase(Locale.ROOT);
+      boolean bracket = pos < text.length() && text.charAt(pos) == '[';
+      return new Step(name, bracket ? index() : Index.NONE);
+    }
+
+    private Index index() throws RefusedException {
+      pos++;
+      int[] numbers = new int[MAX_DIMENSIONS];
+      int count = 0;
+      while (true) {
+        skipBlanks();
+        if (pos < text.length() && text.charAt(pos) == ']') {
+          pos++;
+          return new Index(Arrays.copyOf(numbers, count), true);
+        }
+        if (count == MAX_DIMENSIONS) {
+          throw noName();
+        }
+        numbers[count++] = number();
+        skipBlanks();
+        if (pos == text.length()) {
+          throw noName();
+        }
+        char c = text.charAt(pos++);
+        if (c == ']') {
+          return new Index(Arrays.copyOf(numbers, count), false);
+        }
+        if (c != ',') {
+          throw noName();
+        }
+      }
+    }
+
+    private int number() throws RefusedException {
+      int start = pos;
+      int value = 0;
+      while (pos < text.length() && isDigit(text.charAt(pos))) {
+        if (pos - start == MAX_INDEX_DIGITS) {
+          throw new RefusedException(Refusal.BAD_INDEX, "index too large in " + text);
+        }
+        value = value * 10 + (text.charAt(pos) - '0');
+        pos++;
+      }
+      if (pos == start) {
+        throw noName();
+      }
+      return value;
+    }
+
+    private void skipBlanks() {
+      while (pos < text.length() && text.charAt(pos) == ' ') {
+        pos++;
+      }
+    }
+  }
+}

@@ -1,0 +1,622 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.simulator.Refusal;
+import no.hials.crosscom.simulator.RefusedException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Holds types and variables, and knows those of the scope around it: the locals of a routine lie in
+ * the data list of its module, and that in the globals of the controller.
+ *
+ * <p>Safe for use by several threads; every access is atomic. What is not declared here is looked
+ * for in the scope around.
+ */
+public final class Scope {
+  private static final String OUTPUTS = "$OUT";
+
+  /** Who writes, which decides what is allowed. */
+  public enum Writer {
+    /** A client over the network: keeps to the access rights, arrays by element only. */
+    CLIENT,
+    /** A KRL program: keeps to the access rights. */
+    PROGRAM,
+    /** The controller itself, a data list or Java code: everything. */
+    SYSTEM
+  }
+
+  /** Refuses values that are of the right type and still not possible, for clients and programs. */
+  @FunctionalInterface
+  public interface Guard {
+    /**
+     * Looks at a value before it is written.
+     *
+     * @param path what is written, from the variable's name on
+     * @param value the value
+     * @throws RefusedException if it is not possible
+     */
+    void check(Path path, KrlValue value) throws RefusedException;
+  }
+
+  /**
+   * A component of a STRUC.
+   *
+   * @param type the type's name
+   * @param declarator the component's name, for an array with dimensions
+   */
+  public record Component(String type, String declarator) {}
+
+  private final @Nullable Scope parent;
+  private final Map<String, Type> types = new HashMap<>();
+  private final Map<String, Variable> variables = new HashMap<>();
+  private final Map<String, Guard> guards = new HashMap<>();
+
+  /** The outputs that system signals are wired to; null if that has to be found out again. */
+  private @Nullable BitSet systemOutputs;
+
+  /** Makes an outermost scope, which knows the base types only. */
+  public Scope() {
+    parent = null;
+    for (Type.Base type : Type.Base.values()) {
+      types.put(type.name(), type);
+    }
+  }
+
+  /**
+   * Makes a scope without contents.
+   *
+   * @param parent the scope around it
+   */
+  public Scope(Scope parent) {
+    this.parent = parent;
+  }
+
+  /**
+   * Takes over all types, variables and guards of another scope, which can be changed
+   * independently. What follows something there has here the value that was declared.
+   *
+   * @param other a scope
+   */
+  public void copyFrom(Scope other) {
+    Map<String, Type> otherTypes;
+    Map<String, Variable> otherVariables;
+    Map<String, Guard> otherGuards;
+    synchronized (other) {
+      otherTypes = Map.copyOf(other.types);
+      otherVariables = Map.copyOf(other.variables);
+      otherGuards = Map.copyOf(other.guards);
+    }
+    synchronized (this) {
+      types.putAll(otherTypes);
+      guards.putAll(otherGuards);
+      otherVariables.forEach((name, variable) -> variables.put(name, variable.bound(null)));
+      systemOutputs = null;
+    }
+  }
+
+  // declarations; all are IllegalArgumentException if they are wrong
+
+  /**
+   * Gives a name as the maps have it.
+   *
+   * @param name a name in any case
+   * @return the name without blanks around it, in upper case
+   */
+  public static String key(String name) {
+    return name.strip().toUpperCase(Locale.ROOT);
+  }
+
+  private static void checkTypeName(String name) {
+    if (!Path.isName(name)) {
+      throw new IllegalArgumentException("a type's name is a KRL name, is '" + name + "'");
+    }
+    for (Type.Base type : Type.Base.values()) {
+      if (type.name().equalsIgnoreCase(name)) {
+        throw new IllegalArgumentException(name + " is a type of KRL itself");
+      }
+    }
+  }
+
+  /**
+   * Declares a STRUC type, in place of one of the same name. Variables declared before keep theirs.
+   *
+   * @param name the type's name
+   * @param components the components in print order
+   */
+  public synchronized void declareStruc(String name, List<Component> components) {
+    checkTypeName(name);
+    List<Declarator> declarators = new ArrayList<>();
+    for (Component component : components) {
+      declarators.add(Declarator.parse(type(component.type()), component.declarator()));
+    }
+    types.put(key(name), Type.Struc.of(name, declarators));
+  }
+
+  /**
+   * Declares an ENUM type, in place of one of the same name. Variables declared before keep theirs.
+   *
+   * @param name the type's name
+   * @param constants the constants, without {@code #}
+   */
+  public synchronized void declareEnum(String name, List<String> constants) {
+    checkTypeName(name);
+    types.put(key(name), Type.Enumeration.of(name, constants));
+  }
+
+  /**
+   * Says whether a type is known, here or around.
+   *
+   * @param name its name
+   * @return whether a variable can be declared with it
+   */
+  public synchronized boolean knowsType(String name) {
+    return types.containsKey(key(name)) || (parent != null && parent.knowsType(name));
+  }
+
+  /** Gives a type of this scope or of one around it; IllegalArgumentException if none has it. */
+  synchronized Type type(String name) {
+    Type type = types.get(key(name));
+    if (type != null) {
+      return type;
+    }
+    if (parent != null) {
+      return parent.type(name);
+    }
+    throw new IllegalArgumentException("type " + name + " is not declared");
+  }
+
+  /**
+   * Declares a variable, in place of one of the same name in this scope.
+   *
+   * @param declarator the name, for an array with its dimensions: {@code MYPOINTS[10]}
+   * @param type the type's name
+   * @param access what clients and programs may do
+   * @param value the initial value; for an array all elements or one value for every element; null
+   *     for none
+   * @throws RefusedException if the value is not of the type; then nothing has changed
+   */
+  public synchronized void declare(
+      String declarator, String type, Access access, @Nullable KrlValue value)
+      throws RefusedException {
+    Declarator parsed = Declarator.parse(type(type), declarator);
+    Node contents = parsed.uninitialised();
+    if (value != null) {
+      contents = contents.assign(value);
+    }
+    put(new Variable(parsed.name(), access, contents, null, null));
+  }
+
+  /**
+   * Declares a SIGNAL, in place of a variable of the same name in this scope.
+   *
+   * @param name its name
+   * @param wiring {@code $OUT[5]}, {@code $OUT[5] TO $OUT[8]} or {@code FALSE}
+   * @param access what clients and programs may do
+   */
+  public synchronized void declareSignal(String name, String wiring, Access access) {
+    Declarator parsed = Declarator.parse(Type.Base.BOOL, name);
+    if (!parsed.dimensions().isEmpty()) {
+      throw new IllegalArgumentException("SIGNAL " + name + " must have no dimensions");
+    }
+    put(new Variable(parsed.name(), access, null, Signal.parse(wiring), null));
+  }
+
+  /** Takes a variable in place of one of the same name in this scope. */
+  synchronized void put(Variable variable) {
+    variables.put(key(variable.name()), variable);
+    systemOutputs = null;
+  }
+
+  /**
+   * Removes a variable of this scope.
+   *
+   * @param name its name, without index
+   * @return whether there was one
+   */
+  public synchronized boolean remove(String name) {
+    systemOutputs = null;
+    return variables.remove(key(name)) != null;
+  }
+
+  /**
+   * Says whether this scope itself has a variable.
+   *
+   * @param name its name, without index
+   * @return whether there is one
+   */
+  public synchronized boolean contains(String name) {
+    return variables.containsKey(key(name));
+  }
+
+  /**
+   * Says whether a variable can be accessed from here.
+   *
+   * @param name its name, without index
+   * @return whether this scope or one around it has it
+   */
+  public synchronized boolean knows(String name) {
+    return contains(name) || (parent != null && parent.knows(name));
+  }
+
+  /** Gives the variables of this scope itself, in any order; a copy. */
+  synchronized List<Variable> variables() {
+    return List.copyOf(variables.values());
+  }
+
+  /** Gives the types of this scope itself, in any order; a copy. */
+  synchronized List<Type> types() {
+    return List.copyOf(types.values());
+  }
+
+  /** Gives a variable of this scope or of one around it by its key; null if none has it. */
+  synchronized @Nullable Variable lookup(String key) {
+    Variable variable = variables.get(key);
+    return variable != null || parent == null ? variable : parent.lookup(key);
+  }
+
+  /**
+   * Lists the variables of this scope itself.
+   *
+   * @return the names as declared, without dimensions, sorted; a copy
+   */
+  public synchronized SortedSet<String> names() {
+    SortedSet<String> names = new TreeSet<>();
+    for (Variable variable : variables.values()) {
+      names.add(variable.name());
+    }
+    return names;
+  }
+
+  /**
+   * Lets a variable follow something: its value is asked for at each read.
+   *
+   * @param name a variable of this scope, without index
+   * @param value gives the whole value. It is asked under the lock of this scope, so it must be
+   *     quick and must not wait
+   */
+  public synchronized void bind(String name, Supplier<KrlValue> value) {
+    Variable variable = variables.get(key(name));
+    if (variable == null || variable.contents() == null) {
+      throw new IllegalArgumentException(name + " is no variable that could be bound");
+    }
+    variables.put(key(name), variable.bound(value));
+  }
+
+  /**
+   * Guards a variable of this scope against values that are not possible.
+   *
+   * @param name the variable, without index
+   * @param guard is asked before each write of a client or a program, under the lock of this scope
+   */
+  public synchronized void guard(String name, Guard guard) {
+    guards.put(key(name), guard);
+  }
+
+  /**
+   * Makes several changes, or none. Other threads see the scope before or after all of them.
+   *
+   * @param change makes the changes; says whether they are to stay. It must be quick
+   * @return whether they stay; if not, types and variables of this scope are as before
+   */
+  public synchronized boolean attempt(BooleanSupplier change) {
+    Map<String, Type> oldTypes = Map.copyOf(types);
+    Map<String, Variable> oldVariables = Map.copyOf(variables);
+    boolean done = false;
+    try {
+      done = change.getAsBoolean();
+    } finally {
+      if (!done) {
+        types.clear();
+        types.putAll(oldTypes);
+        variables.clear();
+        variables.putAll(oldVariables);
+        systemOutputs = null;
+      }
+    }
+    return done;
+  }
+
+  // access
+
+  /**
+   * Reads a value.
+   *
+   * @param path what to read
+   * @return the value
+   * @throws RefusedException if there is no such variable, or it has no value
+   */
+  public synchronized KrlValue read(Path path) throws RefusedException {
+    Variable variable = variables.get(path.first().name());
+    if (variable == null) {
+      return around(path).read(path);
+    }
+    Node contents = current(variable);
+    return contents == null ? signalValue(path, variable) : contents.read(path).value();
+  }
+
+  /**
+   * Reads a value as a controller prints it.
+   *
+   * @param path what to read
+   * @return the text
+   * @throws RefusedException if there is no such variable, or it has no value
+   */
+  public synchronized String print(Path path) throws RefusedException {
+    Variable variable = variables.get(path.first().name());
+    if (variable == null) {
+      return around(path).print(path);
+    }
+    Node contents = current(variable);
+    return contents == null ? signalValue(path, variable).print() : contents.read(path).text();
+  }
+
+  /**
+   * Gives the contents of a variable or of a part of it, with or without a value. It never changes.
+   *
+   * @param path a variable that is no SIGNAL, or a part of it
+   * @return the contents
+   * @throws RefusedException if there is no such variable
+   */
+  public synchronized Node node(Path path) throws RefusedException {
+    Variable variable = variables.get(path.first().name());
+    if (variable == null) {
+      return around(path).node(path);
+    }
+    Node contents = current(variable);
+    if (contents == null) {
+      throw new RefusedException(Refusal.UNKNOWN_VARIABLE, variable.name() + " is a SIGNAL");
+    }
+    return contents.read(path);
+  }
+
+  /**
+   * Gives the contents of a whole variable, also of an array, with or without a value.
+   *
+   * @param name a variable of this scope that is no SIGNAL, without index
+   * @return the contents
+   * @throws RefusedException if there is no such variable
+   */
+  public synchronized Node contents(String name) throws RefusedException {
+    Node contents = current(find(key(name)));
+    if (contents == null) {
+      throw new RefusedException(Refusal.UNKNOWN_VARIABLE, name + " is a SIGNAL");
+    }
+    return contents;
+  }
+
+  /** Gives what a variable holds now; null for a SIGNAL. */
+  static @Nullable Node current(Variable variable) throws RefusedException {
+    Node contents = variable.contents();
+    Supplier<KrlValue> source = variable.source();
+    return contents == null || source == null ? contents : contents.assign(source.get());
+  }
+
+  private Scope around(Path path) throws RefusedException {
+    if (parent == null) {
+      throw new RefusedException(Refusal.UNKNOWN_VARIABLE, "no variable " + path.first().name());
+    }
+    return parent;
+  }
+
+  private Variable find(String key) throws RefusedException {
+    Variable variable = variables.get(key);
+    if (variable == null) {
+      throw new RefusedException(Refusal.UNKNOWN_VARIABLE, "no variable " + key);
+    }
+    return variable;
+  }
+
+  /**
+   * Writes a value; an aggregate changes the fields it has, a whole array takes all elements or one
+   * value for every element.
+   *
+   * @param path what to write
+   * @param value the value
+   * @param writer who writes
+   * @throws RefusedException if there is no such variable, it must not be written, or the value is
+   *     not of its type; then nothing has changed
+   */
+  public synchronized void write(Path path, KrlValue value, Writer writer) throws RefusedException {
+    Variable variable = variables.get(path.first().name());
+    if (variable == null) {
+      around(path).write(path, value, writer);
+      return;
+    }
+    if (writer != Writer.SYSTEM) {
+      if (variable.access() == Access.READ_ONLY) {
+        throw new RefusedException(Refusal.READ_ONLY, "may only be read");
+      }
+      Guard guard = guards.get(path.first().name());
+      if (guard != null) {
+        guard.check(path, value);
+      }
+    }
+    assign(path, variable, value, writer);
+  }
+
+  private void assign(Path path, Variable variable, KrlValue value, Writer writer)
+      throws RefusedException {
+    Node contents = variable.contents();
+    if (contents == null) {
+      assignSignal(path, variable, value, writer);
+      return;
+    }
+    String key = path.first().name();
+    if (writer == Writer.CLIENT) {
+      if (contents.read(path) instanceof Node.ArrayNode) {
+        // assumed: there is no way to set an array as a whole before KSS 8 (krl.md 1.4, ISS #14),
+        // and none is documented for later
+        throw new RefusedException(Refusal.WHOLE_ARRAY, "an array is written by element");
+      }
+    }
+    if (writer != Writer.SYSTEM) {
+      Index index = path.first().index();
+      if (key.equals(OUTPUTS) && index.count() > 0 && systemOutputs().get(index.number(0))) {
+        // krl.md 2.6, marked U: outputs that system signals use cannot be set; for programs
+        // assumed
+        throw new RefusedException(Refusal.READ_ONLY, "is used by a system signal");
+      }
+    }
+    variables.put(
+        key,
+        variable.with(
+            writer == Writer.PROGRAM ? contents.store(path, value) : contents.write(path, value)));
+  }
+
+  // signals
+
+  /**
+   * Says whether a variable is a SIGNAL.
+   *
+   * @param name a variable of this scope, without index
+   * @return whether it is one
+   */
+  public synchronized boolean isSignal(String name) {
+    Variable variable = variables.get(key(name));
+    return variable != null && variable.signal() != null;
+  }
+
+  /**
+   * Says what a SIGNAL is wired to.
+   *
+   * @param name a variable's name, without index, here or around
+   * @return {@code $IN}, {@code $OUT} or another array in upper case; nothing if the variable is no
+   *     SIGNAL or not wired
+   */
+  public synchronized Optional<String> wiredArray(String name) {
+    Variable variable = variables.get(key(name));
+    if (variable == null) {
+      return parent == null ? Optional.empty() : parent.wiredArray(name);
+    }
+    Signal signal = variable.signal();
+    return signal == null ? Optional.empty() : Optional.ofNullable(signal.array());
+  }
+
+  /**
+   * Says which input or output a SIGNAL is.
+   *
+   * @param name a variable's name, without index, here or around
+   * @return its number; nothing if the variable is no SIGNAL, is not wired or stands for several
+   */
+  public synchronized OptionalInt wiredElement(String name) {
+    Variable variable = variables.get(key(name));
+    if (variable == null) {
+      return parent == null ? OptionalInt.empty() : parent.wiredElement(name);
+    }
+    Signal signal = variable.signal();
+    return signal == null || signal.array() == null || !signal.isSingle()
+        ? OptionalInt.empty()
+        : OptionalInt.of(signal.first());
+  }
+
+  private static Signal checkedSignal(Path path, Variable variable) throws RefusedException {
+    Signal signal = variable.signal();
+    if (signal == null) {
+      throw new IllegalStateException(variable.name() + " has neither contents nor wiring");
+    }
+    if (!path.first().index().isNone()) {
+      throw Node.badIndex("a SIGNAL is no array");
+    }
+    if (!path.isLast(0)) {
+      throw new RefusedException(Refusal.UNKNOWN_COMPONENT, "a SIGNAL has no components");
+    }
+    return signal;
+  }
+
+  private KrlValue signalValue(Path path, Variable variable) throws RefusedException {
+    Signal signal = checkedSignal(path, variable);
+    String array = signal.array();
+    if (array == null) {
+      return new KrlBool(false);
+    }
+    if (signal.isSingle()) {
+      return elementValue(array, signal.first());
+    }
+    int bits = 0;
+    for (int i = signal.last(); i >= signal.first(); i--) {
+      if (!(elementValue(array, i) instanceof KrlBool bit)) {
+        throw new RefusedException(Refusal.WRONG_TYPE, array + " is no array of BOOL");
+      }
+      bits = bits << 1 | (bit.value() ? 1 : 0);
+    }
+    return new KrlInt(bits);
+  }
+
+  private KrlValue elementValue(String array, int index) throws RefusedException {
+    return node(Path.element(array, index)).value();
+  }
+
+  private void assignSignal(Path path, Variable variable, KrlValue value, Writer writer)
+      throws RefusedException {
+    Signal signal = checkedSignal(path, variable);
+    String array = signal.array();
+    if (array == null) {
+      throw new RefusedException(Refusal.READ_ONLY, "is not wired");
+    }
+    assignWired(signal, value, writer);
+  }
+
+  private synchronized void assignWired(Signal signal, KrlValue value, Writer writer)
+      throws RefusedException {
+    String array = String.valueOf(signal.array());
+    if (parent != null && !variables.containsKey(array)) {
+      parent.assignWired(signal, value, writer);
+      return;
+    }
+    Variable target = find(array);
+    if (writer != Writer.SYSTEM && target.access() == Access.READ_ONLY) {
+      throw new RefusedException(Refusal.READ_ONLY, array + " may only be read");
+    }
+    if (signal.isSingle()) {
+      assign(Path.element(array, signal.first()), target, value, writer);
+      return;
+    }
+    if (!(value instanceof KrlInt number)) {
+      throw new RefusedException(Refusal.WRONG_TYPE, "needs INT, was given " + value.print());
+    }
+    int width = signal.last() - signal.first() + 1;
+    if (width < Integer.SIZE && number.value() >>> width != 0) {
+      throw new RefusedException(
+          Refusal.OUT_OF_RANGE, "has " + width + " bits, was given " + number);
+    }
+    for (int i = 0; i < width; i++) {
+      KrlBool bit = new KrlBool((number.value() >>> i & 1) != 0);
+      try {
+        assign(Path.element(array, signal.first() + i), find(array), bit, writer);
+      } catch (RefusedException e) {
+        variables.put(array, target); // all bits or none
+        throw e;
+      }
+    }
+  }
+
+  private BitSet systemOutputs() {
+    BitSet known = systemOutputs;
+    if (known == null) {
+      known = new BitSet();
+      for (Variable variable : variables.values()) {
+        Signal signal = variable.signal();
+        if (signal != null && variable.name().startsWith("$") && OUTPUTS.equals(signal.array())) {
+          known.set(signal.first(), signal.last() + 1);
+        }
+      }
+      systemOutputs = known;
+    }
+    return known;
+  }
+}

@@ -1,0 +1,219 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.Refusal;
+import no.hials.crosscom.simulator.RefusedException;
+
+/** The type of a variable, of one of its elements or of a component. */
+sealed interface Type {
+
+  /** Gives the name as a declaration has it. */
+  String name();
+
+  /** Gives a variable of this type without a value. */
+  Node uninitialised();
+
+  /** A type whose values have no parts. */
+  sealed interface Scalar extends Type {
+
+    /**
+     * Makes of what a client wrote the value that is stored.
+     *
+     * @throws RefusedException if it is not of this type
+     */
+    KrlValue convert(KrlValue value) throws RefusedException;
+
+    @Override
+    default Node uninitialised() {
+      return new Node.ScalarNode(this, null);
+    }
+  }
+
+  private static RefusedException wrongType(Type type, KrlValue value) {
+    return new RefusedException(
+        Refusal.WRONG_TYPE, "needs " + type.name() + ", was given " + value.print());
+  }
+
+  /** The types that KRL itself has. */
+  enum Base implements Scalar {
+    /**
+     * 32 bits with sign. The text of a REAL is taken if it is a whole number: the original client
+     * wrote {@code 50.0} to {@code $OV_PRO}, and its README shows that a controller took it. That a
+     * broken number is refused, not rounded, is assumed.
+     */
+    INT {
+      @Override
+      public KrlValue convert(KrlValue value) throws RefusedException {
+        if (value instanceof KrlInt) {
+          return value;
+        }
+        if (value instanceof KrlReal number && number.value() == (int) number.value()) {
+          return new KrlInt((int) number.value());
+        }
+        throw wrongType(this, value);
+      }
+    },
+    /** A 32-bit float; INT text is taken too (krl.md 1.6). */
+    REAL {
+      @Override
+      public KrlValue convert(KrlValue value) throws RefusedException {
+        if (value instanceof KrlInt number) {
+          return KrlReal.of(number.value());
+        }
+        if (value instanceof KrlReal) {
+          return value;
+        }
+        throw wrongType(this, value);
+      }
+    },
+    /** TRUE or FALSE. */
+    BOOL {
+      @Override
+      public KrlValue convert(KrlValue value) throws RefusedException {
+        if (value instanceof KrlBool) {
+          return value;
+        }
+        throw wrongType(this, value);
+      }
+    },
+    /** One character; as an array a text. */
+    CHAR {
+      @Override
+      public KrlValue convert(KrlValue value) throws RefusedException {
+        if (value instanceof KrlString string) {
+          if (string.text().length() != 1) {
+            throw new RefusedException(
+                Refusal.OUT_OF_RANGE, "needs one character, was given " + value);
+          }
+          Node.checkLatin1(string);
+          return value;
+        }
+        throw wrongType(this, value);
+      }
+    }
+  }
+
+  /**
+   * A type with named constants.
+   *
+   * @param name the type's name
+   * @param constants the constants by their names in upper case
+   */
+  record Enumeration(String name, Map<String, KrlEnum> constants) implements Scalar {
+
+    static Enumeration of(String name, List<String> constants) {
+      Map<String, KrlEnum> byName = new HashMap<>();
+      for (String constant : constants) {
+        byName.put(constant.toUpperCase(Locale.ROOT), new KrlEnum(constant));
+      }
+      if (byName.isEmpty() || byName.size() < constants.size()) {
+        throw new IllegalArgumentException(
+            "ENUM " + name + " must have at least one constant and none twice, has " + constants);
+      }
+      return new Enumeration(name, Map.copyOf(byName));
+    }
+
+    @Override
+    public KrlValue convert(KrlValue value) throws RefusedException {
+      if (!(value instanceof KrlEnum constant)) {
+        throw wrongType(this, value);
+      }
+      KrlEnum own = constants.get(constant.name().toUpperCase(Locale.ROOT));
+      if (own == null) {
+        throw new RefusedException(Refusal.OUT_OF_RANGE, "ENUM " + name + " has no " + value);
+      }
+      return own;
+    }
+  }
+
+  /**
+   * A structure.
+   *
+   * @param name the type's name
+   * @param components the components in print order
+   * @param positions where each stands in that order, by its name in upper case
+   * @param depth how many structures lie in one another, this one included
+   */
+  record Struc(String name, List<Declarator> components, Map<String, Integer> positions, int depth)
+      implements Type {
+    private static final List<Set<String>> POSITIONS =
+        List.of(Set.of("FRAME", "POS", "E6POS"), Set.of("AXIS", "E6AXIS"));
+
+    static Struc of(String name, List<Declarator> components) {
+      Map<String, Integer> positions = new HashMap<>();
+      int deepest = 0;
+      for (Declarator component : components) {
+        String key = component.name().toUpperCase(Locale.ROOT);
+        if (positions.put(key, positions.size()) != null) {
+          throw new IllegalArgumentException("STRUC " + name + " has " + key + " twice");
+        }
+        if (component.type() instanceof Struc struc) {
+          deepest = Math.max(deepest, struc.depth);
+        }
+      }
+      if (components.isEmpty() || deepest >= KrlValue.MAX_DEPTH) {
+        throw new IllegalArgumentException(
+            "STRUC "
+                + name
+                + " must have a component and nest at most "
+                + KrlValue.MAX_DEPTH
+                + " deep, has "
+                + components.size()
+                + " and nests "
+                + (deepest + 1));
+      }
+      return new Struc(name, List.copyOf(components), Map.copyOf(positions), deepest + 1);
+    }
+
+    @Override
+    public Node uninitialised() {
+      Node[] parts = new Node[components.size()];
+      for (int i = 0; i < parts.length; i++) {
+        parts[i] = components.get(i).uninitialised();
+      }
+      return new Node.StrucNode(this, parts);
+    }
+
+    /**
+     * Makes of a position what a variable of another type of position takes over: the components
+     * that it has. Assumed: krl.md is silent, and programs assign {@code $POS_ACT} to a FRAME.
+     */
+    KrlStruct ofItsKind(KrlStruct value) {
+      String given = value.typeName();
+      if (given == null || given.equalsIgnoreCase(name)) {
+        return value;
+      }
+      for (Set<String> kind : POSITIONS) {
+        if (kind.contains(name.toUpperCase(Locale.ROOT))
+            && kind.contains(given.toUpperCase(Locale.ROOT))) {
+          return new KrlStruct(
+              name,
+              value.fields().stream()
+                  .filter(field -> positions.containsKey(field.name().toUpperCase(Locale.ROOT)))
+                  .toList());
+        }
+      }
+      return value;
+    }
+
+    /** Checks that an aggregate is of this type, by its name, which may be missing. */
+    KrlStruct check(KrlValue value) throws RefusedException {
+      if (value instanceof KrlStruct struct
+          && (struct.typeName() == null || struct.typeName().equalsIgnoreCase(name))) {
+        return struct;
+      }
+      throw wrongType(this, value);
+    }
+  }
+}

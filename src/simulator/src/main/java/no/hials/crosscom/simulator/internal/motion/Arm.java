@@ -1,0 +1,83 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+import java.util.List;
+import java.util.Optional;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.kinematics.UnreachableException;
+import no.hials.crosscom.simulator.internal.motion.Problem.AxisLimit;
+import no.hials.crosscom.simulator.internal.motion.Problem.OutOfReach;
+
+/**
+ * The robot as paths need it: the inverse goes beyond the software limits, so that it can be said
+ * which axis would have to go how far.
+ */
+final class Arm {
+  /** The number of axes. */
+  static final int AXES = 6;
+
+  /** So little beyond a limit, degrees, is at the limit, as the kinematics have it. */
+  private static final double TOLERANCE = 1e-4;
+
+  /** Further than any axis ever is, degrees. */
+  private static final double FAR = 1e6;
+
+  private final RobotModel robot;
+  private final RobotModel unlimited;
+
+  Arm(RobotModel robot) {
+    this.robot = robot;
+    this.unlimited =
+        robot.withLimits(
+            new Axes(-FAR, -FAR, -FAR, -FAR, -FAR, -FAR), new Axes(FAR, FAR, FAR, FAR, FAR, FAR));
+  }
+
+  double maxSpeed(int axis) {
+    return robot.maxSpeed(axis);
+  }
+
+  double maxAcceleration(int axis) {
+    return robot.maxAcceleration(axis);
+  }
+
+  Frame forward(Axes axes) {
+    return robot.forward(axes);
+  }
+
+  Frame tcp(Axes axes, Frame tool) {
+    Frame flange = robot.forward(axes);
+    return tool.equals(Frame.IDENTITY) ? flange : flange.times(tool);
+  }
+
+  /** Finds the axes nearest to others, inside the limits or not. */
+  Axes inverse(Frame tcp, Frame flangeInTool, Axes near) throws NoPointException {
+    boolean isFlange = flangeInTool.equals(Frame.IDENTITY);
+    try {
+      return unlimited.inverse(isFlange ? tcp : tcp.times(flangeInTool), near);
+    } catch (UnreachableException e) {
+      throw new NoPointException(new OutOfReach(e.getMessage()));
+    }
+  }
+
+  /** Finds the first axis that is beyond a software limit. */
+  Optional<AxisLimit> beyondLimit(Axes axes) {
+    List<Integer> outside = robot.axesOutsideLimits(axes, -TOLERANCE);
+    return outside.isEmpty() ? Optional.empty() : Optional.of(limit(outside.get(0), axes));
+  }
+
+  private AxisLimit limit(int axis, Axes axes) {
+    double value = axes.get(axis);
+    double limit = value > robot.maximum(axis) ? robot.maximum(axis) : robot.minimum(axis);
+    return new AxisLimit(axis, limit, value);
+  }
+
+  /** Takes an axis that is beyond a limit to the limit. */
+  Axes clamped(Axes axes) {
+    double[] six = axes.toArray();
+    for (int axis = 0; axis < AXES; axis++) {
+      six[axis] = Math.max(robot.minimum(axis), Math.min(robot.maximum(axis), six[axis]));
+    }
+    return Axes.of(six);
+  }
+}

@@ -1,0 +1,41 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+import no.hials.crosscom.kinematics.Axes;
+
+/**
+ * Says how fast the axes may be in a PTP motion ({@code $VEL_AXIS}, {@code $ACC_AXIS}).
+ *
+ * @param velocity the part of each axis' highest speed, above 0 to 100 %
+ * @param acceleration the part of each axis' highest acceleration, above 0 to 100 %
+ */
+public record AxisRates(Axes velocity, Axes acceleration) {
+  /** Refuses a percentage outside of its range. */
+  public AxisRates {
+    requirePercentages("velocity", velocity);
+    requirePercentages("acceleration", acceleration);
+  }
+
+  /**
+   * Makes rates that are the same for all axes.
+   *
+   * @param velocity the part of each axis' highest speed, above 0 to 100 %
+   * @param acceleration the part of each axis' highest acceleration, above 0 to 100 %
+   * @return the rates
+   */
+  public static AxisRates of(double velocity, double acceleration) {
+    return new AxisRates(all(velocity), all(acceleration));
+  }
+
+  private static Axes all(double value) {
+    return new Axes(value, value, value, value, value, value);
+  }
+
+  private static void requirePercentages(String what, Axes percentages) {
+    for (double value : percentages.toArray()) {
+      if (!(value > 0 && value <= 100)) {
+        throw new IllegalArgumentException(
+            what + " of an axis must be above 0 to 100 %, is " + value);
+      }
+    }
+  }
+}

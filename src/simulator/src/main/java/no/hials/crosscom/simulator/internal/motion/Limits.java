@@ -1,0 +1,53 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The accelerations that a cycle keeps to.
+ *
+ * @param axes those of the axes, degrees/s²
+ * @param path those of the TCP, if it is on a LIN or CIRC
+ * @param tool the TCP
+ */
+record Limits(Axes axes, @Nullable PathRates path, Frame tool) {
+  /** Gives those of the leg under way, in a blend the higher of both. */
+  static Limits of(Leg leg, @Nullable Leg next) {
+    Limits limits = of(leg);
+    return next == null ? limits : limits.orHigher(of(next));
+  }
+
+  /** Leaves the axes what they can do at most, whatever the program has set. */
+  Limits withoutPath(Axes most) {
+    return new Limits(most, null, tool);
+  }
+
+  private static Limits of(Leg leg) {
+    PathRates path = leg.path() instanceof Path.OfTcp tcp ? tcp.rates() : null;
+    return new Limits(leg.path().accelerations(), path, leg.tool());
+  }
+
+  private Limits orHigher(Limits other) {
+    boolean samePath = path != null && other.path != null && tool.equals(other.tool);
+    return new Limits(higher(axes, other.axes), samePath ? higher(path, other.path) : null, tool);
+  }
+
+  private static @Nullable PathRates higher(@Nullable PathRates one, @Nullable PathRates other) {
+    return one == null || other == null
+        ? null
+        : new PathRates(
+            Math.max(one.velocity(), other.velocity()),
+            Math.max(one.acceleration(), other.acceleration()),
+            Math.max(one.turnVelocity(), other.turnVelocity()),
+            Math.max(one.turnAcceleration(), other.turnAcceleration()));
+  }
+
+  private static Axes higher(Axes one, Axes other) {
+    double[] six = one.toArray();
+    for (int axis = 0; axis < six.length; axis++) {
+      six[axis] = Math.max(six[axis], other.get(axis));
+    }
+    return Axes.of(six);
+  }
+}

@@ -1,0 +1,17 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+/** Says why there are no axes for a point of a path. */
+final class NoPointException extends Exception {
+  private static final long serialVersionUID = 1;
+
+  private final Problem problem;
+
+  NoPointException(Problem problem) {
+    super(problem.message());
+    this.problem = problem;
+  }
+
+  Problem problem() {
+    return problem;
+  }
+}

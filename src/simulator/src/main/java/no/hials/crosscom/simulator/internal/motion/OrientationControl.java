@@ -1,0 +1,14 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+/** Says what the orientation does on the way of a LIN or CIRC ({@code $ORI_TYPE}, krl.md 2). */
+public enum OrientationControl {
+  /** Turns about one axis to the orientation of the target, at a rate that matches the path. */
+  VAR,
+  /** Keeps the orientation of the start. */
+  CONSTANT,
+  /**
+   * Turns A4 to A6 evenly, each from its angle at the start to that at the target; the others keep
+   * the TCP on the path. No wrist singularity can be in the way.
+   */
+  JOINT
+}

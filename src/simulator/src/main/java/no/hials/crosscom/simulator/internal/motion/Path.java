@@ -1,0 +1,71 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+
+/** Where a motion leads: axes over a parameter from 0 to 1, or to where the path has to end. */
+sealed interface Path permits Path.OfAxes, Path.OfTcp {
+  /** Finds the axes at a parameter. */
+  Axes at(double parameter) throws NoPointException;
+
+  /** Gives axes that are so near to those at a parameter that an inverse can start from them. */
+  Axes near(double parameter);
+
+  Axes start();
+
+  Axes end();
+
+  /** Gives the accelerations that brakes and a change of override keep to, degrees/s². */
+  Axes accelerations();
+
+  /** The straight line from axes to axes, of a PTP. */
+  record OfAxes(Axes start, Axes end, Axes accelerations) implements Path {
+    @Override
+    public Axes at(double parameter) {
+      if (parameter >= 1) {
+        return end;
+      }
+      double[] six = start.toArray();
+      for (int axis = 0; axis < six.length; axis++) {
+        six[axis] += parameter * (end.get(axis) - start.get(axis));
+      }
+      return Axes.of(six);
+    }
+
+    @Override
+    public Axes near(double parameter) {
+      return at(parameter);
+    }
+  }
+
+  /** The curve of a LIN or CIRC. */
+  record OfTcp(
+      Scan scan,
+      Curve curve,
+      Frame tool,
+      Frame flangeInTool,
+      PathRates rates,
+      boolean byPose,
+      Axes accelerations)
+      implements Path {
+    @Override
+    public Axes at(double parameter) throws NoPointException {
+      return scan.at(parameter);
+    }
+
+    @Override
+    public Axes near(double parameter) {
+      return scan.near(parameter);
+    }
+
+    @Override
+    public Axes start() {
+      return scan.axes().get(0);
+    }
+
+    @Override
+    public Axes end() {
+      return scan.lastAxes();
+    }
+  }
+}

@@ -1,0 +1,26 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+/**
+ * Says how fast the TCP may be on a LIN or CIRC ({@code $VEL}, {@code $ACC}).
+ *
+ * @param velocity the speed of the TCP, m/s
+ * @param acceleration the acceleration of the TCP along the path, m/s²
+ * @param turnVelocity the speed of the orientation, degrees/s
+ * @param turnAcceleration the acceleration of the orientation, degrees/s²
+ */
+public record PathRates(
+    double velocity, double acceleration, double turnVelocity, double turnAcceleration) {
+  /** Refuses a rate that is not above 0. */
+  public PathRates {
+    requireRate("velocity", velocity);
+    requireRate("acceleration", acceleration);
+    requireRate("turn velocity", turnVelocity);
+    requireRate("turn acceleration", turnAcceleration);
+  }
+
+  private static void requireRate(String what, double value) {
+    if (!(value > 0 && value < Double.POSITIVE_INFINITY)) {
+      throw new IllegalArgumentException(what + " must be above 0 and finite, is " + value);
+    }
+  }
+}

@@ -1,0 +1,184 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.simulator.internal.motion.Problem.AxisLimit;
+import org.jspecify.annotations.Nullable;
+
+/** Makes legs of motions: checks targets, finds the axes along paths and the fastest profile. */
+final class Planner {
+  /** A path is looked at about this often, mm or degrees, however little the axes turn on it. */
+  private static final double POINT_DISTANCE = 5;
+
+  private static final int FEWEST = 3;
+  private static final int MOST = 10;
+
+  /** A motion that leads no further, mm or degrees, leads nowhere. */
+  private static final double NOWHERE = 1e-9;
+
+  /**
+   * The part of an axis' acceleration that a path may ask for by its bends, and again by its ramps.
+   */
+  private static final double SHARE = 0.5;
+
+  private final Arm arm;
+  private final Axes accelerations;
+
+  Planner(Arm arm) {
+    this.arm = arm;
+    double[] six = new double[Arm.AXES];
+    Arrays.setAll(six, arm::maxAcceleration);
+    this.accelerations = Axes.of(six);
+  }
+
+  /** Gives the highest accelerations of the axes, degrees/s². */
+  Axes accelerations() {
+    return accelerations;
+  }
+
+  /** Plans a motion that starts where the one before ends. */
+  Leg plan(Motion motion, Axes start) throws MotionRefusedException {
+    try {
+      if (motion instanceof PointToPoint ptp) {
+        return pointToPoint(ptp, start);
+      }
+      return motion instanceof Linear linear
+          ? linear(linear, start)
+          : circular((Circular) motion, start);
+    } catch (NoPointException e) {
+      throw new MotionRefusedException(e.problem());
+    }
+  }
+
+  /** Plans the way back to where a path was left. */
+  Leg back(Axes start, Axes target, AxisRates rates) {
+    // the limits may have changed since then
+    return leg(null, target, rates, start);
+  }
+
+  private Leg pointToPoint(PointToPoint motion, Axes start) throws NoPointException {
+    Optional<AxisLimit> beyond = arm.beyondLimit(motion.target());
+    if (beyond.isPresent()) {
+      throw new NoPointException(beyond.get());
+    }
+    return leg(motion, arm.clamped(motion.target()), motion.rates(), start);
+  }
+
+  private Leg leg(@Nullable Motion motion, Axes end, AxisRates rates, Axes start) {
+    double[] most = new double[Arm.AXES];
+    double speed = Double.POSITIVE_INFINITY;
+    double acceleration = Double.POSITIVE_INFINITY;
+    for (int axis = 0; axis < most.length; axis++) {
+      double way = Math.abs(end.get(axis) - start.get(axis));
+      most[axis] = arm.maxAcceleration(axis) * rates.acceleration().get(axis) / 100;
+      speed = Math.min(speed, arm.maxSpeed(axis) * rates.velocity().get(axis) / 100 / way);
+      acceleration = Math.min(acceleration, most[axis] / way);
+    }
+    double length = start.largestDifference(end) < NOWHERE ? 0 : 1;
+    Path path = new Path.OfAxes(start, end, Axes.of(most));
+    return new Leg(motion, path, Trapezoid.of(length, speed, acceleration), null, 0);
+  }
+
+  private Leg linear(Linear motion, Axes start) {
+    Frame from = arm.tcp(start, motion.tool());
+    Frame to =
+        motion.orientation() == OrientationControl.CONSTANT
+            ? Point.of(motion.target()).turnedAs(from)
+            : motion.target();
+    return along(motion, new Curve.Line(from, to), motion.rates(), motion.orientation(), start);
+  }
+
+  private Leg circular(Circular motion, Axes start) throws NoPointException {
+    Frame from = arm.tcp(start, motion.tool());
+    Frame orientation =
+        motion.orientation() == OrientationControl.CONSTANT ? from : motion.target();
+    OptionalDouble angle = motion.angle();
+    Arc arc = Arc.through(from, motion.auxiliary(), motion.target(), angle, orientation);
+    return along(motion, arc, motion.rates(), motion.orientation(), start);
+  }
+
+  private Leg along(
+      Motion motion, Curve curve, PathRates rates, OrientationControl orientation, Axes start) {
+    Frame flangeInTool = motion.tool().inverse();
+    Solver solver = solver(curve, motion.tool(), flangeInTool, orientation, start);
+    int points = (int) (Math.max(curve.length(), curve.angle()) / POINT_DISTANCE);
+    Scan scan = Scan.of(arm, solver, start, Math.max(FEWEST, Math.min(MOST, points)));
+    double length = scan.problem() == null ? 1 : scan.lastParameter();
+    if (curve.length() < NOWHERE && curve.angle() < NOWHERE) {
+      length = 0;
+    }
+    boolean byPose = solver instanceof Solver.ByPose;
+    Path path =
+        new Path.OfTcp(scan, curve, motion.tool(), flangeInTool, rates, byPose, accelerations);
+    return new Leg(motion, path, profile(curve, rates, scan, length), scan.problem(), 0);
+  }
+
+  private Solver solver(
+      Curve curve, Frame tool, Frame flangeInTool, OrientationControl orientation, Axes start) {
+    Solver byPose = new Solver.ByPose(arm, curve, flangeInTool);
+    if (orientation != OrientationControl.JOINT) {
+      return byPose;
+    }
+    try {
+      Axes end = arm.inverse(curve.at(1), flangeInTool, start);
+      return new Solver.ByWrist(arm, curve, tool, start, end);
+    } catch (NoPointException e) {
+      // Out of reach. Like this the robot goes as far as it can.
+      return byPose;
+    }
+  }
+
+  private Profile profile(Curve curve, PathRates rates, Scan scan, double length) {
+    double speed =
+        Math.min(rates.velocity() * 1000 / curve.length(), rates.turnVelocity() / curve.angle());
+    double acceleration =
+        Math.min(
+            rates.acceleration() * 1000 / curve.length(), rates.turnAcceleration() / curve.angle());
+    Profile free = Trapezoid.of(length, speed, acceleration);
+    double[] parameters = scan.parameters();
+    if (length == 0 || parameters.length < 3) {
+      return free;
+    }
+    double[] speeds = new double[parameters.length];
+    double[] ramps = new double[parameters.length];
+    // What is never reached need not be lowered.
+    Arrays.fill(speeds, Math.min(speed, Math.sqrt(length * acceleration)));
+    Arrays.fill(ramps, acceleration);
+    boolean slower = limit(parameters, scan.axes(), speeds, ramps);
+    return slower ? SampledProfile.of(parameters, speeds, ramps) : free;
+  }
+
+  /**
+   * Lowers speeds and accelerations so far that no axis exceeds its own: half of an axis'
+   * acceleration is for the bends of the path, half for the ramps.
+   *
+   * @return whether anything was lowered
+   */
+  private boolean limit(double[] parameters, List<Axes> points, double[] speeds, double[] ramps) {
+    boolean lower = false;
+    for (int i = 1; i < parameters.length - 1; i++) {
+      double before = parameters[i] - parameters[i - 1];
+      double after = parameters[i + 1] - parameters[i];
+      Axes in = points.get(i).minus(points.get(i - 1));
+      Axes out = points.get(i + 1).minus(points.get(i));
+      for (int axis = 0; axis < Arm.AXES; axis++) {
+        double rateIn = in.get(axis) / before;
+        double rateOut = out.get(axis) / after;
+        double rate = Math.max(Math.abs(rateIn), Math.abs(rateOut));
+        double bend = Math.abs(rateOut - rateIn) / ((before + after) / 2);
+        double share = SHARE * arm.maxAcceleration(axis);
+        double speed = Math.min(arm.maxSpeed(axis) / rate, Math.sqrt(share / bend));
+        lower |= speed < speeds[i] || share / rate < ramps[i];
+        speeds[i] = Math.min(speeds[i], speed);
+        ramps[i] = Math.min(ramps[i], share / rate);
+      }
+    }
+    ramps[0] = ramps[1];
+    ramps[ramps.length - 1] = ramps[ramps.length - 2];
+    return lower;
+  }
+}

@@ -1,0 +1,152 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.simulator.internal.motion.Problem.AxisLimit;
+import no.hials.crosscom.simulator.internal.motion.Problem.Singularity;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The axes along a path, found before the robot moves: so close together that from one point to the
+ * next the inverse is sure, as far as the path can be followed.
+ */
+final class Scan {
+  /** The points beyond a limit that are looked at. */
+  private static final int BEYOND = 8;
+
+  /** From one point to the next no axis turns further, degrees. */
+  private static final double STEP = 2;
+
+  /** Points are no closer together, in parts of the path. */
+  private static final double CLOSEST = 1e-6;
+
+  /** Turning further between the closest points, degrees, is a jump. */
+  private static final double JUMP = 5;
+
+  private final Arm arm;
+  private final Solver solver;
+  private final List<Double> found = new ArrayList<>();
+  private final List<Axes> foundAxes = new ArrayList<>();
+  private double[] parameters = {};
+  private List<Axes> axes = List.of();
+  private @Nullable Problem problem;
+
+  private Scan(Arm arm, Solver solver) {
+    this.arm = arm;
+    this.solver = solver;
+  }
+
+  /**
+   * Follows a path from the axes at its start.
+   *
+   * @param fewest the points that are found even if the axes hardly turn
+   */
+  static Scan of(Arm arm, Solver solver, Axes start, int fewest) {
+    Scan scan = new Scan(arm, solver);
+    scan.put(0, start);
+    for (int i = 1; i <= fewest && scan.problem == null; i++) {
+      scan.problem = scan.extend((double) i / fewest);
+    }
+    if (scan.problem instanceof AxisLimit limit) {
+      scan.problem = scan.furthest(limit);
+    }
+    scan.parameters = scan.found.stream().mapToDouble(Double::doubleValue).toArray();
+    scan.axes = List.copyOf(scan.foundAxes);
+    return scan;
+  }
+
+  /** Gives the parameters of the points, ascending from 0; to 1 if there is no problem. */
+  double[] parameters() {
+    return parameters.clone();
+  }
+
+  /** Gives the axes at the points. */
+  List<Axes> axes() {
+    return axes;
+  }
+
+  /** Says why the path cannot be followed beyond the last point. */
+  @Nullable Problem problem() {
+    return problem;
+  }
+
+  double lastParameter() {
+    return parameters[parameters.length - 1];
+  }
+
+  Axes lastAxes() {
+    return foundAxes.get(foundAxes.size() - 1);
+  }
+
+  /** Finds the axes anywhere between the first and the last point. */
+  Axes at(double parameter) throws NoPointException {
+    return arm.clamped(solver.axes(parameter, near(parameter)));
+  }
+
+  /** Gives the axes at the last point before a parameter. */
+  Axes near(double parameter) {
+    int index = Arrays.binarySearch(parameters, parameter);
+    return axes.get(index >= 0 ? index : -index - 2);
+  }
+
+  private void put(double parameter, Axes at) {
+    found.add(parameter);
+    foundAxes.add(arm.clamped(at));
+  }
+
+  /** Adds points up to a parameter, or up to where there are none, and says why not. */
+  private @Nullable Problem extend(double to) {
+    double from = found.get(found.size() - 1);
+    Problem inTheWay;
+    try {
+      Axes there = solver.axes(to, lastAxes());
+      inTheWay = inTheWay(there, to - from > CLOSEST ? STEP : JUMP);
+      if (inTheWay == null) {
+        put(to, there);
+        return null;
+      }
+    } catch (NoPointException e) {
+      inTheWay = e.problem();
+    }
+    if (to - from <= CLOSEST) {
+      return inTheWay;
+    }
+    Problem before = extend((from + to) / 2);
+    return before == null ? extend(to) : before;
+  }
+
+  private @Nullable Problem inTheWay(Axes there, double mostTurn) {
+    double turn = there.largestDifference(lastAxes());
+    if (turn > mostTurn) {
+      Axes turns = there.minus(lastAxes());
+      int axis = 0;
+      while (Math.abs(turns.get(axis)) < turn) {
+        axis++;
+      }
+      return new Singularity(axis, turn);
+    }
+    return arm.beyondLimit(there).orElse(null);
+  }
+
+  /** Goes on without regard to limits, to say how far the axis would have to go. */
+  private AxisLimit furthest(AxisLimit limit) {
+    AxisLimit furthest = limit;
+    Axes last = lastAxes();
+    double from = found.get(found.size() - 1);
+    try {
+      for (int i = 1; i <= BEYOND; i++) {
+        last = solver.axes(Math.min(1, from + (1 - from) * i / BEYOND), last);
+        double value = last.get(limit.axis());
+        if (Math.abs(value - limit.limit()) > Math.abs(furthest.value() - limit.limit())
+            && value > limit.limit() == limit.value() > limit.limit()) {
+          furthest = new AxisLimit(limit.axis(), limit.limit(), value);
+        }
+      }
+    } catch (NoPointException e) {
+      return furthest;
+    }
+    return furthest;
+  }
+}

@@ -1,0 +1,103 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+import java.util.Locale;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+
+/** Finds the axes, inside their limits or not, for a parameter of a path. */
+sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
+  /**
+   * Finds those that are nearest to others.
+   *
+   * @throws NoPointException if there are none
+   */
+  Axes axes(double parameter, Axes near) throws NoPointException;
+
+  /** Has the TCP where the curve is, and turned as the curve. */
+  record ByPose(Arm arm, Curve curve, Frame flangeInTool) implements Solver {
+    @Override
+    public Axes axes(double parameter, Axes near) throws NoPointException {
+      return arm.inverse(curve.at(parameter), flangeInTool, near);
+    }
+  }
+
+  /**
+   * Has A4 to A6 on their even way from start to end, and the TCP where the curve is: A1 to A3 are
+   * found by Newton's method.
+   */
+  record ByWrist(Arm arm, Curve curve, Frame tool, Axes start, Axes end) implements Solver {
+    private static final int ITERATIONS = 20;
+
+    /** The step for the derivatives, degrees. */
+    private static final double STEP = 1e-4;
+
+    /** The position is found when it is this near, mm. */
+    private static final double EXACT = 1e-7;
+
+    /** No iteration turns an axis further, degrees. */
+    private static final double LONGEST = 20;
+
+    @Override
+    public Axes axes(double parameter, Axes near) throws NoPointException {
+      Point wanted = Point.of(curve.at(parameter));
+      Axes wrist = start.plus(times(end.minus(start), parameter));
+      Axes found = new Axes(near.a1(), near.a2(), near.a3(), wrist.a4(), wrist.a5(), wrist.a6());
+      for (int i = 0; i < ITERATIONS; i++) {
+        Point here = position(found);
+        Point missing = wanted.minus(here);
+        if (missing.length() < EXACT) {
+          return found;
+        }
+        found = found.plus(step(found, here, missing));
+      }
+      throw unreachable(wanted);
+    }
+
+    /** Solves for the small turns of A1 to A3 that move the TCP by what is missing. */
+    private Axes step(Axes from, Point here, Point missing) throws NoPointException {
+      Point[] columns = new Point[3];
+      for (int axis = 0; axis < columns.length; axis++) {
+        Point moved = position(from.with(axis, from.get(axis) + STEP));
+        columns[axis] = moved.minus(here).times(1 / STEP);
+      }
+      double determinant = columns[0].dot(columns[1].cross(columns[2]));
+      double[] turns = {
+        missing.dot(columns[1].cross(columns[2])) / determinant,
+        missing.dot(columns[2].cross(columns[0])) / determinant,
+        missing.dot(columns[0].cross(columns[1])) / determinant
+      };
+      double largest =
+          Math.max(Math.abs(turns[0]), Math.max(Math.abs(turns[1]), Math.abs(turns[2])));
+      if (!Double.isFinite(largest)) {
+        throw unreachable(here.plus(missing));
+      }
+      double part = Math.min(1, LONGEST / largest);
+      return new Axes(turns[0] * part, turns[1] * part, turns[2] * part, 0, 0, 0);
+    }
+
+    private Point position(Axes axes) {
+      return Point.of(arm.tcp(axes, tool));
+    }
+
+    private static NoPointException unreachable(Point point) {
+      return new NoPointException(
+          new Problem.OutOfReach(
+              String.format(
+                  Locale.ROOT,
+                  "no A1 to A3 bring the TCP to X %.3f Y %.3f Z %.3f",
+                  point.x(),
+                  point.y(),
+                  point.z())));
+    }
+
+    private static Axes times(Axes axes, double factor) {
+      return new Axes(
+          axes.a1() * factor,
+          axes.a2() * factor,
+          axes.a3() * factor,
+          axes.a4() * factor,
+          axes.a5() * factor,
+          axes.a6() * factor);
+    }
+  }
+}

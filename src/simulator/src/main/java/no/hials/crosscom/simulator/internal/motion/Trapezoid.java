@@ -1,0 +1,49 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+/** Speeds up evenly, goes on at one speed, and slows down as it sped up; or without the middle. */
+record Trapezoid(double length, double speed, double ramp, double duration) implements Profile {
+  /**
+   * No ramp is shorter, s: it is above a cycle, so that a chain of the smallest motions leaves the
+   * kernel a cycle to plan each one. Assumed.
+   */
+  static final double SHORTEST_RAMP = 0.015;
+
+  /**
+   * Makes the profile of a path.
+   *
+   * @param length the length of the path; the profile of none has no duration
+   * @param speed the highest speed, in lengths/s
+   * @param acceleration the highest acceleration, in lengths/s²
+   */
+  static Trapezoid of(double length, double speed, double acceleration) {
+    if (length == 0) {
+      return new Trapezoid(0, 0, 0, 0);
+    }
+    double fastest = Math.min(speed, Math.sqrt(length * acceleration));
+    double ramp = Math.max(SHORTEST_RAMP, fastest / acceleration);
+    double reached = Math.min(speed, length / ramp);
+    return new Trapezoid(length, reached, ramp, length / reached + ramp);
+  }
+
+  @Override
+  public double position(double time) {
+    double left = duration - time;
+    if (left <= 0) {
+      return length;
+    }
+    if (time < ramp) {
+      return speed / ramp / 2 * time * time;
+    }
+    return left < ramp ? length - speed / ramp / 2 * left * left : speed * (time - ramp / 2);
+  }
+
+  @Override
+  public double rampUp() {
+    return ramp;
+  }
+
+  @Override
+  public double rampDown() {
+    return ramp;
+  }
+}

@@ -1,0 +1,177 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.Locale;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.Refusal;
+import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Scope;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The subprogram BAS of the base technology (krl.md 4), which sets speeds and coordinate systems.
+ * What {@code #INITMOV} leaves is in krl.md 2.7; what the others do is assumed from the names of
+ * their commands and of the variables of an inline form.
+ */
+final class Bas {
+  private static final int AXES = 6;
+
+  private final Scope scope;
+
+  private Bas(Scope scope) {
+    this.scope = scope;
+  }
+
+  static @Nullable KrlValue call(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    KrlValue command = Builtins.value(arguments, 0);
+    if (!(command instanceof KrlEnum constant)) {
+      throw Machine.wrongType("a command of BAS", command);
+    }
+    KrlValue argument = arguments[1] instanceof KrlValue given ? given : new KrlInt(0);
+    new Bas(names.scope()).execute(constant.name().toUpperCase(Locale.ROOT), argument);
+    return null;
+  }
+
+  private void execute(String command, KrlValue argument) throws ProgramFault {
+    switch (command) {
+      case "INITMOV" -> initialise();
+      case "ACC_CP" -> set("$ACC.CP", argument);
+      case "VEL_CP" -> set("$VEL.CP", argument);
+      case "ACC_PTP" -> setAxes("$ACC_AXIS", argument);
+      case "VEL_PTP" -> setAxes("$VEL_AXIS", argument);
+      case "TOOL" -> tool(number(argument));
+      case "BASE" -> base(number(argument));
+      case "FRAMES" -> frames();
+      case "PTP_DAT" -> ptpData();
+      case "PTP_PARAMS" -> {
+        ptpData();
+        frames();
+        setAxes("$VEL_AXIS", argument);
+      }
+      case "CP_DAT" -> pathData();
+      case "CP_PARAMS" -> {
+        pathData();
+        frames();
+        set("$VEL.CP", argument);
+      }
+      default ->
+          throw new ProgramFault(
+              ProgramFault.NOT_ALLOWED, "BAS(#" + command + ") is not supported");
+    }
+  }
+
+  private void initialise() throws ProgramFault {
+    setAxes("$VEL_AXIS", new KrlInt(100));
+    setAxes("$ACC_AXIS", new KrlInt(100));
+    setAxes("$GEAR_JERK", new KrlInt(100));
+    set("$ACC", KrlValue.parse("{CP 2.3,ORI1 100.0,ORI2 100.0}"));
+    set("$VEL", KrlValue.parse("{CP 2.0,ORI1 200.0,ORI2 200.0}"));
+    set("$APO", KrlValue.parse("{CVEL 100,CPTP 50,CDIS 3.0,CORI 5.0}"));
+    set("$ADVANCE", new KrlInt(3));
+    set("$ORI_TYPE", new KrlEnum("VAR"));
+    set("$CIRC_TYPE", new KrlEnum("BASE"));
+    set("$IPO_MODE", new KrlEnum("BASE"));
+    set("$ACT_EX_AX", new KrlInt(-1));
+    base(0);
+    tool(1);
+  }
+
+  private void tool(int number) throws ProgramFault {
+    set("$TOOL", get(number == 0 ? "$NULLFRAME" : "TOOL_DATA[" + number + "]"));
+    if (number > 0) {
+      set("$LOAD", get("LOAD_DATA[" + number + "]"));
+    }
+    set("$ACT_TOOL", new KrlInt(number));
+  }
+
+  private void base(int number) throws ProgramFault {
+    set("$BASE", get(number == 0 ? "$WORLD" : "BASE_DATA[" + number + "]"));
+    set("$ACT_BASE", new KrlInt(number));
+  }
+
+  private void frames() throws ProgramFault {
+    tool(number(get("FDAT_ACT.TOOL_NO")));
+    base(number(get("FDAT_ACT.BASE_NO")));
+    set("$IPO_MODE", get("FDAT_ACT.IPO_FRAME"));
+  }
+
+  /** What the inline form leaves open keeps its value. */
+  private void ptpData() throws ProgramFault {
+    setAxesIfGiven("$VEL_AXIS", "PDAT_ACT.VEL");
+    setAxesIfGiven("$ACC_AXIS", "PDAT_ACT.ACC");
+    KrlValue mode = find("PDAT_ACT.APO_MODE");
+    boolean distance = mode instanceof KrlEnum constant && constant.name().equals("CDIS");
+    setIfGiven(distance ? "$APO.CDIS" : "$APO.CPTP", "PDAT_ACT.APO_DIST");
+  }
+
+  private void pathData() throws ProgramFault {
+    if (!scope.knows("LDAT_ACT")) {
+      return;
+    }
+    KrlValue percent = find("LDAT_ACT.ACC");
+    if (percent != null) {
+      double full = Machine.number(get("DEF_ACC_CP"));
+      set("$ACC.CP", KrlReal.of(full * Machine.number(percent) / 100));
+    }
+    setIfGiven("$APO.CDIS", "LDAT_ACT.APO_DIST");
+    setIfGiven("$ORI_TYPE", "LDAT_ACT.ORI_TYP");
+    setIfGiven("$CIRC_TYPE", "LDAT_ACT.CIRC_TYP");
+  }
+
+  private void setIfGiven(String name, String from) throws ProgramFault {
+    KrlValue value = find(from);
+    if (value != null) {
+      set(name, value);
+    }
+  }
+
+  private void setAxesIfGiven(String array, String from) throws ProgramFault {
+    KrlValue percent = find(from);
+    if (percent != null) {
+      setAxes(array, percent);
+    }
+  }
+
+  private static int number(KrlValue value) throws ProgramFault {
+    return (int) Math.rint(Machine.number(value));
+  }
+
+  private void setAxes(String array, KrlValue percent) throws ProgramFault {
+    for (int axis = 1; axis <= AXES; axis++) {
+      set(array + "[" + axis + "]", percent);
+    }
+  }
+
+  private KrlValue get(String name) throws ProgramFault {
+    try {
+      return scope.read(Path.parse(name));
+    } catch (RefusedException e) {
+      throw ProgramFault.of("BAS: " + name, e);
+    }
+  }
+
+  /** Gives the value of what there has to be, or null if it has none. */
+  private @Nullable KrlValue find(String name) throws ProgramFault {
+    try {
+      return scope.read(Path.parse(name));
+    } catch (RefusedException e) {
+      if (e.reason() == Refusal.NOT_INITIALISED) {
+        return null;
+      }
+      throw ProgramFault.of("BAS: " + name, e);
+    }
+  }
+
+  private void set(String name, KrlValue value) throws ProgramFault {
+    try {
+      scope.write(Path.parse(name), value, Scope.Writer.PROGRAM);
+    } catch (RefusedException e) {
+      throw ProgramFault.of("BAS: " + name, e);
+    }
+  }
+}

@@ -1,0 +1,280 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.DoubleUnaryOperator;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.Node;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.program.Builtin.Kind;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The standard functions and the routines of the base technology. krl.md 4 has their names only:
+ * parameters and results are assumed, from the names and what programs do with them.
+ */
+final class Builtins {
+  private static final Map<String, Builtin> ALL = new HashMap<>();
+
+  /** What programs may call on a real controller and not here. */
+  private static final Set<String> UNSUPPORTED =
+      Set.of("SWRITE", "SREAD", "CWRITE", "CREAD", "COPEN", "CCLOSE");
+
+  private static final Path WHOLE = path("VALUE");
+  private static final KrlInt DONE = new KrlInt(0);
+  private static final KrlInt FAILED = new KrlInt(-1);
+  private static final KrlInt NOT_FOUND = new KrlInt(-1);
+
+  static {
+    real("ABS", Math::abs);
+    real("SIN", x -> Math.sin(Math.toRadians(x)));
+    real("COS", x -> Math.cos(Math.toRadians(x)));
+    real("TAN", x -> Math.tan(Math.toRadians(x)));
+    function("SQRT", List.of(Kind.VALUE), Builtins::squareRoot);
+    function("ACOS", List.of(Kind.VALUE), Builtins::arcCosine);
+    function("ATAN2", List.of(Kind.VALUE, Kind.VALUE), Builtins::arcTangent);
+    function("INV_POS", List.of(Kind.VALUE), (machine, names, a) -> Frames.inverse(value(a, 0)));
+    function("FORWARD", List.of(Kind.VALUE, Kind.OUT), Builtins::forward);
+    function("INVERSE", List.of(Kind.VALUE, Kind.VALUE, Kind.OUT), Builtins::inverse);
+    function("VARSTATE", List.of(Kind.TEXT), Builtins::varState);
+    function("STRLEN", List.of(Kind.TEXT), (machine, names, a) -> new KrlInt(text(a, 0).length()));
+    function("STRDECLLEN", List.of(Kind.OUT), (machine, names, a) -> new KrlInt(capacity(a, 0)));
+    function("STRCLEAR", List.of(Kind.OUT), Builtins::clear);
+    function("STRCOPY", List.of(Kind.OUT, Kind.TEXT), Builtins::copy);
+    function("STRADD", List.of(Kind.OUT, Kind.TEXT), Builtins::add);
+    add(
+        new Builtin(
+            "STRCOMP",
+            true,
+            List.of(Kind.TEXT, Kind.TEXT, Kind.VALUE),
+            1,
+            (machine, names, a) -> new KrlBool(folded(a, 0, 2).equals(folded(a, 1, 2)))));
+    add(
+        new Builtin(
+            "STRFIND",
+            true,
+            List.of(Kind.VALUE, Kind.TEXT, Kind.TEXT, Kind.VALUE),
+            1,
+            Builtins::find));
+    add(new Builtin("IR_STOPM", false, List.of(), 0, (machine, names, a) -> null));
+    add(new Builtin("BAS", false, List.of(Kind.VALUE, Kind.VALUE), 1, Bas::call));
+  }
+
+  private Builtins() {}
+
+  /** Finds a routine by its name in upper case; null if there is none. */
+  static @Nullable Builtin find(String key) {
+    return ALL.get(key);
+  }
+
+  /** Says whether a real controller has a routine of that name and this one has not. */
+  static boolean isUnsupported(String key) {
+    return UNSUPPORTED.contains(key);
+  }
+
+  private static void add(Builtin builtin) {
+    ALL.put(builtin.name(), builtin);
+  }
+
+  private static void function(String name, List<Kind> parameters, Builtin.Body body) {
+    add(new Builtin(name, true, parameters, 0, body));
+  }
+
+  private static void real(String name, DoubleUnaryOperator operator) {
+    function(
+        name,
+        List.of(Kind.VALUE),
+        (machine, names, arguments) ->
+            Operators.real(operator.applyAsDouble(number(arguments, 0))));
+  }
+
+  private static Path path(String name) {
+    try {
+      return Path.parse(name);
+    } catch (RefusedException e) {
+      throw new IllegalArgumentException(e);
+    }
+  }
+
+  // arguments
+
+  static KrlValue value(@Nullable Object[] arguments, int at) {
+    return (KrlValue) Objects.requireNonNull(arguments[at]);
+  }
+
+  private static double number(@Nullable Object[] arguments, int at) throws ProgramFault {
+    return Machine.number(value(arguments, at));
+  }
+
+  private static Reference reference(@Nullable Object[] arguments, int at) {
+    return (Reference) Objects.requireNonNull(arguments[at]);
+  }
+
+  private static Node node(Reference reference) throws ProgramFault {
+    try {
+      return reference.node(WHOLE);
+    } catch (RefusedException e) {
+      throw ProgramFault.of(reference.name(WHOLE), e);
+    }
+  }
+
+  private static String text(@Nullable Object[] arguments, int at) throws ProgramFault {
+    if (arguments[at] instanceof KrlString string) {
+      return string.text();
+    }
+    Reference reference = reference(arguments, at);
+    Optional<String> characters = node(reference).characters();
+    if (characters.isEmpty()) {
+      throw new ProgramFault(
+          ProgramFault.NOT_INITIALISED,
+          reference.name(WHOLE) + ": needs a CHAR array with a value");
+    }
+    return characters.get();
+  }
+
+  private static int capacity(@Nullable Object[] arguments, int at) throws ProgramFault {
+    Reference reference = reference(arguments, at);
+    int capacity = node(reference).capacity();
+    if (capacity == 0) {
+      throw new ProgramFault(
+          ProgramFault.WRONG_TYPE, reference.name(WHOLE) + ": needs a CHAR array");
+    }
+    return capacity;
+  }
+
+  // numbers
+
+  private static KrlValue squareRoot(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    double number = number(arguments, 0);
+    if (number < 0) {
+      throw new ProgramFault(
+          ProgramFault.OUT_OF_RANGE, "SQRT takes a number of at least 0, was given " + number);
+    }
+    return Operators.real(Math.sqrt(number));
+  }
+
+  private static KrlValue arcCosine(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    double number = number(arguments, 0);
+    if (Math.abs(number) > 1) {
+      throw new ProgramFault(
+          ProgramFault.OUT_OF_RANGE, "ACOS takes a number from -1 to 1, was given " + number);
+    }
+    return Operators.real(Math.toDegrees(Math.acos(number)));
+  }
+
+  private static KrlValue arcTangent(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    double y = number(arguments, 0);
+    double x = number(arguments, 1);
+    if (y == 0 && x == 0) {
+      throw new ProgramFault(
+          ProgramFault.OUT_OF_RANGE, "ATAN2 takes two numbers of which one is not 0");
+    }
+    return Operators.real(Math.toDegrees(Math.atan2(y, x)));
+  }
+
+  // positions
+
+  private static KrlStruct struct(@Nullable Object[] arguments, int at) throws ProgramFault {
+    KrlValue value = value(arguments, at);
+    if (value instanceof KrlStruct struct) {
+      return struct;
+    }
+    throw Machine.wrongType("a position", value);
+  }
+
+  private static KrlValue forward(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    Optional<KrlStruct> result = machine.environment().forward(struct(arguments, 0));
+    reference(arguments, 1).write(result.isPresent() ? DONE : FAILED);
+    // an aggregate without fields changes nothing where it is assigned
+    return result.orElse(new KrlStruct("E6POS", List.of()));
+  }
+
+  private static KrlValue inverse(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    Optional<KrlStruct> result =
+        machine.environment().inverse(struct(arguments, 0), struct(arguments, 1));
+    reference(arguments, 2).write(result.isPresent() ? DONE : FAILED);
+    return result.orElse(new KrlStruct("E6AXIS", List.of()));
+  }
+
+  private static KrlValue varState(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    String name = text(arguments, 0).strip().toUpperCase(Locale.ROOT);
+    try {
+      Path path = Path.parse(name);
+      Place place = names.find(path.first().name());
+      if (place == null) {
+        return new KrlEnum("UNKNOWN");
+      }
+      boolean signal =
+          place instanceof Place.Shared shared && shared.scope().isSignal(path.first().name());
+      boolean initialised = signal || place.node(machine.frame(), path).initialised();
+      return new KrlEnum(initialised ? "INITIALIZED" : "DECLARED");
+    } catch (RefusedException e) {
+      return new KrlEnum("UNKNOWN");
+    }
+  }
+
+  // texts
+
+  private static KrlValue clear(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    capacity(arguments, 0);
+    reference(arguments, 0).write(new KrlString(""));
+    return new KrlBool(true);
+  }
+
+  private static KrlValue copy(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    String text = text(arguments, 1);
+    boolean fits = text.length() <= capacity(arguments, 0);
+    if (fits) {
+      reference(arguments, 0).write(new KrlString(text));
+    }
+    return new KrlBool(fits);
+  }
+
+  private static KrlValue add(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    String all = text(arguments, 0) + text(arguments, 1);
+    String fitting = all.substring(0, Math.min(all.length(), capacity(arguments, 0)));
+    reference(arguments, 0).write(new KrlString(fitting));
+    return new KrlInt(fitting.length());
+  }
+
+  /** Gives a text as it is compared: without {@code #CASE_SENS} the case of letters is the same. */
+  private static String folded(@Nullable Object[] arguments, int at, int caseAt)
+      throws ProgramFault {
+    String text = text(arguments, at);
+    boolean sensitive =
+        arguments[caseAt] instanceof KrlEnum constant
+            && constant.name().equalsIgnoreCase("CASE_SENS");
+    return sensitive ? text : text.toUpperCase(Locale.ROOT);
+  }
+
+  private static KrlValue find(Machine machine, Names names, @Nullable Object[] arguments)
+      throws ProgramFault {
+    KrlValue start = value(arguments, 0);
+    if (!(start instanceof KrlInt from)) {
+      throw Machine.wrongType("INT", start);
+    }
+    int at = folded(arguments, 1, 3).indexOf(folded(arguments, 2, 3), from.value() - 1);
+    return at < 0 ? NOT_FOUND : new KrlInt(at + 1);
+  }
+}

@@ -1,0 +1,38 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import no.hials.crosscom.lang.Position;
+
+/** The instructions of a routine, or of a condition or an action in it. */
+final class Code {
+  private final Operation[] operations;
+  private final Position[] positions;
+  private final int[] statements;
+
+  /**
+   * @param operations the instructions; the last one never goes on to the next
+   * @param positions where in the source each comes from
+   * @param statements the first instruction of the statement to which each belongs
+   */
+  Code(Operation[] operations, Position[] positions, int[] statements) {
+    this.operations = operations;
+    this.positions = positions;
+    this.statements = statements;
+  }
+
+  int length() {
+    return operations.length;
+  }
+
+  Operation operation(int at) {
+    return operations[at];
+  }
+
+  Position position(int at) {
+    return positions[at];
+  }
+
+  /** Gives the first instruction of the statement to which one belongs. */
+  int statement(int at) {
+    return statements[at];
+  }
+}

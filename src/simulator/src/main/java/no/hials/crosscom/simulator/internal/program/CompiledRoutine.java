@@ -1,0 +1,78 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.List;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.simulator.internal.data.Node;
+import no.hials.crosscom.simulator.internal.data.Path;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A routine as the machine knows it. Its calls are compiled before its body, so the body comes
+ * later.
+ */
+final class CompiledRoutine {
+  private final String module;
+  private final String name;
+  private final boolean function;
+  private final List<Parameter> parameters;
+  private @Nullable Body body;
+
+  /**
+   * A parameter.
+   *
+   * @param path its name as a path
+   * @param array whether it is an array
+   * @param out whether it is handed over by reference
+   */
+  record Parameter(Path path, boolean array, boolean out) {}
+
+  /**
+   * What a routine consists of.
+   *
+   * @param code its instructions
+   * @param locals its variables without their values. The parameters come first: those by reference
+   *     use theirs if the argument is left out
+   * @param result a variable of the type of a function's value; null for a subprogram
+   * @param temporaries how many values loops and branches keep
+   */
+  record Body(Code code, List<Node> locals, @Nullable Node result, int temporaries) {}
+
+  CompiledRoutine(String module, String name, boolean function, List<Parameter> parameters) {
+    this.module = module;
+    this.name = name;
+    this.function = function;
+    this.parameters = List.copyOf(parameters);
+  }
+
+  String module() {
+    return module;
+  }
+
+  String name() {
+    return name;
+  }
+
+  boolean isFunction() {
+    return function;
+  }
+
+  List<Parameter> parameters() {
+    return parameters;
+  }
+
+  void complete(Body newBody) {
+    body = newBody;
+  }
+
+  Body body() {
+    if (body == null) {
+      throw new IllegalStateException(name + " has errors and cannot be executed");
+    }
+    return body;
+  }
+
+  /** Gives the place of the first statement. */
+  Position begin() {
+    return body().code().position(0);
+  }
+}

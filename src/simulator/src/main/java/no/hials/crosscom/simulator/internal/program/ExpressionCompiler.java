@@ -1,0 +1,355 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.lang.Expression;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.Index;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Scope;
+import org.jspecify.annotations.Nullable;
+
+/** Compiles expressions: their instructions leave the value on the stack. */
+final class ExpressionCompiler {
+  private final RoutineContext context;
+  private final CodeBuilder code;
+  private final boolean mayCall;
+
+  /**
+   * @param context the routine
+   * @param code takes the instructions
+   * @param mayCall whether routines that have a source may be called
+   */
+  ExpressionCompiler(RoutineContext context, CodeBuilder code, boolean mayCall) {
+    this.context = context;
+    this.code = code;
+    this.mayCall = mayCall;
+  }
+
+  /** Gives the path of a variable's part; its indices are on the stack. */
+  @FunctionalInterface
+  interface PathSource {
+    Path take(Machine machine) throws ProgramFault;
+  }
+
+  void compile(Expression expression) {
+    Position position = expression.position();
+    if (expression instanceof Expression.IntLiteral literal) {
+      code.constant(position, new KrlInt(literal.value()));
+    } else if (expression instanceof Expression.RealLiteral literal) {
+      real(literal);
+    } else if (expression instanceof Expression.BoolLiteral literal) {
+      code.constant(position, new KrlBool(literal.value()));
+    } else if (expression instanceof Expression.TextLiteral literal) {
+      code.constant(position, new KrlString(literal.text()));
+    } else if (expression instanceof Expression.EnumLiteral literal) {
+      code.constant(position, new KrlEnum(literal.name()));
+    } else if (expression instanceof Expression.Aggregate aggregate) {
+      aggregate(aggregate);
+    } else if (expression instanceof Expression.Variable variable) {
+      read(variable);
+    } else if (expression instanceof Expression.Call call) {
+      call(position, call.name(), call.arguments(), true);
+    } else if (expression instanceof Expression.Unary unary) {
+      unary(unary);
+    } else if (expression instanceof Expression.Binary binary) {
+      binary(binary);
+    }
+  }
+
+  private void real(Expression.RealLiteral literal) {
+    try {
+      code.constant(literal.position(), Operators.real(literal.value()));
+    } catch (ProgramFault e) {
+      context.error(literal.position(), String.valueOf(e.getMessage()));
+    }
+  }
+
+  private void unary(Expression.Unary unary) {
+    compile(unary.operand());
+    Position position = unary.position();
+    switch (unary.operator()) {
+      case PLUS -> code.emit(position, m -> m.push(Operators.positive(m.pop())));
+      case MINUS -> code.emit(position, m -> m.push(Operators.negative(m.pop())));
+      case NOT -> code.emit(position, m -> m.push(Operators.not(m.pop())));
+      case B_NOT -> code.emit(position, m -> m.push(Operators.bitwiseNot(m.pop())));
+    }
+  }
+
+  private void binary(Expression.Binary binary) {
+    compile(binary.left());
+    compile(binary.right());
+    Operators.Operator operator = Operators.of(binary.operator());
+    code.emit(
+        binary.position(),
+        machine -> {
+          KrlValue right = machine.pop();
+          machine.push(operator.apply(machine.pop(), right));
+        });
+  }
+
+  private void aggregate(Expression.Aggregate aggregate) {
+    List<String> names = new ArrayList<>();
+    for (Expression.Field field : aggregate.fields()) {
+      compile(field.value());
+      names.add(field.name());
+    }
+    code.emit(
+        aggregate.position(), machine -> machine.push(struct(aggregate.type(), names, machine)));
+  }
+
+  private static KrlStruct struct(@Nullable String type, List<String> names, Machine machine)
+      throws ProgramFault {
+    KrlValue[] values = new KrlValue[names.size()];
+    for (int i = values.length - 1; i >= 0; i--) {
+      values[i] = machine.pop();
+    }
+    try {
+      List<KrlStruct.Field> fields = new ArrayList<>(values.length);
+      for (int i = 0; i < values.length; i++) {
+        fields.add(new KrlStruct.Field(names.get(i), values[i]));
+      }
+      return new KrlStruct(type, fields);
+    } catch (IllegalArgumentException e) {
+      throw new ProgramFault(ProgramFault.WRONG_TYPE, String.valueOf(e.getMessage()));
+    }
+  }
+
+  // variables
+
+  private void read(Expression.Variable variable) {
+    Place place = context.names().resolve(variable);
+    if (place != null) {
+      PathSource source = path(variable);
+      code.emit(
+          variable.position(),
+          machine -> machine.push(place.read(machine.frame(), source.take(machine))));
+    }
+  }
+
+  /**
+   * Compiles an assignment.
+   *
+   * @param value compiles the value, which comes behind the indices of the target
+   */
+  void write(Expression.Variable target, Runnable value) {
+    Place place = context.names().resolve(target);
+    PathSource source = path(target);
+    value.run();
+    if (place != null) {
+      code.emit(
+          target.position(),
+          machine -> {
+            KrlValue assigned = machine.pop();
+            place.write(machine.frame(), source.take(machine), assigned);
+          });
+    }
+  }
+
+  /** Compiles the indices of a variable. */
+  PathSource path(Expression.Variable variable) {
+    List<Path.Step> fixed = new ArrayList<>();
+    boolean constant = true;
+    for (Expression.Step step : variable.steps()) {
+      int[] numbers = new int[step.indices().size()];
+      for (int i = 0; i < numbers.length; i++) {
+        if (step.indices().get(i) instanceof Expression.IntLiteral literal) {
+          numbers[i] = literal.value();
+        } else {
+          constant = false;
+        }
+      }
+      fixed.add(new Path.Step(Scope.key(step.name()), new Index(numbers, step.open())));
+    }
+    if (constant) {
+      Path path = new Path(List.copyOf(fixed));
+      return machine -> path;
+    }
+    variable.steps().forEach(step -> step.indices().forEach(this::compile));
+    return machine -> indexed(fixed, machine);
+  }
+
+  private static Path indexed(List<Path.Step> steps, Machine machine) throws ProgramFault {
+    Path.Step[] result = new Path.Step[steps.size()];
+    for (int i = result.length - 1; i >= 0; i--) {
+      Path.Step step = steps.get(i);
+      int[] numbers = new int[step.index().count()];
+      if (numbers.length == 0) {
+        result[i] = step;
+        continue;
+      }
+      for (int n = numbers.length - 1; n >= 0; n--) {
+        numbers[n] = machine.popInt();
+      }
+      result[i] = new Path.Step(step.name(), new Index(numbers, step.index().isOpen()));
+    }
+    return new Path(List.of(result));
+  }
+
+  // calls
+
+  /**
+   * Compiles a call.
+   *
+   * @param valueWanted whether the value of a function is to be on the stack afterwards
+   */
+  void call(
+      Position position,
+      String name,
+      List<? extends @Nullable Expression> arguments,
+      boolean valueWanted) {
+    CompiledRoutine routine = context.routine(name);
+    Builtin builtin = Builtins.find(Scope.key(name));
+    if (routine != null) {
+      call(position, routine, arguments, valueWanted);
+    } else if (builtin != null) {
+      call(position, builtin, arguments, valueWanted);
+    } else if (Builtins.isUnsupported(Scope.key(name))) {
+      context.error(position, name + " is not supported by this simulation");
+    } else {
+      context.error(position, "no routine " + name + " is known");
+    }
+  }
+
+  private void checkValue(Position position, String name, boolean function, boolean valueWanted) {
+    if (valueWanted && !function) {
+      context.error(position, name + " is a subprogram and has no value");
+    }
+  }
+
+  private void call(
+      Position position,
+      CompiledRoutine routine,
+      List<? extends @Nullable Expression> arguments,
+      boolean valueWanted) {
+    checkValue(position, routine.name(), routine.isFunction(), valueWanted);
+    if (!mayCall) {
+      // assumed: such a condition is looked at in every cycle and cannot wait
+      context.error(position, "the condition of an interrupt must not call " + routine.name());
+    }
+    List<CompiledRoutine.Parameter> parameters = routine.parameters();
+    if (arguments.size() != parameters.size()) {
+      context.error(
+          position,
+          routine.name() + " takes " + parameters.size() + " arguments, has " + arguments.size());
+      return;
+    }
+    for (int i = 0; i < parameters.size(); i++) {
+      argument(position, parameters.get(i), arguments.get(i));
+    }
+    code.emit(position, machine -> machine.call(routine, valueWanted));
+  }
+
+  private void argument(
+      Position position, CompiledRoutine.Parameter parameter, @Nullable Expression argument) {
+    if (argument == null) {
+      code.emit(position, machine -> machine.push(null));
+    } else if (parameter.out()) {
+      reference(argument);
+    } else if (parameter.array()) {
+      contents(argument);
+    } else {
+      compile(argument);
+    }
+  }
+
+  private void reference(Expression argument) {
+    if (!(argument instanceof Expression.Variable variable)) {
+      context.error(argument.position(), "an argument for an :OUT parameter is a variable");
+      return;
+    }
+    Place place = context.names().resolve(variable);
+    if (place != null) {
+      PathSource source = path(variable);
+      code.emit(
+          variable.position(),
+          machine -> {
+            Path path = source.take(machine);
+            machine.push(new Reference(place, machine.frame(), path));
+          });
+    }
+  }
+
+  /** Hands over a copy of an array. */
+  private void contents(Expression argument) {
+    Position position = argument.position();
+    if (argument instanceof Expression.TextLiteral) {
+      compile(argument);
+    } else if (argument instanceof Expression.Variable variable) {
+      Place place = context.names().resolve(variable);
+      if (place != null) {
+        PathSource source = path(variable);
+        code.emit(position, machine -> pushContents(machine, place, source.take(machine)));
+      }
+    } else {
+      context.error(position, "an argument for an array is a variable or a text");
+    }
+  }
+
+  private static void pushContents(Machine machine, Place place, Path path) throws ProgramFault {
+    try {
+      machine.push(place.node(machine.frame(), path));
+    } catch (RefusedException e) {
+      throw ProgramFault.of(place.name(machine.frame(), path), e);
+    }
+  }
+
+  private void call(
+      Position position,
+      Builtin builtin,
+      List<? extends @Nullable Expression> arguments,
+      boolean valueWanted) {
+    checkValue(position, builtin.name(), builtin.function(), valueWanted);
+    int most = builtin.parameters().size();
+    int least = most - builtin.optional();
+    boolean complete = arguments.stream().limit(least).allMatch(argument -> argument != null);
+    if (arguments.size() < least || arguments.size() > most || !complete) {
+      context.error(
+          position,
+          builtin.name()
+              + " takes "
+              + (least == most ? "" : least + " to ")
+              + most
+              + " arguments, has "
+              + arguments.stream().filter(argument -> argument != null).count());
+      return;
+    }
+    for (int i = 0; i < most; i++) {
+      Expression argument = i < arguments.size() ? arguments.get(i) : null;
+      if (argument == null) {
+        code.emit(position, machine -> machine.push(null));
+      } else {
+        argument(builtin.parameters().get(i), argument);
+      }
+    }
+    code.emit(position, machine -> execute(machine, builtin, valueWanted));
+  }
+
+  private void argument(Builtin.Kind kind, Expression argument) {
+    boolean isLiteral = argument instanceof Expression.TextLiteral;
+    if (kind == Builtin.Kind.OUT || (kind == Builtin.Kind.TEXT && !isLiteral)) {
+      reference(argument);
+    } else {
+      compile(argument);
+    }
+  }
+
+  private void execute(Machine machine, Builtin builtin, boolean valueWanted) throws ProgramFault {
+    @Nullable Object[] arguments = new Object[builtin.parameters().size()];
+    for (int i = arguments.length - 1; i >= 0; i--) {
+      arguments[i] = machine.popArgument();
+    }
+    KrlValue value = builtin.body().call(machine, context.names(), arguments);
+    if (valueWanted) {
+      machine.push(value);
+    }
+  }
+}

@@ -1,0 +1,145 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.internal.data.Node;
+import org.jspecify.annotations.Nullable;
+
+/** A routine that is being executed, or an action or condition in it. */
+final class Frame {
+  private final CompiledRoutine routine;
+  private final Code code;
+  private final @Nullable Frame caller;
+  private final @Nullable Interruption interruption;
+  private final boolean resultWanted;
+  private final int stackBase;
+  private final Node[] locals;
+  private final @Nullable Reference[] references;
+  private final @Nullable KrlValue[] temporaries;
+  private int next;
+  private long deadline;
+
+  /** Begins a routine. */
+  Frame(CompiledRoutine routine, @Nullable Frame caller, boolean resultWanted, int stackBase) {
+    this.routine = routine;
+    CompiledRoutine.Body body = routine.body();
+    this.code = body.code();
+    this.caller = caller;
+    this.interruption = null;
+    this.resultWanted = resultWanted;
+    this.stackBase = stackBase;
+    this.locals = body.locals().toArray(new Node[0]);
+    this.references = new Reference[routine.parameters().size()];
+    this.temporaries = new KrlValue[body.temporaries()];
+  }
+
+  /** Begins an action or a condition of a routine, which uses that routine's variables. */
+  Frame(
+      Frame owner,
+      Code code,
+      @Nullable Frame caller,
+      @Nullable Interruption interruption,
+      int stackBase) {
+    this.routine = owner.routine;
+    this.code = code;
+    this.caller = caller;
+    this.interruption = interruption;
+    this.resultWanted = false;
+    this.stackBase = stackBase;
+    this.locals = owner.locals;
+    this.references = owner.references;
+    this.temporaries = owner.temporaries;
+  }
+
+  CompiledRoutine routine() {
+    return routine;
+  }
+
+  /** Gives the frame that goes on behind this one; null for the outermost. */
+  @Nullable Frame caller() {
+    return caller;
+  }
+
+  /** Gives why the calling frame was interrupted; null if it has called this one itself. */
+  @Nullable Interruption interruption() {
+    return interruption;
+  }
+
+  /** Says whether the calling frame needs a value. */
+  boolean resultWanted() {
+    return resultWanted;
+  }
+
+  /** Gives how many values of the calling frames are on the stack. */
+  int stackBase() {
+    return stackBase;
+  }
+
+  Operation fetch() {
+    return code.operation(next++);
+  }
+
+  void jump(int target) {
+    next = target;
+  }
+
+  /** Goes back to the instruction being executed. */
+  void again() {
+    next--;
+  }
+
+  /** Goes back to the first instruction of the statement being executed. */
+  void statementAgain() {
+    next = code.statement(next - 1);
+  }
+
+  /** Gives the place of the instruction that was executed last. */
+  Position executed() {
+    return code.position(next == 0 ? 0 : next - 1);
+  }
+
+  /** Gives the place of the instruction that is executed next. */
+  Position position() {
+    return code.position(next);
+  }
+
+  Node local(int slot) {
+    return locals[slot];
+  }
+
+  void setLocal(int slot, Node contents) {
+    locals[slot] = contents;
+  }
+
+  Reference reference(int slot) {
+    Reference reference = references[slot];
+    if (reference == null) {
+      throw new IllegalStateException("parameter " + slot + " is none by reference");
+    }
+    return reference;
+  }
+
+  void setReference(int slot, Reference reference) {
+    references[slot] = reference;
+  }
+
+  KrlValue temporary(int slot) {
+    KrlValue value = temporaries[slot];
+    if (value == null) {
+      throw new IllegalStateException("temporary value " + slot + " is not set");
+    }
+    return value;
+  }
+
+  void setTemporary(int slot, KrlValue value) {
+    temporaries[slot] = value;
+  }
+
+  long deadline() {
+    return deadline;
+  }
+
+  void setDeadline(long time) {
+    deadline = time;
+  }
+}

@@ -1,0 +1,64 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.ProgramFault;
+
+/** Computes with values of the types FRAME, POS and E6POS. */
+final class Frames {
+  private static final List<String> COMPONENTS = List.of("X", "Y", "Z", "A", "B", "C");
+
+  private Frames() {}
+
+  /**
+   * Gives the place of one frame that is given in another: {@code left:right}. Assumed: the result
+   * has the type of the right operand, and its Status, Turn and external axes.
+   */
+  static KrlValue product(KrlValue left, KrlValue right) throws ProgramFault {
+    Frame result = frame(left).times(frame(right));
+    return replaced((KrlStruct) right, result);
+  }
+
+  /** Gives the inverse of a frame, with the type of the operand. */
+  static KrlValue inverse(KrlValue operand) throws ProgramFault {
+    return replaced((KrlStruct) operand, frame(operand).inverse());
+  }
+
+  private static Frame frame(KrlValue value) throws ProgramFault {
+    if (!(value instanceof KrlStruct struct)
+        || struct.fields().stream()
+            .noneMatch(field -> COMPONENTS.contains(field.name().toUpperCase(Locale.ROOT)))) {
+      throw Machine.wrongType("FRAME, POS or E6POS", value);
+    }
+    double[] numbers = new double[COMPONENTS.size()];
+    for (int i = 0; i < numbers.length; i++) {
+      String name = COMPONENTS.get(i);
+      Optional<KrlValue> component = struct.get(name);
+      if (component.isEmpty()) {
+        throw new ProgramFault(
+            ProgramFault.NOT_INITIALISED, "component " + name + " has no value yet of " + struct);
+      }
+      numbers[i] = Machine.number(component.get());
+    }
+    return new Frame(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]);
+  }
+
+  private static KrlStruct replaced(KrlStruct struct, Frame frame) throws ProgramFault {
+    double[] numbers = {frame.x(), frame.y(), frame.z(), frame.a(), frame.b(), frame.c()};
+    List<KrlStruct.Field> fields = new ArrayList<>(struct.fields().size());
+    for (int i = 0; i < numbers.length; i++) {
+      fields.add(new KrlStruct.Field(COMPONENTS.get(i), Operators.real(numbers[i])));
+    }
+    for (KrlStruct.Field field : struct.fields()) {
+      if (!COMPONENTS.contains(field.name().toUpperCase(Locale.ROOT))) {
+        fields.add(field);
+      }
+    }
+    return new KrlStruct(struct.typeName(), fields);
+  }
+}

@@ -1,0 +1,148 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import no.hials.crosscom.lang.Statement.InterruptCommand;
+import no.hials.crosscom.simulator.ProgramFault;
+import org.jspecify.annotations.Nullable;
+
+/** The interrupts that a program has declared, and the triggers that have come and not begun. */
+final class Interrupts {
+  /** Assumed: 40 to 80 belong to the system, which gives them to triggers. */
+  private static final int FIRST_OF_SYSTEM = 40;
+
+  private static final int LAST_OF_SYSTEM = 80;
+  private static final int LAST = 128;
+
+  /** By priority. A later declaration takes the place of an earlier one (assumed). */
+  private final TreeMap<Integer, Interrupt> declared = new TreeMap<>();
+
+  /** In the order in which they came. */
+  private final List<Interruption> triggers = new ArrayList<>();
+
+  /** What an interrupt is to do. */
+  record Declaration(int priority, boolean global, Code condition, Code action) {}
+
+  /** A declared interrupt. */
+  private static final class Interrupt {
+    private final Declaration declaration;
+    private final Frame owner;
+    private boolean on;
+    private boolean disabled;
+    private boolean last;
+    private boolean pending;
+
+    Interrupt(Declaration declaration, Frame owner) {
+      this.declaration = declaration;
+      this.owner = owner;
+    }
+  }
+
+  static void checkPriority(int priority) throws ProgramFault {
+    if (priority < 1
+        || priority > LAST
+        || (priority >= FIRST_OF_SYSTEM && priority <= LAST_OF_SYSTEM)) {
+      throw new ProgramFault(
+          ProgramFault.OUT_OF_RANGE,
+          "the priority of an interrupt is 1 to 39 or 81 to 128, is " + priority);
+    }
+  }
+
+  void clear() {
+    declared.clear();
+    triggers.clear();
+  }
+
+  void declare(Declaration declaration, Frame owner) throws ProgramFault {
+    checkPriority(declaration.priority());
+    declared.put(declaration.priority(), new Interrupt(declaration, owner));
+  }
+
+  /** Forgets what a routine has declared that ends, except for GLOBAL interrupts. */
+  void forget(Frame owner) {
+    if (!declared.isEmpty()) {
+      declared
+          .values()
+          .removeIf(interrupt -> interrupt.owner == owner && !interrupt.declaration.global());
+    }
+  }
+
+  void command(InterruptCommand command, int priority, Machine machine) throws ProgramFault {
+    Interrupt interrupt = declared.get(priority);
+    if (interrupt == null) {
+      throw new ProgramFault(
+          ProgramFault.NOT_ALLOWED, "no interrupt with priority " + priority + " is declared here");
+    }
+    command(command, interrupt, machine);
+  }
+
+  void commandAll(InterruptCommand command, Machine machine) throws ProgramFault {
+    for (Interrupt interrupt : declared.values()) {
+      command(command, interrupt, machine);
+    }
+  }
+
+  private static void command(InterruptCommand command, Interrupt interrupt, Machine machine)
+      throws ProgramFault {
+    switch (command) {
+      case ON -> {
+        if (!interrupt.on) {
+          // assumed: a condition that is already true is no edge
+          interrupt.last = isTrue(interrupt, machine);
+          interrupt.on = true;
+        }
+      }
+      case OFF -> {
+        interrupt.on = false;
+        interrupt.pending = false;
+      }
+      case ENABLE -> interrupt.disabled = false;
+      case DISABLE -> interrupt.disabled = true;
+    }
+  }
+
+  private static boolean isTrue(Interrupt interrupt, Machine machine) throws ProgramFault {
+    return machine.condition(interrupt.declaration.condition(), interrupt.owner);
+  }
+
+  /** Looks for rising edges. Assumed: while the program is stopped nobody looks. */
+  void watch(Machine machine) throws ProgramFault {
+    for (Interrupt interrupt : declared.values()) {
+      if (interrupt.on) {
+        boolean now = isTrue(interrupt, machine);
+        interrupt.pending |= now && !interrupt.last;
+        interrupt.last = now;
+      }
+    }
+  }
+
+  void add(Interruption trigger) {
+    triggers.add(trigger);
+  }
+
+  /** Takes what is to interrupt a program of a given priority next; null if nothing is. */
+  @Nullable Interruption next(int priority) {
+    Interruption trigger = null;
+    for (Interruption candidate : triggers) {
+      if (candidate.priority() < (trigger == null ? priority : trigger.priority())) {
+        trigger = candidate;
+      }
+    }
+    for (Interrupt interrupt : declared.values()) {
+      Declaration declaration = interrupt.declaration;
+      if (declaration.priority() >= (trigger == null ? priority : trigger.priority())) {
+        break;
+      }
+      if (interrupt.pending && !interrupt.disabled) {
+        interrupt.pending = false;
+        return new Interruption(
+            declaration.priority(), interrupt.owner, declaration.action(), false);
+      }
+    }
+    if (trigger != null) {
+      triggers.remove(trigger);
+    }
+    return trigger;
+  }
+}

@@ -1,0 +1,145 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.BiConsumer;
+import java.util.function.Predicate;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.Routine;
+import no.hials.crosscom.simulator.internal.data.Index;
+import no.hials.crosscom.simulator.internal.data.Node;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Scope;
+
+/**
+ * Compiles all modules of a library. First the heads of all routines, so that calls can be checked,
+ * then the bodies.
+ */
+final class Linker {
+  private final Map<String, Module> modules;
+  private final Scope globals;
+  private final Predicate<String> stopsAdvanceRun;
+  private final Map<String, CompiledRoutine> globalRoutines = new HashMap<>();
+  private final Map<String, Map<String, CompiledRoutine>> ownRoutines = new HashMap<>();
+
+  /**
+   * What came of compiling a module.
+   *
+   * @param main the routine that is selected
+   * @param errors what is wrong
+   * @param calledModules the names of the modules that it calls, in upper case
+   */
+  record Linked(CompiledRoutine main, List<KrlError> errors, Set<String> calledModules) {}
+
+  /**
+   * @param modules by their names in upper case
+   * @param globals the variables of the controller
+   * @param stopsAdvanceRun says it of a variable of the controller
+   */
+  Linker(Map<String, Module> modules, Scope globals, Predicate<String> stopsAdvanceRun) {
+    this.modules = modules;
+    this.globals = globals;
+    this.stopsAdvanceRun = stopsAdvanceRun;
+  }
+
+  /** Compiles everything; gives the modules by their names in upper case. */
+  Map<String, Linked> link() {
+    Map<String, List<KrlError>> errors = new HashMap<>();
+    modules.forEach((key, module) -> errors.put(key, declare(key, module)));
+    Map<String, Linked> linked = new HashMap<>();
+    errors.forEach(
+        (key, found) -> {
+          Module module = modules.get(key);
+          if (module != null) {
+            linked.put(key, compile(key, module, found));
+          }
+        });
+    return linked;
+  }
+
+  private static BiConsumer<Position, String> collector(List<KrlError> errors) {
+    return (position, message) -> errors.add(new KrlError(position, message));
+  }
+
+  /** Declares the routines of a module; gives what is wrong so far. */
+  private List<KrlError> declare(String key, Module module) {
+    List<KrlError> errors = new ArrayList<>();
+    Map<String, CompiledRoutine> own = new HashMap<>();
+    boolean first = true;
+    for (Routine routine : module.source().routines()) {
+      CompiledRoutine head = head(module, routine);
+      if (own.put(Scope.key(routine.name()), head) != null) {
+        errors.add(
+            new KrlError(
+                routine.position(), "routine " + routine.name() + " stands in this module twice"));
+      }
+      // assumed: the first routine can be called from everywhere without GLOBAL
+      if (first || routine.global()) {
+        globalRoutines.put(Scope.key(routine.name()), head);
+      }
+      first = false;
+    }
+    ownRoutines.put(key, own);
+    return errors;
+  }
+
+  private static CompiledRoutine head(Module module, Routine routine) {
+    List<CompiledRoutine.Parameter> parameters = new ArrayList<>();
+    for (Routine.Parameter parameter : routine.parameters()) {
+      Path path = new Path(List.of(new Path.Step(Scope.key(parameter.name()), Index.NONE)));
+      parameters.add(new CompiledRoutine.Parameter(path, parameter.array() > 0, parameter.out()));
+    }
+    return new CompiledRoutine(
+        module.name(), routine.name(), routine.returnType() != null, parameters);
+  }
+
+  private Linked compile(String key, Module module, List<KrlError> errors) {
+    Set<String> called = new TreeSet<>();
+    Map<String, CompiledRoutine> own = ownRoutines.getOrDefault(key, Map.of());
+    for (Routine routine : module.source().routines()) {
+      CompiledRoutine head = own.get(Scope.key(routine.name()));
+      if (head != null) {
+        compile(module, routine, head, collector(errors), called);
+      }
+    }
+    errors.sort(
+        Comparator.comparing((KrlError error) -> error.position().file())
+            .thenComparing(error -> error.position().line())
+            .thenComparing(error -> error.position().column()));
+    CompiledRoutine main = own.get(Scope.key(module.name()));
+    if (main == null) {
+      throw new IllegalStateException("module " + module.name() + " has no routine of its name");
+    }
+    return new Linked(main, List.copyOf(errors), called);
+  }
+
+  private void compile(
+      Module module,
+      Routine routine,
+      CompiledRoutine head,
+      BiConsumer<Position, String> errors,
+      Set<String> called) {
+    Names names = new Names(module, globals, modules, errors);
+    names.declare(routine);
+    RoutineContext context =
+        new RoutineContext(
+            names,
+            List.of(ownRoutines.getOrDefault(Scope.key(module.name()), Map.of()), globalRoutines),
+            stopsAdvanceRun,
+            errors,
+            called);
+    String type = routine.returnType();
+    Node result = type == null ? null : names.result(routine.position(), type);
+    Code code =
+        new StatementCompiler(context, type != null)
+            .routine(routine.name(), routine.body(), routine.end());
+    head.complete(
+        new CompiledRoutine.Body(code, List.copyOf(names.locals()), result, context.temporaries()));
+  }
+}

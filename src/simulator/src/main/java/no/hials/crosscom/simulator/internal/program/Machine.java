@@ -1,0 +1,506 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.Node;
+import no.hials.crosscom.simulator.internal.data.Path;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Executes instructions. An instruction that has to wait is executed again in the next cycle;
+ * nothing of it must be done before it is known that it need not wait.
+ */
+final class Machine {
+  /** Assumed: krl.md 4 does not say how deep KSS lets calls nest. */
+  static final int MAX_CALLS = 256;
+
+  private static final int FIRST_STACK_LENGTH = 64;
+
+  /** What keeps no interruption out: the program itself. */
+  private static final int LOWEST_PRIORITY = Integer.MAX_VALUE;
+
+  private static final Path RESULT = path("RESULT");
+
+  private final Interpreter.Kind kind;
+  private final Environment environment;
+  private final Interrupts interrupts = new Interrupts();
+  private final List<TriggerOrder> nextTriggers = new ArrayList<>();
+
+  /** Values, references and contents of variables; null for an argument that is left out. */
+  private @Nullable Object[] stack = new Object[FIRST_STACK_LENGTH];
+
+  private int height;
+  private int calls;
+  private @Nullable Frame top;
+  private boolean waiting;
+  private boolean halted;
+  private int executed;
+
+  /** Where the fault was, if not in the statement being executed but in a condition. */
+  private @Nullable Position faultPosition;
+
+  Machine(Interpreter.Kind kind, Environment environment) {
+    this.kind = kind;
+    this.environment = environment;
+  }
+
+  private static Path path(String name) {
+    try {
+      return Path.parse(name);
+    } catch (RefusedException e) {
+      throw new IllegalArgumentException(e);
+    }
+  }
+
+  // for the interpreter
+
+  /** Forgets everything. */
+  void clear() {
+    interrupts.clear();
+    nextTriggers.clear();
+    Arrays.fill(stack, null);
+    height = 0;
+    calls = 0;
+    top = null;
+    halted = false;
+  }
+
+  /** Sets the machine to the beginning of a routine. */
+  void begin(CompiledRoutine routine, List<KrlValue> arguments) throws ProgramFault {
+    if (arguments.size() > routine.parameters().size()) {
+      throw new ProgramFault(
+          ProgramFault.WRONG_TYPE,
+          routine.name()
+              + " has "
+              + routine.parameters().size()
+              + " parameters, was given "
+              + arguments.size());
+    }
+    Frame frame = new Frame(routine, null, false, 0);
+    for (int i = 0; i < routine.parameters().size(); i++) {
+      bind(frame, i, i < arguments.size() ? arguments.get(i) : null);
+    }
+    clear();
+    top = frame;
+    calls = 1;
+  }
+
+  boolean ended() {
+    return top == null;
+  }
+
+  boolean halted() {
+    return halted;
+  }
+
+  /** Executes instructions until one waits, the program halts or ends, or so many are executed. */
+  void run(int maxInstructions) throws ProgramFault {
+    waiting = false;
+    halted = false;
+    faultPosition = null;
+    executed = 0;
+    interrupts.watch(this);
+    interrupt();
+    try {
+      while (executed < maxInstructions && !waiting && !halted) {
+        Frame frame = top;
+        if (frame == null) {
+          break;
+        }
+        executed++;
+        frame.fetch().execute(this);
+      }
+    } catch (ProgramFault fault) {
+      recover();
+      throw fault;
+    }
+  }
+
+  /** Gives how many instructions the last {@link #run} has executed. */
+  int executed() {
+    return executed;
+  }
+
+  /** Makes the program ready to begin the statement again that could not be executed. */
+  private void recover() {
+    Frame frame = frame();
+    if (faultPosition == null) {
+      faultPosition = frame.executed();
+    }
+    frame.statementAgain();
+    drop(frame.stackBase());
+  }
+
+  private void drop(int base) {
+    while (height > base) {
+      popArgument();
+    }
+  }
+
+  /** Gives the place of the fault that {@link #run} has thrown. */
+  Position faultPosition() {
+    return faultPosition == null ? frame().position() : faultPosition;
+  }
+
+  void fire(Interruption trigger) {
+    interrupts.add(trigger);
+  }
+
+  List<Interpreter.Level> levels() {
+    List<Interpreter.Level> levels = new ArrayList<>();
+    boolean interrupt = false;
+    for (Frame frame = top; frame != null; frame = frame.caller()) {
+      Position position = frame == top ? frame.position() : frame.executed();
+      Frame caller = frame.caller();
+      boolean action = frame.interruption() != null;
+      // the action of an interrupt shows as the routine that it calls
+      if (!action || frame == top) {
+        interrupt = action || (caller != null && caller.interruption() != null);
+        levels.add(
+            new Interpreter.Level(
+                frame.routine().module(), frame.routine().name(), position, interrupt));
+      }
+    }
+    return levels;
+  }
+
+  // for instructions: the stack
+
+  Frame frame() {
+    Frame frame = top;
+    if (frame == null) {
+      throw new IllegalStateException("no program is being executed");
+    }
+    return frame;
+  }
+
+  Environment environment() {
+    return environment;
+  }
+
+  Interrupts interrupts() {
+    return interrupts;
+  }
+
+  void push(@Nullable Object value) {
+    if (height == stack.length) {
+      stack = Arrays.copyOf(stack, 2 * height);
+    }
+    stack[height++] = value;
+  }
+
+  @Nullable Object popArgument() {
+    Object value = stack[--height];
+    stack[height] = null;
+    return value;
+  }
+
+  KrlValue pop() {
+    return (KrlValue) Objects.requireNonNull(popArgument());
+  }
+
+  boolean popBool() throws ProgramFault {
+    KrlValue value = pop();
+    if (value instanceof KrlBool bool) {
+      return bool.value();
+    }
+    throw wrongType("BOOL", value);
+  }
+
+  int popInt() throws ProgramFault {
+    KrlValue value = pop();
+    if (value instanceof KrlInt number) {
+      return number.value();
+    }
+    throw wrongType("INT", value);
+  }
+
+  double popNumber() throws ProgramFault {
+    return number(pop());
+  }
+
+  static double number(KrlValue value) throws ProgramFault {
+    if (value instanceof KrlInt number) {
+      return number.value();
+    }
+    if (value instanceof KrlReal number) {
+      return number.value();
+    }
+    throw wrongType("a number", value);
+  }
+
+  static ProgramFault wrongType(String expected, KrlValue value) {
+    return new ProgramFault(
+        ProgramFault.WRONG_TYPE, "needs " + expected + ", was given " + value.print().strip());
+  }
+
+  // for instructions: the flow
+
+  void jump(int target) {
+    frame().jump(target);
+  }
+
+  /** Ends this cycle. */
+  void pause() {
+    waiting = true;
+  }
+
+  /** Ends this cycle; the instruction is executed again in the next. */
+  void again() {
+    frame().again();
+    waiting = true;
+  }
+
+  void halt() {
+    halted = true;
+  }
+
+  /** Calls a routine, whose arguments are on the stack. */
+  void call(CompiledRoutine routine, boolean resultWanted) throws ProgramFault {
+    if (calls == MAX_CALLS) {
+      throw new ProgramFault(
+          ProgramFault.CALL_STACK,
+          "calls may nest " + MAX_CALLS + " deep, " + routine.name() + " is one too many");
+    }
+    int count = routine.parameters().size();
+    Frame frame = new Frame(routine, frame(), resultWanted, height - count);
+    for (int i = count - 1; i >= 0; i--) {
+      bind(frame, i, popArgument());
+    }
+    top = frame;
+    calls++;
+  }
+
+  private static void bind(Frame frame, int slot, @Nullable Object argument) throws ProgramFault {
+    CompiledRoutine.Parameter parameter = frame.routine().parameters().get(slot);
+    if (parameter.out()) {
+      frame.setReference(
+          slot,
+          argument instanceof Reference reference
+              ? reference
+              : new Reference(new Place.Local(slot), frame, parameter.path()));
+    }
+    if (argument instanceof Node contents) {
+      frame.setLocal(slot, contents);
+    } else if (argument instanceof KrlString text && parameter.array()) {
+      frame.setLocal(slot, Names.text(text));
+    } else if (argument instanceof KrlValue value) {
+      new Place.Local(slot).write(frame, parameter.path(), value);
+    }
+  }
+
+  /** Ends a function. */
+  void returnValue(KrlValue value) throws ProgramFault {
+    Frame frame = frame();
+    Node result = frame.routine().body().result();
+    if (result == null) {
+      throw new IllegalStateException(frame.routine().name() + " is no function");
+    }
+    KrlValue converted;
+    try {
+      converted = result.store(RESULT, value).value();
+    } catch (RefusedException e) {
+      throw ProgramFault.of("the value of " + frame.routine().name(), e);
+    }
+    leave(frame);
+    if (frame.resultWanted()) {
+      push(converted);
+    }
+  }
+
+  /** Ends a subprogram, an action, or the program. */
+  void returnNothing() {
+    Frame frame = frame();
+    Interruption interruption = frame.interruption();
+    boolean outermost = frame.caller() == null;
+    boolean motions = outermost || (interruption != null && interruption.holding());
+    if (motions && mustWaitForMotion()) {
+      again();
+      return;
+    }
+    leave(frame);
+    if (interruption != null) {
+      if (interruption.holding()) {
+        environment.releaseMotion();
+      }
+      interrupt();
+    }
+  }
+
+  private void leave(Frame frame) {
+    drop(frame.stackBase());
+    if (frame.interruption() == null) {
+      interrupts.forget(frame);
+    }
+    top = frame.caller();
+    calls--;
+  }
+
+  // for instructions: interrupts
+
+  private @Nullable Frame interruptingFrame() {
+    Frame frame = top;
+    while (frame != null && frame.interruption() == null) {
+      frame = frame.caller();
+    }
+    return frame;
+  }
+
+  private @Nullable Interruption interruption() {
+    Frame frame = interruptingFrame();
+    return frame == null ? null : frame.interruption();
+  }
+
+  /** Begins the most urgent interruption that may interrupt what is being executed. */
+  private void interrupt() {
+    Interruption running = interruption();
+    Interruption next = interrupts.next(running == null ? LOWEST_PRIORITY : running.priority());
+    if (next != null) {
+      top = new Frame(next.owner(), next.action(), frame(), next, height);
+      calls++;
+    }
+  }
+
+  /** Evaluates a condition, whose instructions neither call nor wait. */
+  boolean condition(Code condition, Frame owner) throws ProgramFault {
+    Frame interrupted = frame();
+    Frame frame = new Frame(owner, condition, interrupted, null, height);
+    top = frame;
+    try {
+      for (int i = 0; i < condition.length(); i++) {
+        frame.fetch().execute(this);
+      }
+      return popBool();
+    } catch (ProgramFault fault) {
+      faultPosition = frame.executed();
+      drop(frame.stackBase());
+      throw fault;
+    } finally {
+      top = interrupted;
+    }
+  }
+
+  void brake(boolean maximum) throws ProgramFault {
+    requireRobot("BRAKE");
+    Interruption interruption = interruption();
+    if (interruption == null) {
+      throw new ProgramFault(
+          ProgramFault.NOT_ALLOWED, "BRAKE is allowed in the routine of an interrupt only");
+    }
+    hold(interruption, maximum);
+  }
+
+  private void hold(Interruption interruption, boolean maximum) {
+    if (!interruption.holding()) {
+      interruption.setHolding();
+      environment.holdMotion(maximum);
+    }
+  }
+
+  /** Cancels the routine of an interrupt and what it has interrupted, down to its declaration. */
+  void resume() throws ProgramFault {
+    requireRobot("RESUME");
+    Frame action = interruptingFrame();
+    Interruption interruption = action == null ? null : action.interruption();
+    if (action == null || interruption == null || interruption.isTrigger()) {
+      throw new ProgramFault(
+          ProgramFault.NOT_ALLOWED, "RESUME is allowed in the routine of an interrupt only");
+    }
+    Frame declaring = interruption.owner();
+    Frame cancelled = calledBy(declaring);
+    // assumed: as on KSS, a program that is to be cancelled runs below the level of declaration
+    if (cancelled == null || cancelled == action || cancelled.resultWanted()) {
+      throw new ProgramFault(
+          ProgramFault.NOT_ALLOWED,
+          "RESUME cancels a subprogram called by the routine that has declared the interrupt,"
+              + " none is running");
+    }
+    int holds = 0;
+    while (top != null && top != declaring) {
+      Interruption ended = top.interruption();
+      holds += ended != null && ended.holding() ? 1 : 0;
+      leave(top);
+    }
+    nextTriggers.clear();
+    environment.discardMotion(holds);
+  }
+
+  /** Gives the frame that another one has called or been interrupted by; null if it has ended. */
+  private @Nullable Frame calledBy(Frame caller) {
+    Frame frame = top;
+    while (frame != null && frame.caller() != caller) {
+      frame = frame.caller();
+    }
+    return frame;
+  }
+
+  // for instructions: the robot
+
+  private void requireRobot(String what) throws ProgramFault {
+    if (kind == Interpreter.Kind.SUBMIT) {
+      throw new ProgramFault(
+          ProgramFault.NOT_ALLOWED, what + " is not allowed in the submit interpreter");
+    }
+  }
+
+  private boolean mustWaitForMotion() {
+    return kind == Interpreter.Kind.ROBOT && !environment.motionFinished();
+  }
+
+  /** Waits until the robot has ended its motions, which stops the advance run. */
+  void awaitMotion() {
+    Interruption interruption = interruption();
+    // the routine of an interrupt runs while the motion of the interrupted program goes on
+    boolean own = interruption == null || interruption.holding();
+    if (own && mustWaitForMotion()) {
+      again();
+    }
+  }
+
+  /** Waits until one more motion may be handed over. */
+  void awaitAdvance() throws ProgramFault {
+    requireRobot("a motion");
+    Interruption interruption = interruption();
+    if (interruption != null) {
+      // assumed: a motion of an interrupt's routine brakes the robot first if that has not
+      hold(interruption, false);
+    }
+    if (!environment.motionFinished() && environment.motionsAhead() >= environment.advance()) {
+      again();
+    }
+  }
+
+  /** Waits for the motion just handed over if nothing may be planned ahead. */
+  void awaitMotionWithoutAdvance() {
+    if (environment.advance() == 0 && mustWaitForMotion()) {
+      again();
+    }
+  }
+
+  void trigger(TriggerOrder trigger) throws ProgramFault {
+    requireRobot("TRIGGER");
+    nextTriggers.add(trigger);
+  }
+
+  /** Gives the triggers that wait for a motion; they wait no longer. */
+  List<TriggerOrder> takeTriggers() {
+    List<TriggerOrder> triggers = List.copyOf(nextTriggers);
+    nextTriggers.clear();
+    return triggers;
+  }
+
+  /** Gives the module of the routine that is being executed. */
+  String module() {
+    return frame().routine().module();
+  }
+}

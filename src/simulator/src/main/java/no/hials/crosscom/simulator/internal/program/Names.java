@@ -1,0 +1,365 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.StringJoiner;
+import java.util.function.BiConsumer;
+import no.hials.crosscom.lang.Declaration;
+import no.hials.crosscom.lang.Declaration.Declarator;
+import no.hials.crosscom.lang.Expression;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.Routine;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.ConstantExpressions;
+import no.hials.crosscom.simulator.internal.data.Index;
+import no.hials.crosscom.simulator.internal.data.KrlErrorException;
+import no.hials.crosscom.simulator.internal.data.Node;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Scope;
+import org.jspecify.annotations.Nullable;
+
+/** The variables that a routine can name: its own, its module's, and those of the controller. */
+final class Names {
+  private static final String RESULT = "RESULT";
+  private static final Path RESULT_PATH = new Path(List.of(new Path.Step(RESULT, Index.NONE)));
+
+  private final Module module;
+  private final Scope globals;
+  private final Map<String, Module> modules;
+  private final BiConsumer<Position, String> errors;
+
+  /** What the routine declares, without values. */
+  private final Scope own;
+
+  private final Map<String, Place> places = new HashMap<>();
+  private final List<Node> locals = new ArrayList<>();
+
+  /**
+   * @param module the routine's module
+   * @param globals the variables of the controller
+   * @param modules all modules by their names in upper case
+   * @param errors is told what is wrong
+   */
+  Names(
+      Module module,
+      Scope globals,
+      Map<String, Module> modules,
+      BiConsumer<Position, String> errors) {
+    this.module = module;
+    this.globals = globals;
+    this.modules = modules;
+    this.errors = errors;
+    this.own = new Scope(module.scope());
+  }
+
+  List<Node> locals() {
+    return locals;
+  }
+
+  /** Gives the scope through which a routine sees all that is not in its frame. */
+  Scope scope() {
+    return own;
+  }
+
+  // declarations
+
+  void declare(Routine routine) {
+    Map<String, Routine.Parameter> parameters = new HashMap<>();
+    for (Routine.Parameter parameter : routine.parameters()) {
+      if (parameters.put(Scope.key(parameter.name()), parameter) != null) {
+        errors.accept(parameter.position(), "parameter " + parameter.name() + " stands here twice");
+      }
+    }
+    Map<String, Declaration.Variables> ofParameters = new HashMap<>();
+    for (Declaration declaration : routine.declarations()) {
+      if (declaration instanceof Declaration.Variables variables) {
+        for (Declarator variable : variables.variables()) {
+          if (parameters.containsKey(Scope.key(variable.name()))) {
+            ofParameters.put(Scope.key(variable.name()), variables);
+          }
+        }
+      }
+    }
+    declareTypes(routine);
+    for (Routine.Parameter parameter : routine.parameters()) {
+      declareParameter(parameter, ofParameters.get(Scope.key(parameter.name())));
+    }
+    for (Declaration declaration : routine.declarations()) {
+      declareVariables(declaration, parameters);
+    }
+  }
+
+  private void declareTypes(Routine routine) {
+    for (Declaration declaration : routine.declarations()) {
+      try {
+        if (declaration instanceof Declaration.Struc struc) {
+          List<Scope.Component> components = new ArrayList<>();
+          for (Declaration.Component component : struc.components()) {
+            components.add(
+                new Scope.Component(component.type(), declarator(component.declarator())));
+          }
+          own.declareStruc(struc.name(), components);
+        } else if (declaration instanceof Declaration.Enumeration enumeration) {
+          own.declareEnum(enumeration.name(), enumeration.constants());
+        }
+      } catch (KrlErrorException e) {
+        errors.accept(e.error().position(), e.error().message());
+      } catch (IllegalArgumentException e) {
+        errors.accept(declaration.position(), String.valueOf(e.getMessage()));
+      }
+    }
+  }
+
+  private void declareParameter(
+      Routine.Parameter parameter, Declaration.@Nullable Variables variables) {
+    int slot = locals.size();
+    String key = Scope.key(parameter.name());
+    if (parameter.array() > 1 && !parameter.out()) {
+      // assumed: KSS hands over no array by value at all
+      errors.accept(
+          parameter.position(),
+          "an array of several dimensions is handed over as :OUT only, " + key + " is :IN");
+    }
+    Place place = parameter.out() ? new Place.Parameter(slot) : new Place.Local(slot);
+    if (variables == null) {
+      errors.accept(parameter.position(), "parameter " + parameter.name() + " has no declaration");
+      declareLocal(parameter.position(), parameter.name(), key, "INT", place);
+      return;
+    }
+    for (Declarator variable : variables.variables()) {
+      if (Scope.key(variable.name()).equals(key)) {
+        declareLocal(variable, variables.type(), place);
+        return;
+      }
+    }
+  }
+
+  private void declareVariables(
+      Declaration declaration, Map<String, Routine.Parameter> parameters) {
+    if (declaration instanceof Declaration.Variables variables) {
+      if (variables.global() || variables.constant()) {
+        errors.accept(
+            variables.position(), "GLOBAL and CONST are for variables of data lists only");
+      }
+      for (Declarator variable : variables.variables()) {
+        if (!parameters.containsKey(Scope.key(variable.name()))) {
+          checkDimensions(variable);
+          declareLocal(variable, variables.type(), new Place.Local(locals.size()));
+        }
+      }
+    } else if (declaration instanceof Declaration.Signal signal) {
+      declareSignal(signal);
+    } else if (declaration instanceof Declaration.External external) {
+      importVariable(external);
+    }
+  }
+
+  private void checkDimensions(Declarator variable) {
+    for (Expression dimension : variable.dimensions()) {
+      if (dimension == null) {
+        errors.accept(
+            variable.position(),
+            "only a parameter's dimensions are left open, not those of " + variable.name());
+        return;
+      }
+    }
+  }
+
+  private void declareLocal(Declarator variable, String type, Place place) {
+    try {
+      declareLocal(
+          variable.position(), declarator(variable), Scope.key(variable.name()), type, place);
+    } catch (KrlErrorException e) {
+      errors.accept(e.error().position(), e.error().message());
+    }
+  }
+
+  private void declareLocal(
+      Position position, String declarator, String key, String type, Place place) {
+    if (own.contains(key)) {
+      errors.accept(position, key + " is declared twice");
+      return;
+    }
+    try {
+      own.declare(declarator, type, Access.READ_WRITE, null);
+      locals.add(own.contents(key));
+      places.put(key, place);
+    } catch (RefusedException | IllegalArgumentException e) {
+      errors.accept(position, String.valueOf(e.getMessage()));
+    }
+  }
+
+  /** Prints a declared name with its dimensions. One left open is 1 long until the call. */
+  private String declarator(Declarator variable) throws KrlErrorException {
+    if (variable.dimensions().isEmpty()) {
+      return variable.name();
+    }
+    StringJoiner text = new StringJoiner(",", variable.name() + "[", "]");
+    for (Expression dimension : variable.dimensions()) {
+      if (dimension == null) {
+        text.add("1");
+      } else if (ConstantExpressions.evaluate(dimension, own) instanceof KrlInt length
+          && length.value() > 0) {
+        text.add(String.valueOf(length.value()));
+      } else {
+        throw new KrlErrorException(
+            dimension.position(), "the length of a dimension is an INT of at least 1");
+      }
+    }
+    return text.toString();
+  }
+
+  private void declareSignal(Declaration.Signal signal) {
+    String wiring = signal.first() == null ? "FALSE" : wire(signal.first());
+    if (signal.last() != null) {
+      wiring += " TO " + wire(signal.last());
+    }
+    try {
+      own.declareSignal(signal.name(), wiring, Access.READ_WRITE);
+    } catch (IllegalArgumentException e) {
+      errors.accept(signal.position(), String.valueOf(e.getMessage()));
+    }
+  }
+
+  private static String wire(Expression.Variable variable) {
+    Expression.Step step = variable.steps().get(0);
+    return step.indices().size() == 1
+            && step.indices().get(0) instanceof Expression.IntLiteral index
+        ? step.name() + "[" + index.value() + "]"
+        : step.name();
+  }
+
+  /** Makes a variable of another module known: {@code IMPORT ... IS /R1/MODULE..NAME}. */
+  private void importVariable(Declaration.External external) {
+    int dots = external.source().lastIndexOf("..");
+    if (dots < 0) {
+      return;
+    }
+    String path = external.source().substring(0, dots);
+    String from = path.substring(path.lastIndexOf('/') + 1);
+    String key = Scope.key(external.source().substring(dots + 2));
+    Module other = modules.get(Scope.key(from));
+    if (other == null || !other.scope().contains(key) || !key.equals(Scope.key(external.name()))) {
+      errors.accept(
+          external.position(), "no module " + from + " with a variable " + external.name());
+      return;
+    }
+    places.put(key, new Place.Shared(other.scope()));
+  }
+
+  /** Gives a variable of a type, for the value of a function; null if there is no such type. */
+  @Nullable Node result(Position position, String type) {
+    Scope scratch = new Scope(own);
+    try {
+      scratch.declare(RESULT, type, Access.READ_WRITE, null);
+      return scratch.node(RESULT_PATH);
+    } catch (RefusedException | IllegalArgumentException e) {
+      errors.accept(position, String.valueOf(e.getMessage()));
+      return null;
+    }
+  }
+
+  /** Gives a CHAR array that just holds a text. */
+  static Node text(KrlString text) {
+    Scope scratch = new Scope();
+    try {
+      scratch.declare(
+          RESULT + "[" + Math.max(1, text.text().length()) + "]", "CHAR", Access.READ_WRITE, text);
+      return scratch.contents(RESULT);
+    } catch (RefusedException e) {
+      throw new IllegalArgumentException(e);
+    }
+  }
+
+  // look-up
+
+  /** Finds a variable by its name in upper case; null if there is none. */
+  @Nullable Place find(String key) {
+    Place place = places.get(key);
+    if (place != null) {
+      return place;
+    }
+    for (Scope scope : List.of(own, module.scope(), globals)) {
+      if (scope.contains(key)) {
+        return new Place.Shared(scope);
+      }
+    }
+    return null;
+  }
+
+  /** Finds the variable of an expression and checks its components; null if that is wrong. */
+  @Nullable Place resolve(Expression.Variable variable) {
+    String key = Scope.key(variable.name());
+    Place place = find(key);
+    if (place == null) {
+      errors.accept(variable.position(), "no variable " + variable.name() + " is declared");
+      return null;
+    }
+    Scope scope = place instanceof Place.Shared shared ? shared.scope() : own;
+    try {
+      if (scope.isSignal(key)) {
+        checkSignal(variable);
+      } else if (!isWholeArray(variable)) {
+        scope.node(firstElements(variable));
+      }
+    } catch (RefusedException e) {
+      errors.accept(variable.position(), variable.name() + ": " + e.getMessage());
+      return null;
+    }
+    return place;
+  }
+
+  private void checkSignal(Expression.Variable variable) {
+    if (variable.steps().size() > 1 || variable.steps().get(0).brackets()) {
+      errors.accept(variable.position(), variable.name() + ": a SIGNAL has no parts");
+    }
+  }
+
+  /** Says whether it is {@code NAME[]} or {@code NAME[,]}, which a call can hand over. */
+  static boolean isWholeArray(Expression.Variable variable) {
+    Expression.Step last = variable.steps().get(variable.steps().size() - 1);
+    return variable.steps().size() == 1 && last.open() && last.indices().isEmpty();
+  }
+
+  /** Gives the path with 1 for every index: which one it will be does not matter here. */
+  private static Path firstElements(Expression.Variable variable) {
+    List<Path.Step> steps = new ArrayList<>();
+    for (Expression.Step step : variable.steps()) {
+      int[] numbers = new int[step.indices().size()];
+      Arrays.fill(numbers, 1);
+      steps.add(new Path.Step(Scope.key(step.name()), new Index(numbers, step.open())));
+    }
+    return new Path(steps);
+  }
+
+  /**
+   * Gives what decides whether access stops the advance run: the variable, or what it is wired to.
+   */
+  Optional<String> ofController(Expression.Variable variable) {
+    String key = Scope.key(variable.name());
+    Place place = find(key);
+    if (!(place instanceof Place.Shared shared)) {
+      return Optional.empty();
+    }
+    Optional<String> wired = shared.scope().wiredArray(key);
+    if (wired.isPresent()) {
+      return wired;
+    }
+    return shared.scope() == globals ? Optional.of(key) : Optional.empty();
+  }
+
+  /** Gives the number of the output that a SIGNAL is; nothing for anything else. */
+  OptionalInt output(String name) {
+    return own.wiredArray(name).filter("$OUT"::equals).isPresent()
+        ? own.wiredElement(name)
+        : OptionalInt.empty();
+  }
+}

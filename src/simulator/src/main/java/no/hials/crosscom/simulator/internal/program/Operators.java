@@ -1,0 +1,173 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import no.hials.crosscom.lang.Expression.BinaryOperator;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.ProgramFault;
+
+/**
+ * What KRL's operators compute. Assumed, since krl.md 4 only lists them: INT with INT gives INT, a
+ * quotient cut off; with a REAL all is REAL, a 32-bit float (krl.md 1.1); AND, OR and EXOR always
+ * evaluate both operands.
+ */
+final class Operators {
+  private Operators() {}
+
+  /** An operator with two operands. */
+  @FunctionalInterface
+  interface Operator {
+    KrlValue apply(KrlValue left, KrlValue right) throws ProgramFault;
+  }
+
+  /** Gives what an operator does. */
+  static Operator of(BinaryOperator operator) {
+    return switch (operator) {
+      case GEOMETRIC -> Frames::product;
+      case PLUS -> Operators::sum;
+      case MINUS -> Operators::difference;
+      case TIMES -> Operators::product;
+      case DIVIDED -> Operators::quotient;
+      case EQUAL -> (left, right) -> new KrlBool(areEqual(left, right));
+      case UNEQUAL -> (left, right) -> new KrlBool(!areEqual(left, right));
+      case LESS -> (left, right) -> new KrlBool(compare(left, right) < 0);
+      case AT_MOST -> (left, right) -> new KrlBool(compare(left, right) <= 0);
+      case GREATER -> (left, right) -> new KrlBool(compare(left, right) > 0);
+      case AT_LEAST -> (left, right) -> new KrlBool(compare(left, right) >= 0);
+      case B_AND -> (left, right) -> new KrlInt(bits(left) & bits(right));
+      case B_OR -> (left, right) -> new KrlInt(bits(left) | bits(right));
+      case B_EXOR -> (left, right) -> new KrlInt(bits(left) ^ bits(right));
+      case AND -> (left, right) -> new KrlBool(Boolean.logicalAnd(bool(left), bool(right)));
+      case OR -> (left, right) -> new KrlBool(Boolean.logicalOr(bool(left), bool(right)));
+      case EXOR -> (left, right) -> new KrlBool(bool(left) ^ bool(right));
+    };
+  }
+
+  private static KrlValue sum(KrlValue left, KrlValue right) throws ProgramFault {
+    if (left instanceof KrlInt a && right instanceof KrlInt b) {
+      return integer((long) a.value() + b.value());
+    }
+    return real(number(left) + number(right));
+  }
+
+  private static KrlValue difference(KrlValue left, KrlValue right) throws ProgramFault {
+    if (left instanceof KrlInt a && right instanceof KrlInt b) {
+      return integer((long) a.value() - b.value());
+    }
+    return real(number(left) - number(right));
+  }
+
+  private static KrlValue product(KrlValue left, KrlValue right) throws ProgramFault {
+    if (left instanceof KrlInt a && right instanceof KrlInt b) {
+      return integer((long) a.value() * b.value());
+    }
+    return real(number(left) * number(right));
+  }
+
+  private static KrlValue quotient(KrlValue left, KrlValue right) throws ProgramFault {
+    double divisor = number(right);
+    if (divisor == 0) {
+      throw new ProgramFault(
+          ProgramFault.DIVISION_BY_ZERO, "a divisor must not be 0, divided " + left + " by it");
+    }
+    if (left instanceof KrlInt a && right instanceof KrlInt b) {
+      return integer((long) a.value() / b.value());
+    }
+    return real(number(left) / divisor);
+  }
+
+  static KrlValue negative(KrlValue operand) throws ProgramFault {
+    return operand instanceof KrlInt number
+        ? integer(-(long) number.value())
+        : real(-number(operand));
+  }
+
+  static KrlValue positive(KrlValue operand) throws ProgramFault {
+    number(operand);
+    return operand;
+  }
+
+  static KrlValue not(KrlValue operand) throws ProgramFault {
+    return new KrlBool(!bool(operand));
+  }
+
+  static KrlValue bitwiseNot(KrlValue operand) throws ProgramFault {
+    return new KrlInt(~bits(operand));
+  }
+
+  static KrlInt integer(long result) throws ProgramFault {
+    if (result != (int) result) {
+      throw new ProgramFault(
+          ProgramFault.OVERFLOW, "an INT has 32 bits, the result would be " + result);
+    }
+    return new KrlInt((int) result);
+  }
+
+  /** Rounds to a REAL. Doubles hold sums, products and quotients of two floats well enough. */
+  static KrlReal real(double result) throws ProgramFault {
+    float rounded = (float) result;
+    if (!Float.isFinite(rounded)) {
+      throw new ProgramFault(
+          ProgramFault.OVERFLOW, "a REAL is at most 3.4E+38, the result would be " + result);
+    }
+    return new KrlReal(rounded);
+  }
+
+  private static double number(KrlValue value) throws ProgramFault {
+    return Machine.number(value);
+  }
+
+  private static int bits(KrlValue value) throws ProgramFault {
+    if (value instanceof KrlInt number) {
+      return number.value();
+    }
+    throw Machine.wrongType("INT", value);
+  }
+
+  private static boolean bool(KrlValue value) throws ProgramFault {
+    if (value instanceof KrlBool bool) {
+      return bool.value();
+    }
+    throw Machine.wrongType("BOOL", value);
+  }
+
+  static boolean areEqual(KrlValue left, KrlValue right) throws ProgramFault {
+    if (left instanceof KrlBool a && right instanceof KrlBool b) {
+      return a.value() == b.value();
+    }
+    if (left instanceof KrlEnum a && right instanceof KrlEnum b) {
+      return a.name().equalsIgnoreCase(b.name());
+    }
+    return compare(left, right) == 0;
+  }
+
+  /** Compares two numbers or two CHARs. */
+  static int compare(KrlValue left, KrlValue right) throws ProgramFault {
+    if (left instanceof KrlInt a && right instanceof KrlInt b) {
+      return Integer.compare(a.value(), b.value());
+    }
+    if (left instanceof KrlString a
+        && right instanceof KrlString b
+        && a.text().length() == 1
+        && b.text().length() == 1) {
+      return Character.compare(a.text().charAt(0), b.text().charAt(0));
+    }
+    if (isNumber(left) && isNumber(right)) {
+      return Double.compare(number(left), number(right));
+    }
+    throw new ProgramFault(
+        ProgramFault.WRONG_TYPE,
+        "only two numbers, two CHAR, two BOOL or two ENUM can be compared, and only numbers and"
+            + " CHAR by order; was given "
+            + left.print().strip()
+            + " and "
+            + right.print().strip());
+  }
+
+  private static boolean isNumber(KrlValue value) {
+    return value instanceof KrlInt || value instanceof KrlReal;
+  }
+}

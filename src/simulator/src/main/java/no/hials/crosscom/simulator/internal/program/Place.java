@@ -1,0 +1,121 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.Node;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Scope;
+
+/**
+ * Where a variable of a routine lives. The compiler finds that out once; what a path leads to from
+ * there can be another part each time.
+ */
+sealed interface Place {
+
+  /** Gives a part of the variable, with or without a value. */
+  Node node(Frame frame, Path path) throws RefusedException;
+
+  KrlValue value(Frame frame, Path path) throws RefusedException;
+
+  void store(Frame frame, Path path, KrlValue value) throws RefusedException;
+
+  /** Gives the path of the variable where it really is, for messages. */
+  default String name(Frame frame, Path path) {
+    return path.toString();
+  }
+
+  /** Reads a value, which must be there. */
+  default KrlValue read(Frame frame, Path path) throws ProgramFault {
+    try {
+      KrlValue value = value(frame, path);
+      if (value instanceof KrlStruct struct && struct.fields().isEmpty()) {
+        throw new ProgramFault(
+            ProgramFault.NOT_INITIALISED, name(frame, path) + ": has no value yet");
+      }
+      return value;
+    } catch (RefusedException e) {
+      throw ProgramFault.of(name(frame, path), e);
+    }
+  }
+
+  default void write(Frame frame, Path path, KrlValue value) throws ProgramFault {
+    try {
+      store(frame, path, value);
+    } catch (RefusedException e) {
+      throw ProgramFault.of(name(frame, path), e);
+    }
+  }
+
+  /**
+   * A variable that the routine has declared, or a parameter by value.
+   *
+   * @param slot its number in the frame
+   */
+  record Local(int slot) implements Place {
+    @Override
+    public Node node(Frame frame, Path path) throws RefusedException {
+      return frame.local(slot).read(path);
+    }
+
+    @Override
+    public KrlValue value(Frame frame, Path path) throws RefusedException {
+      return frame.local(slot).read(path).value();
+    }
+
+    @Override
+    public void store(Frame frame, Path path, KrlValue value) throws RefusedException {
+      frame.setLocal(slot, frame.local(slot).store(path, value));
+    }
+  }
+
+  /**
+   * A parameter by reference.
+   *
+   * @param slot its number in the frame
+   */
+  record Parameter(int slot) implements Place {
+    @Override
+    public Node node(Frame frame, Path path) throws RefusedException {
+      return frame.reference(slot).node(path);
+    }
+
+    @Override
+    public KrlValue value(Frame frame, Path path) throws RefusedException {
+      return frame.reference(slot).value(path);
+    }
+
+    @Override
+    public void store(Frame frame, Path path, KrlValue value) throws RefusedException {
+      frame.reference(slot).store(path, value);
+    }
+
+    @Override
+    public String name(Frame frame, Path path) {
+      return path + " (" + frame.reference(slot).name(path) + ")";
+    }
+  }
+
+  /**
+   * A variable of a module or of the controller.
+   *
+   * @param scope the scope that has declared it
+   */
+  record Shared(Scope scope) implements Place {
+    @Override
+    public Node node(Frame frame, Path path) throws RefusedException {
+      return scope.node(path);
+    }
+
+    @Override
+    public KrlValue value(Frame frame, Path path) throws RefusedException {
+      return scope.read(path);
+    }
+
+    @Override
+    public void store(Frame frame, Path path, KrlValue value) throws RefusedException {
+      scope.write(path, value, Scope.Writer.PROGRAM);
+    }
+  }
+}

@@ -1,0 +1,96 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import java.util.function.Predicate;
+import no.hials.crosscom.lang.Expression;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.simulator.internal.data.Scope;
+import org.jspecify.annotations.Nullable;
+
+/** What the compiler knows of the routine that it compiles. */
+final class RoutineContext {
+  private final Names names;
+  private final List<Map<String, CompiledRoutine>> routines;
+  private final Predicate<String> stopsAdvanceRun;
+  private final BiConsumer<Position, String> errors;
+  private final Set<String> calledModules;
+  private int temporaries;
+
+  /**
+   * @param names the variables that it can name
+   * @param routines the routines that it can call, by their names in upper case; the module's first
+   * @param stopsAdvanceRun says it of a variable of the controller
+   * @param errors is told what is wrong
+   * @param calledModules takes the modules that it calls
+   */
+  RoutineContext(
+      Names names,
+      List<Map<String, CompiledRoutine>> routines,
+      Predicate<String> stopsAdvanceRun,
+      BiConsumer<Position, String> errors,
+      Set<String> calledModules) {
+    this.names = names;
+    this.routines = routines;
+    this.stopsAdvanceRun = stopsAdvanceRun;
+    this.errors = errors;
+    this.calledModules = calledModules;
+  }
+
+  Names names() {
+    return names;
+  }
+
+  void error(Position position, String message) {
+    errors.accept(position, message);
+  }
+
+  /** Finds a routine that has a source; null if there is none. */
+  @Nullable CompiledRoutine routine(String name) {
+    String key = Scope.key(name);
+    for (Map<String, CompiledRoutine> known : routines) {
+      CompiledRoutine routine = known.get(key);
+      if (routine != null) {
+        calledModules.add(Scope.key(routine.module()));
+        return routine;
+      }
+    }
+    return null;
+  }
+
+  int newTemporary() {
+    return temporaries++;
+  }
+
+  int temporaries() {
+    return temporaries;
+  }
+
+  /** Says whether one of the expressions names a variable that stops the advance run. */
+  boolean stopAdvanceRun(List<? extends @Nullable Expression> expressions) {
+    return expressions.stream()
+        .anyMatch(expression -> expression != null && stopsAdvanceRun(expression));
+  }
+
+  private boolean stopsAdvanceRun(Expression expression) {
+    if (expression instanceof Expression.Variable variable) {
+      return names.ofController(variable).filter(stopsAdvanceRun).isPresent()
+          || variable.steps().stream().anyMatch(step -> stopAdvanceRun(step.indices()));
+    }
+    if (expression instanceof Expression.Unary unary) {
+      return stopsAdvanceRun(unary.operand());
+    }
+    if (expression instanceof Expression.Binary binary) {
+      return stopsAdvanceRun(binary.left()) || stopsAdvanceRun(binary.right());
+    }
+    if (expression instanceof Expression.Call call) {
+      return stopAdvanceRun(call.arguments());
+    }
+    if (expression instanceof Expression.Aggregate aggregate) {
+      return aggregate.fields().stream().anyMatch(field -> stopsAdvanceRun(field.value()));
+    }
+    return false;
+  }
+}

@@ -1,0 +1,529 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import no.hials.crosscom.lang.Expression;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.Statement;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Scope;
+import org.jspecify.annotations.Nullable;
+
+/** Compiles the statements of a routine. The stack is as high after each as it was before. */
+final class StatementCompiler {
+  private static final KrlInt ZERO = new KrlInt(0);
+  private static final KrlInt ONE = new KrlInt(1);
+
+  /** The priority of a trigger's subprogram that the controller is to choose (assumed). */
+  private static final KrlInt AUTOMATIC = new KrlInt(-1);
+
+  private static final double MILLIS = 1000;
+
+  /** In ms; added to a time it is still a time. */
+  private static final double LONGEST_WAIT = 1e15;
+
+  private final RoutineContext context;
+  private final boolean function;
+  private final CodeBuilder code;
+  private final ExpressionCompiler expressions;
+  private final Deque<CodeBuilder.Label> loopEnds = new ArrayDeque<>();
+  private final Map<String, CodeBuilder.Label> labels = new HashMap<>();
+
+  /** Whether CONTINUE stands ahead of the statement. */
+  private boolean goOn;
+
+  /**
+   * @param context the routine
+   * @param function whether it is a function
+   */
+  StatementCompiler(RoutineContext context, boolean function) {
+    this.context = context;
+    this.function = function;
+    this.code = new CodeBuilder();
+    this.expressions = new ExpressionCompiler(context, code, true);
+  }
+
+  /** Compiles the body of a routine. */
+  Code routine(String name, List<Statement> body, Position end) {
+    statements(body);
+    code.statement();
+    if (function) {
+      code.emit(
+          end,
+          machine -> {
+            throw new ProgramFault(
+                ProgramFault.NO_RESULT, "function " + name + " must end with RETURN and a value");
+          });
+    } else {
+      code.emit(end, Machine::returnNothing);
+    }
+    return code.build();
+  }
+
+  private void statements(List<Statement> body) {
+    goOn = false;
+    for (Statement statement : body) {
+      code.statement();
+      statement(statement);
+      goOn = statement instanceof Statement.Continue;
+    }
+  }
+
+  private void statement(Statement statement) {
+    if (statement instanceof Statement.Action action) {
+      awaitFor(action);
+      action(action);
+    } else if (statement instanceof Statement.If branch) {
+      branch(branch);
+    } else if (statement instanceof Statement.Switch branch) {
+      branch(branch);
+    } else if (statement instanceof Statement.For loop) {
+      loop(loop);
+    } else if (statement instanceof Statement.While loop) {
+      loop(loop);
+    } else if (statement instanceof Statement.Repeat loop) {
+      loop(loop);
+    } else if (statement instanceof Statement.Loop loop) {
+      loop(loop);
+    } else if (statement instanceof Statement.Exit exit) {
+      code.jump(exit.position(), loopEnds.element());
+    } else if (statement instanceof Statement.Goto jump) {
+      code.jump(jump.position(), label(jump.label()));
+    } else if (statement instanceof Statement.Label label) {
+      code.mark(label(label.name()));
+    } else if (statement instanceof Statement.Return leave) {
+      leave(leave);
+    } else if (statement instanceof Statement.Motion motion) {
+      motion(motion);
+    } else {
+      control(statement);
+    }
+  }
+
+  /** Compiles what stops, waits or interrupts. */
+  private void control(Statement statement) {
+    Position position = statement.position();
+    if (statement instanceof Statement.Halt) {
+      code.emit(position, Machine::awaitMotion);
+      code.emit(position, Machine::halt);
+    } else if (statement instanceof Statement.WaitFor wait) {
+      waitFor(wait);
+    } else if (statement instanceof Statement.WaitSec wait) {
+      waitSeconds(wait);
+    } else if (statement instanceof Statement.InterruptDeclaration declaration) {
+      declare(declaration);
+    } else if (statement instanceof Statement.Interrupt interrupt) {
+      interrupt(interrupt);
+    } else if (statement instanceof Statement.Trigger trigger) {
+      trigger(trigger);
+    } else if (statement instanceof Statement.Resume) {
+      code.emit(position, Machine::resume);
+    } else if (statement instanceof Statement.Brake brake) {
+      code.emit(position, machine -> machine.brake(brake.maximum()));
+    }
+  }
+
+  // the advance run
+
+  private void await(Position position) {
+    if (!goOn) {
+      code.emit(position, Machine::awaitMotion);
+    }
+  }
+
+  /** Stops the advance run if one of the expressions asks for it. */
+  private void awaitFor(Position position, @Nullable Expression... used) {
+    if (context.stopAdvanceRun(Arrays.asList(used))) {
+      await(position);
+    }
+  }
+
+  private void awaitFor(Statement.Action action) {
+    if (action instanceof Statement.Assignment assignment) {
+      awaitFor(assignment.position(), assignment.target(), assignment.value());
+    } else if (action instanceof Statement.Call call) {
+      awaitFor(call.position(), call.arguments().toArray(new Expression[0]));
+    } else {
+      await(action.position());
+    }
+  }
+
+  // assignment, call, PULSE
+
+  private void action(Statement.Action action) {
+    if (action instanceof Statement.Assignment assignment) {
+      if (Scope.key(assignment.target().name()).equals("$CYCFLAG")) {
+        // its expression would have to be looked at again in each cycle (krl.md 2.6)
+        context.error(assignment.position(), "cyclic flags are not supported by this simulation");
+      }
+      expressions.write(assignment.target(), () -> expressions.compile(assignment.value()));
+    } else if (action instanceof Statement.Call call) {
+      expressions.call(call.position(), call.name(), call.arguments(), false);
+    } else if (action instanceof Statement.Pulse pulse) {
+      pulse(pulse);
+    }
+  }
+
+  private void pulse(Statement.Pulse pulse) {
+    if (context.names().resolve(pulse.signal()) == null) {
+      return;
+    }
+    OptionalInt wired = context.names().output(pulse.signal().name());
+    boolean direct = Scope.key(pulse.signal().name()).equals("$OUT");
+    if (direct ? Names.isWholeArray(pulse.signal()) : wired.isEmpty()) {
+      context.error(pulse.position(), "PULSE takes one output, was given " + pulse.signal().name());
+      return;
+    }
+    ExpressionCompiler.PathSource source = expressions.path(pulse.signal());
+    expressions.compile(pulse.level());
+    expressions.compile(pulse.seconds());
+    code.emit(
+        pulse.position(),
+        machine -> {
+          double seconds = machine.popNumber();
+          boolean level = machine.popBool();
+          Path path = source.take(machine);
+          int output = direct ? path.first().index().number(0) : wired.getAsInt();
+          machine.environment().pulse(output, level, seconds);
+        });
+  }
+
+  /** Compiles the action of an interrupt or a trigger, which uses the routine's variables. */
+  private Code detached(Statement.Action action) {
+    StatementCompiler compiler = new StatementCompiler(context, false);
+    compiler.action(action);
+    compiler.code.emit(action.position(), Machine::returnNothing);
+    return compiler.code.build();
+  }
+
+  // branches and loops
+
+  private void condition(Position position, Expression condition) {
+    awaitFor(position, condition);
+    expressions.compile(condition);
+  }
+
+  private void branch(Statement.If branch) {
+    Position position = branch.position();
+    CodeBuilder.Label otherwise = new CodeBuilder.Label();
+    CodeBuilder.Label end = new CodeBuilder.Label();
+    condition(position, branch.condition());
+    code.jumpUnless(position, otherwise);
+    statements(branch.then());
+    if (!branch.otherwise().isEmpty()) {
+      code.statement();
+      code.jump(position, end);
+    }
+    code.mark(otherwise);
+    statements(branch.otherwise());
+    code.mark(end);
+  }
+
+  private void branch(Statement.Switch branch) {
+    Position position = branch.position();
+    int selector = context.newTemporary();
+    CodeBuilder.Label end = new CodeBuilder.Label();
+    List<CodeBuilder.Label> bodies = new ArrayList<>();
+    condition(position, branch.selector());
+    code.emit(position, machine -> machine.frame().setTemporary(selector, machine.pop()));
+    for (Statement.Case branchCase : branch.cases()) {
+      CodeBuilder.Label body = new CodeBuilder.Label();
+      bodies.add(body);
+      for (Expression value : branchCase.values()) {
+        expressions.compile(value);
+        code.emit(
+            value.position(),
+            machine ->
+                machine.push(
+                    new KrlBool(
+                        Operators.areEqual(machine.frame().temporary(selector), machine.pop()))));
+        code.jumpIf(value.position(), body);
+      }
+    }
+    if (branch.otherwise() != null) {
+      statements(branch.otherwise());
+    }
+    code.statement();
+    code.jump(position, end);
+    for (int i = 0; i < bodies.size(); i++) {
+      code.mark(bodies.get(i));
+      statements(branch.cases().get(i).body());
+      code.statement();
+      code.jump(position, end);
+    }
+    code.mark(end);
+  }
+
+  /** Compiles a body that is left by EXIT, and by jumps to the label that is given. */
+  private void body(List<Statement> body, CodeBuilder.Label end) {
+    loopEnds.push(end);
+    statements(body);
+    loopEnds.pop();
+  }
+
+  /**
+   * Counts up to and including the last value; the values of TO and STEP are those of the start.
+   */
+  private void loop(Statement.For loop) {
+    Position position = loop.position();
+    int last = context.newTemporary();
+    int step = context.newTemporary();
+    CodeBuilder.Label turn = new CodeBuilder.Label();
+    CodeBuilder.Label end = new CodeBuilder.Label();
+    awaitFor(position, loop.from(), loop.to(), loop.step());
+    expressions.write(loop.counter(), () -> expressions.compile(loop.from()));
+    integer(loop.to(), last);
+    if (loop.step() == null) {
+      code.emit(position, machine -> machine.frame().setTemporary(step, ONE));
+    } else {
+      integer(loop.step(), step);
+      code.emit(loop.step().position(), machine -> checkStep(machine.frame().temporary(step)));
+    }
+    code.statement();
+    code.mark(turn);
+    expressions.compile(loop.counter());
+    code.emit(position, machine -> machine.push(goesOn(machine, last, step)));
+    code.jumpUnless(position, end);
+    body(loop.body(), end);
+    code.statement();
+    expressions.write(
+        loop.counter(),
+        () -> {
+          expressions.compile(loop.counter());
+          code.emit(position, machine -> count(machine, step));
+        });
+    code.jump(position, turn);
+    code.mark(end);
+  }
+
+  private void integer(Expression expression, int temporary) {
+    expressions.compile(expression);
+    code.emit(
+        expression.position(),
+        machine -> machine.frame().setTemporary(temporary, new KrlInt(machine.popInt())));
+  }
+
+  private static void checkStep(KrlValue step) throws ProgramFault {
+    if (step.equals(ZERO)) {
+      // assumed: krl.md 4 does not say what a step of 0 does
+      throw new ProgramFault(ProgramFault.OUT_OF_RANGE, "the STEP of FOR must not be 0");
+    }
+  }
+
+  private static KrlBool goesOn(Machine machine, int last, int step) throws ProgramFault {
+    int counter = machine.popInt();
+    int end = ((KrlInt) machine.frame().temporary(last)).value();
+    boolean down = ((KrlInt) machine.frame().temporary(step)).value() < 0;
+    return new KrlBool(down ? counter >= end : counter <= end);
+  }
+
+  private static void count(Machine machine, int step) throws ProgramFault {
+    int width = ((KrlInt) machine.frame().temporary(step)).value();
+    machine.push(Operators.integer((long) machine.popInt() + width));
+  }
+
+  private void loop(Statement.While loop) {
+    Position position = loop.position();
+    CodeBuilder.Label turn = new CodeBuilder.Label();
+    CodeBuilder.Label end = new CodeBuilder.Label();
+    code.mark(turn);
+    condition(position, loop.condition());
+    code.jumpUnless(position, end);
+    body(loop.body(), end);
+    code.statement();
+    code.jump(position, turn);
+    code.mark(end);
+  }
+
+  private void loop(Statement.Repeat loop) {
+    CodeBuilder.Label turn = new CodeBuilder.Label();
+    CodeBuilder.Label end = new CodeBuilder.Label();
+    boolean conditionGoesOn = goOn;
+    code.mark(turn);
+    body(loop.body(), end);
+    code.statement();
+    goOn = conditionGoesOn;
+    condition(loop.until().position(), loop.until());
+    code.jumpUnless(loop.until().position(), turn);
+    code.mark(end);
+  }
+
+  private void loop(Statement.Loop loop) {
+    CodeBuilder.Label turn = new CodeBuilder.Label();
+    CodeBuilder.Label end = new CodeBuilder.Label();
+    code.mark(turn);
+    body(loop.body(), end);
+    code.statement();
+    code.jump(loop.position(), turn);
+    code.mark(end);
+  }
+
+  /** Gives the place of a label, which may come before or behind its jumps. */
+  private CodeBuilder.Label label(String name) {
+    return labels.computeIfAbsent(Scope.key(name), key -> new CodeBuilder.Label());
+  }
+
+  private void leave(Statement.Return leave) {
+    Position position = leave.position();
+    if (leave.value() == null) {
+      code.emit(position, Machine::returnNothing);
+      return;
+    }
+    condition(position, leave.value());
+    code.emit(position, machine -> machine.returnValue(machine.pop()));
+  }
+
+  // waiting
+
+  private void waitFor(Statement.WaitFor wait) {
+    Position position = wait.position();
+    CodeBuilder.Label look = new CodeBuilder.Label();
+    CodeBuilder.Label end = new CodeBuilder.Label();
+    await(position);
+    code.mark(look);
+    expressions.compile(wait.condition());
+    code.jumpIf(position, end);
+    code.emit(position, Machine::pause);
+    code.jump(position, look);
+    code.mark(end);
+  }
+
+  private void waitSeconds(Statement.WaitSec wait) {
+    Position position = wait.position();
+    await(position);
+    expressions.compile(wait.seconds());
+    code.emit(
+        position,
+        machine ->
+            machine
+                .frame()
+                .setDeadline(machine.environment().time() + millis(machine.popNumber())));
+    code.emit(
+        position,
+        machine -> {
+          if (machine.environment().time() < machine.frame().deadline()) {
+            machine.again();
+          }
+        });
+  }
+
+  private static long millis(double seconds) {
+    return Math.round(Math.min(seconds * MILLIS, LONGEST_WAIT));
+  }
+
+  // interrupts and triggers
+
+  private void declare(Statement.InterruptDeclaration declaration) {
+    CodeBuilder conditionCode = new CodeBuilder();
+    new ExpressionCompiler(context, conditionCode, false).compile(declaration.condition());
+    Code condition = conditionCode.build();
+    Code action = detached(declaration.action());
+    expressions.compile(declaration.priority());
+    code.emit(
+        declaration.position(),
+        machine ->
+            machine
+                .interrupts()
+                .declare(
+                    new Interrupts.Declaration(
+                        machine.popInt(), declaration.global(), condition, action),
+                    machine.frame()));
+  }
+
+  private void interrupt(Statement.Interrupt interrupt) {
+    Position position = interrupt.position();
+    if (interrupt.priority() == null) {
+      code.emit(position, machine -> machine.interrupts().commandAll(interrupt.command(), machine));
+      return;
+    }
+    expressions.compile(interrupt.priority());
+    code.emit(
+        position,
+        machine -> machine.interrupts().command(interrupt.command(), machine.popInt(), machine));
+  }
+
+  private void trigger(Statement.Trigger trigger) {
+    Code action = detached(trigger.action());
+    boolean calls = trigger.action() instanceof Statement.Call;
+    expressions.compile(trigger.distance());
+    optional(trigger.position(), trigger.delay(), ZERO);
+    optional(trigger.position(), trigger.priority(), AUTOMATIC);
+    code.emit(
+        trigger.position(),
+        machine -> {
+          // an assignment or a pulse interrupts everything, since it ends at once
+          int priority = TriggerOrder.priority(calls, machine.popInt());
+          double delay = machine.popNumber();
+          double distance = machine.popNumber();
+          Interruption interruption = new Interruption(priority, machine.frame(), action, true);
+          machine.trigger(new TriggerOrder(trigger.onPath(), distance, delay, interruption));
+        });
+  }
+
+  private void optional(Position position, @Nullable Expression expression, KrlValue otherwise) {
+    if (expression == null) {
+      code.constant(position, otherwise);
+    } else {
+      expressions.compile(expression);
+    }
+  }
+
+  // motions
+
+  private void motion(Statement.Motion motion) {
+    Position position = motion.position();
+    awaitFor(position, motion.auxiliary(), motion.target(), motion.circularAngle());
+    // the target is evaluated as late as possible, when the motion can be planned (assumed)
+    code.emit(position, Machine::awaitAdvance);
+    if (motion.auxiliary() != null) {
+      expressions.compile(motion.auxiliary());
+    }
+    expressions.compile(motion.target());
+    if (motion.circularAngle() != null) {
+      expressions.compile(motion.circularAngle());
+    }
+    code.emit(position, machine -> machine.environment().move(order(machine, motion)));
+    code.emit(position, Machine::awaitMotionWithoutAdvance);
+  }
+
+  private static MotionOrder order(Machine machine, Statement.Motion motion) throws ProgramFault {
+    OptionalDouble angle =
+        motion.circularAngle() == null
+            ? OptionalDouble.empty()
+            : OptionalDouble.of(machine.popNumber());
+    KrlStruct target = point(machine.pop());
+    KrlStruct auxiliary = motion.auxiliary() == null ? null : point(machine.pop());
+    String coordinates = motion.coordinates();
+    return new MotionOrder(
+        motion.kind(),
+        auxiliary,
+        target,
+        angle,
+        motion.approximations(),
+        coordinates == null ? null : coordinates.replace("#", "").toUpperCase(Locale.ROOT),
+        motion.target() instanceof Expression.Variable variable ? variable.name() : "",
+        machine.module(),
+        motion.position(),
+        machine.takeTriggers());
+  }
+
+  private static KrlStruct point(KrlValue value) throws ProgramFault {
+    if (value instanceof KrlStruct struct) {
+      return struct;
+    }
+    throw Machine.wrongType("a position", value);
+  }
+}

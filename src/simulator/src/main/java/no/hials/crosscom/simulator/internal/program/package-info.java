@@ -1,0 +1,10 @@
+/**
+ * KRL programs: a library of modules, a compiler from their trees to flat code, and the machine
+ * that executes it. The machine can pause between any two instructions, keeps its own call stack,
+ * starts no thread, and asks the controller for all else through {@link
+ * no.hials.crosscom.simulator.internal.program.Environment}.
+ */
+@NullMarked
+package no.hials.crosscom.simulator.internal.program;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,195 @@
+package no.hials.crosscom.simulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import no.hials.crosscom.simulator.files.FileTree;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+final class TreeProgramsTest {
+  private Controller controller;
+  private FileTree tree;
+  private TreePrograms programs;
+
+  @BeforeEach
+  void start() throws IOException {
+    controller = Cell.stepped(VariableTable.krc4());
+    tree = FileTree.inMemory();
+    programs = new TreePrograms(tree, controller);
+  }
+
+  @AfterEach
+  void stop() {
+    controller.close();
+  }
+
+  private static String list(int value) {
+    return "DEFDAT JOB PUBLIC\nDECL GLOBAL INT G_JOB=" + value + "\nENDDAT\n";
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "/R1/JOB.SRC",
+        "/R1/job",
+        "/R1/JOB()",
+        "/R1/Job( )",
+        "KRC:\\R1\\PROGRAM\\JOB.SRC",
+        "krc:/r1/program/job.dat",
+        "job",
+        " JOB.SRC "
+      })
+  void loadsAModuleWhateverFormItsNameHas(String name) throws Exception {
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+
+    controller.robot().select(programs.prepare(name));
+
+    assertThat(controller.robot().program())
+        .hasValueSatisfying(found -> assertThat(found).isEqualToIgnoringCase("JOB"));
+  }
+
+  @Test
+  void loadsTheProgramsThatAProgramCalls() throws Exception {
+    tree.put("/R1/main.src", "DEF main( )\nother( )\nEND\n");
+    tree.put("KRC:\\R1\\Program\\Sub\\other.src", "DEF other( )\nEND\n");
+
+    controller.robot().select(programs.prepare("/R1/MAIN.SRC"));
+
+    assertThat(controller.programs()).anyMatch("OTHER"::equalsIgnoreCase);
+  }
+
+  @Test
+  void loadsTheNewestText() throws Exception {
+    tree.put("/R1/job.src", "DEF job( )\nno_such( )\nEND\n");
+    String name = programs.prepare("/R1/JOB.SRC");
+    assertThat(controller.check(name)).isNotEmpty();
+
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+
+    assertThat(controller.check(programs.prepare("/R1/JOB.SRC"))).isEmpty();
+  }
+
+  @Test
+  void loadsADataListThatComesOrChangesAfterItsProgram() throws Exception {
+    tree.put("/R1/job.src", "DEF job( )\nG_JOB=G_JOB+0\nEND\n");
+    programs.prepare("/R1/JOB.SRC");
+    tree.put("/R1/job.dat", list(1));
+
+    assertThat(controller.check(programs.prepare("/R1/JOB.SRC"))).isEmpty();
+
+    tree.put("/R1/job.dat", list(2));
+    controller.robot().select(programs.prepare("/R1/JOB.SRC"));
+    assertThat(controller.robot().program()).isPresent();
+  }
+
+  @Test
+  void saysWhatIsWrongUntilItIsNot() throws Exception {
+    tree.put("/R1/job.dat", "DEFDAT JOB\nDECL INT\nENDDAT\n");
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+    tree.put("/R1/good.src", "DEF good( )\nEND\n");
+
+    for (int i = 0; i < 2; i++) {
+      assertThatExceptionOfType(KrlFileException.class)
+          .isThrownBy(() -> programs.prepare("/R1/JOB.SRC"))
+          .withMessageContaining("job.dat:2");
+    }
+    assertThat(programs.prepare("/R1/GOOD.SRC")).isEqualToIgnoringCase("GOOD");
+
+    tree.put("/R1/job.dat", list(1));
+    assertThat(programs.prepare("/R1/JOB.SRC")).isEqualToIgnoringCase("JOB");
+  }
+
+  @Test
+  void doesNotFindAModuleWhoseFilesWereDeleted() throws Exception {
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+    programs.prepare("/R1/JOB.SRC");
+
+    tree.delete("/R1/JOB.SRC");
+
+    assertNotThere();
+  }
+
+  @Test
+  void doesNotFindAModuleOfWhichOnlyTheDataListIsLeft() throws Exception {
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+    tree.put("/R1/job.dat", list(1));
+    programs.prepare("/R1/JOB.SRC");
+
+    tree.delete("/R1/JOB.SRC");
+
+    assertNotThere();
+    tree.put("/R1/job.dat", list(2));
+    assertNotThere();
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+    assertThat(programs.prepare("/R1/JOB.SRC")).isEqualToIgnoringCase("JOB");
+  }
+
+  private void assertNotThere() {
+    assertThatExceptionOfType(KrlFileException.class)
+        .isThrownBy(() -> programs.prepare("/R1/JOB.SRC"))
+        .withMessageContaining("the files of JOB are not there any more");
+  }
+
+  @Test
+  void givesWhatOnlyTheControllerKnowsAsItIs() throws Exception {
+    controller.load("mine.src", "DEF mine( )\nEND\n");
+
+    controller.robot().select(programs.prepare("/R1/MINE.SRC"));
+
+    assertThat(controller.robot().program()).isPresent();
+    assertThatExceptionOfType(KrlFileException.class)
+        .isThrownBy(() -> controller.robot().select(programs.prepare("/R1/NONE.SRC")))
+        .withMessageContaining("no module NONE is loaded");
+  }
+
+  @Test
+  void takesTheFirstOfTwoModulesOfANameThoseInTheProgramFolderBefore() throws Exception {
+    tree.put("KRC:\\R1\\Mada\\job.src", "DEF job( )\nno_such( )\nEND\n");
+    tree.put("/R1/PROGRAM/job.src", "DEF job( )\nEND\n");
+
+    assertThat(controller.check(programs.prepare("JOB"))).isEmpty();
+  }
+
+  @Test
+  void loadsTheListsOfTheControllerOnlyWhenTheyHaveChanged() throws Exception {
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+    controller.variables().set("DEF_VEL_PTP", "42");
+    programs.prepare("JOB");
+    assertThat(controller.variables().get("DEF_VEL_PTP")).isEqualTo("42");
+
+    tree.put("/R1/$config.dat", "DEFDAT $CONFIG\nINT DEF_VEL_PTP=77\nINT G_NEW=7\nENDDAT\n");
+    programs.prepare("JOB");
+
+    assertThat(controller.variables().get("DEF_VEL_PTP")).isEqualTo("77");
+    assertThat(controller.variables().get("G_NEW")).isEqualTo("7");
+  }
+
+  @Test
+  void loadsNoProgramThatIsLargerThanAnyReally() throws Exception {
+    tree.put("/R1/job.src", "DEF job( )\n" + " ".repeat(4 << 20) + "END\n");
+
+    assertThatExceptionOfType(KrlFileException.class)
+        .isThrownBy(() -> programs.prepare("JOB"))
+        .withMessageContaining("a file of KRL has at most 4194304 bytes");
+  }
+
+  @Test
+  void loadsTheProgramsOfThisProject() throws Exception {
+    Path krl = Path.of("../../krl");
+    controller.variables().load(krl.resolve("config.dat"));
+    for (String name : new String[] {"actuator.src", "actuator.dat"}) {
+      tree.put("KRC:\\R1\\Program\\" + name, Files.readAllBytes(krl.resolve(name)));
+    }
+
+    controller.robot().select(programs.prepare("/R1/ACTUATOR.SRC"));
+
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.RESET);
+  }
+}

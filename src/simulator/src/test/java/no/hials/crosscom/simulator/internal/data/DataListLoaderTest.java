@@ -1,0 +1,369 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.lang.ParseResult;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.simulator.RefusedException;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What data lists declare, where, and what is wrong in them. */
+class DataListLoaderTest {
+  private final Scope globals = new Scope();
+  private final Scope module = new Scope(globals);
+
+  @BeforeEach
+  void declareGlobals() throws RefusedException {
+    globals.declareEnum("MODE", List.of("A", "B"));
+    globals.declareStruc("FRAME", List.of(new Scope.Component("REAL", "X")));
+    globals.declareStruc(
+        "LOAD", List.of(new Scope.Component("REAL", "M"), new Scope.Component("FRAME", "CM")));
+    globals.declare("$OUT[8]", "BOOL", Access.READ_WRITE, null);
+    globals.declare("$OV", "INT", Access.READ_ONLY, null);
+    globals.declare("SHARED", "INT", Access.READ_WRITE, null);
+  }
+
+  /** Loads a data list whose declarations begin in line 2; gives what is wrong. */
+  private List<String> load(String head, String... lines) {
+    ParseResult result =
+        KrlParser.parse("x", "DEFDAT " + head + "\n" + String.join("\n", lines) + "\nENDDAT");
+    assertThat(result.errors()).isEmpty();
+    List<KrlError> errors = new ArrayList<>();
+    DataListLoader.load((DataList) result.file().orElseThrow(), module, globals, errors::add);
+    return errors.stream().map(KrlError::toString).toList();
+  }
+
+  private String printed(String name) throws RefusedException {
+    return module.print(Path.parse(name));
+  }
+
+  @Nested
+  class Where {
+
+    @Test
+    void everythingOfASystemListIsGlobal() {
+      assertThat(load("$CONFIG", "INT A=1", "ENUM E X,Y", "STRUC S INT I", "SIGNAL G $OUT[1]"))
+          .isEmpty();
+      assertThat(globals.names()).contains("A", "G");
+      assertThat(globals.knowsType("E")).isTrue();
+      assertThat(globals.knowsType("S")).isTrue();
+      assertThat(module.names()).isEmpty();
+    }
+
+    @Test
+    void onlyWhatAPublicModuleDeclaresGlobalIsGlobal() throws RefusedException {
+      assertThat(
+              load(
+                  "M PUBLIC",
+                  "GLOBAL INT A=1",
+                  "INT B=2",
+                  "GLOBAL ENUM E X,Y",
+                  "ENUM F X,Y",
+                  "GLOBAL STRUC S INT I",
+                  "STRUC T INT I",
+                  "GLOBAL SIGNAL G $OUT[1]",
+                  "SIGNAL H $OUT[2] TO $OUT[4]",
+                  "GLOBAL INT L[2]",
+                  "L[2]=5"))
+          .isEmpty();
+      assertThat(globals.names()).contains("A", "G", "L").doesNotContain("B", "H");
+      assertThat(module.names()).containsExactly("B", "H");
+      assertThat(globals.knowsType("E")).isTrue();
+      assertThat(globals.knowsType("F")).isFalse();
+      assertThat(module.knowsType("F")).isTrue();
+      assertThat(globals.knowsType("S")).isTrue();
+      assertThat(globals.knowsType("T")).isFalse();
+      assertThat(module.knowsType("T")).isTrue();
+      assertThat(printed("L[2]")).isEqualTo("5");
+    }
+
+    @Test
+    void aModulesOwnVariableHidesAGlobalOne() throws RefusedException {
+      globals.write(Path.parse("SHARED"), new KrlInt(1), Scope.Writer.SYSTEM);
+      assertThat(load("M", "INT SHARED=2")).isEmpty();
+      assertThat(printed("SHARED")).isEqualTo("2");
+      assertThat(globals.print(Path.parse("SHARED"))).isEqualTo("1");
+    }
+
+    @Test
+    void globalNeedsAPublicList() {
+      assertThat(load("M", "GLOBAL INT A", "GLOBAL ENUM E X"))
+          .containsExactly(
+              "x:2:12: GLOBAL needs a public data list, expected DEFDAT M PUBLIC, found no PUBLIC",
+              "x:3:1: GLOBAL needs a public data list, expected DEFDAT M PUBLIC, found no PUBLIC");
+    }
+
+    @Test
+    void aModuleDeclaresNoSystemVariables() {
+      assertThat(load("M", "INT $A=1", "$A=2"))
+          .containsExactly(
+              "x:2:5: a system variable is declared in a system data list such as $CONFIG, $A is"
+                  + " declared in M");
+    }
+
+    @Test
+    void aModuleSetsOnlyWhatItDeclares() {
+      assertThat(load("M", "SHARED=2"))
+          .containsExactly(
+              "x:2:1: a data list gives values to what it declares, SHARED is not declared in it");
+      assertThat(load("$CONFIG", "SHARED=2", "NOWHERE=3"))
+          .containsExactly("x:3:1: no variable NOWHERE is declared");
+    }
+
+    @Test
+    void importFindsWhatIsGlobalUnderItsOwnName() {
+      assertThat(
+              load(
+                  "M",
+                  "EXT BAS (CMD :IN,REAL :IN)",
+                  "EXTFCT BOOL OK (INT :IN)",
+                  "IMPORT INT SHARED IS /R1/OTHER..SHARED"))
+          .isEmpty();
+      assertThat(load("M", "IMPORT INT MINE IS /R1/OTHER..SHARED"))
+          .singleElement()
+          .asString()
+          .contains("IMPORT finds only what is declared GLOBAL", "expected MINE");
+      assertThat(load("M", "IMPORT INT HIDDEN IS /R1/OTHER..HIDDEN")).hasSize(1);
+    }
+  }
+
+  @Nested
+  class Values {
+
+    @Test
+    void goToVariablesElementsAndComponents() throws RefusedException {
+      assertThat(
+              load(
+                  "M",
+                  "INT A=1,B,C[2],D[2,2]",
+                  "C[2]=2",
+                  "D[2,1]=21",
+                  "DECL LOAD L={M 1,CM {X 2}}",
+                  "L.CM.X=3.5",
+                  "CHAR TEXT[5],ROWS[2,5],ONE=\"a\"",
+                  "TEXT[]=\"abc\"",
+                  "TEXT[2]=\"B\"",
+                  "ROWS[2,]=\"row\"",
+                  "CHAR SHORT[5]=\"xy\"",
+                  "CHAR FITS[]=\"four\"",
+                  "DECL MODE E=#b"))
+          .isEmpty();
+      assertThat(printed("A")).isEqualTo("1");
+      assertThat(printed("C[2]")).isEqualTo("2");
+      assertThat(printed("D[2,1]")).isEqualTo("21");
+      assertThat(printed("L")).isEqualTo("{LOAD: M 1.00000, CM {FRAME: X 3.50000}}");
+      assertThat(printed("TEXT[]")).isEqualTo("\"aBc\"");
+      assertThat(printed("ROWS[2,]")).isEqualTo("\"row\"");
+      assertThat(printed("ONE")).isEqualTo("\"a\"");
+      assertThat(printed("SHORT[]")).isEqualTo("\"xy\"");
+      assertThat(printed("FITS[]")).isEqualTo("\"four\"");
+      assertThat(Declared.find(module, "FITS").orElseThrow().dimensions()).containsExactly(4);
+      assertThat(printed("E")).isEqualTo("#B");
+    }
+
+    @Test
+    void fillASystemArrayAndOnlyThat() throws RefusedException {
+      assertThat(
+              load("$X", "BOOL $OUT[4]=FALSE", "$OUT[2]=TRUE", "CHAR $N[2,3]=\"ab\"", "INT A[2]=0"))
+          .containsExactly(
+              "x:5:10: an array gets its values element by element, expected lines such as"
+                  + " A[1]=..., found a value for the whole array");
+      assertThat(printed("$OUT[]")).isEqualTo("FALSE TRUE FALSE FALSE ");
+      assertThat(printed("$N[2,]")).isEqualTo("\"ab\"");
+      assertThat(load("$X", "BOOL $OUT[4]=5"))
+          .containsExactly("x:2:14: $OUT: needs BOOL, was given 5");
+    }
+
+    @Test
+    void takeTheLengthsOfArraysFromConstants() throws RefusedException {
+      assertThat(load("M", "CONST INT N=3", "INT A[N],B[N*2,2]", "STRUC S INT I[N]", "A[N]=N+1"))
+          .isEmpty();
+      assertThat(printed("A[3]")).isEqualTo("4");
+      assertThat(Declared.find(module, "B").orElseThrow().dimensions()).containsExactly(6, 2);
+    }
+
+    @Test
+    void areDeclaredAnewEachTime() throws RefusedException {
+      assertThat(load("M", "DECL LOAD L={M 1.0,CM {X 2.0}}")).isEmpty();
+      assertThat(load("M", "DECL LOAD L={M 3.0}")).isEmpty();
+      assertThat(printed("L")).isEqualTo("{LOAD: M 3.00000}");
+    }
+  }
+
+  @Nested
+  class Rights {
+
+    private Access accessOf(String name) {
+      return Declared.find(module, name).orElseThrow().access();
+    }
+
+    @Test
+    void comeFromConstOrTheCommentUnlessASystemVariableHasThemAlready() {
+      assertThat(
+              load(
+                  "$X",
+                  "INT A ;only a comment",
+                  "CONST INT B=1",
+                  "INT C ;RO [mm] in our form (FIW)",
+                  "INT $OV ;RW [%] override (FIW)",
+                  "INT $NEW ;RO [%] override (FIW)",
+                  "SIGNAL SIG $OUT[1] ;RO [-] a signal (FIW)"))
+          .isEmpty();
+      assertThat(accessOf("A")).isEqualTo(Access.READ_WRITE);
+      assertThat(accessOf("B")).isEqualTo(Access.READ_ONLY);
+      assertThat(accessOf("C")).isEqualTo(Access.READ_ONLY);
+      assertThat(accessOf("$OV")).isEqualTo(Access.READ_ONLY);
+      assertThat(accessOf("$NEW")).isEqualTo(Access.READ_ONLY);
+      assertThat(accessOf("SIG")).isEqualTo(Access.READ_ONLY);
+    }
+  }
+
+  @Nested
+  class Errors {
+
+    @ParameterizedTest
+    @CsvSource(
+        delimiter = '|',
+        quoteCharacter = '\0',
+        value = {
+          "INT A=TRUE|2:7|A: needs INT, was given TRUE",
+          "INT A=1.5|2:7|A: needs INT, was given 1.50000",
+          "INT A={X 1}|2:7|A: needs INT, was given {X 1}",
+          "FRAME F=5|2:9|F: needs FRAME, was given 5",
+          "FRAME F={LOAD: X 1}|2:9|F: needs FRAME, was given an aggregate of LOAD",
+          "FRAME F={X 1,Q 2}|2:14|Q: FRAME has no .Q",
+          "FRAME F={X #A}|2:12|X: needs REAL, was given #A",
+          "FRAME F={X 1,X 2}|2:14|an aggregate has a field once, X stands there again",
+          "FRAME F={X[1] 1}|2:10|X[1]: no array, was given index [1]",
+          "DECL LOAD L={M 1,CM {Z 1}}|2:22|Z: FRAME has no .Z",
+          "DECL MODE E=#C|2:13|E: ENUM MODE has no #C",
+          "DECL MODE E=1|2:13|E: needs MODE, was given 1",
+          "CHAR C=\"ab\"|2:8|C: needs one character, was given \"ab\"",
+          "CHAR C[2]=\"abc\"|2:11|C: holds 2 characters, was given 3",
+          "DECL NOTYPE N|2:1|a type is declared before it is used, type NOTYPE is not declared",
+          "INT A[0]|2:7|the length of a dimension is 1 or more, is 0",
+          "INT A[-2]|2:7|the length of a dimension is 1 or more, is -2",
+          "INT A[1.5]|2:7|an index is an INT, expected one, found 1.5",
+          "INT A[SHARED]|2:7|found the variable SHARED",
+          "INT A[2000000]|2:5|A must have 1 to 1000000 elements, has 2000000",
+          "INT A[2000,2000,2000]|2:5|A must have 1 to 1000000 elements, has 8000000000",
+          "INT A=SHARED|2:7|found the variable SHARED",
+          "STRUC S NOTYPE A|2:16|type NOTYPE is not declared",
+          "STRUC S INT A[0]|2:15|the length of a dimension is 1 or more, is 0",
+          "STRUC S INT A,A|2:1|STRUC S has A twice",
+          "STRUC INT REAL A|2:1|INT is a type of KRL itself",
+          "ENUM E A,a|2:1|must have at least one constant and none twice",
+          "SIGNAL S $OUT[9]|2:10|$OUT[9]: index is one of 1 to 8, was given [9]",
+          "SIGNAL S $OUT[1] TO $OUT[9]|2:21|$OUT[9]: index is one of 1 to 8",
+          "SIGNAL S $OUT[1,2]|2:10|expected one such as $OUT[1], found $OUT[1,2]",
+          "SIGNAL S $NOWHERE[1]|2:10|$NOWHERE[1]: no variable $NOWHERE",
+          "SIGNAL S $OUT[3] TO $OUT[2]|2:1|a SIGNAL is $OUT[a]",
+        })
+    void haveTheirPlaceAndSayWhatWasExpectedAndFound(String line, String place, String message) {
+      assertThat(load("M", line))
+          .singleElement()
+          .asString()
+          .startsWith("x:" + place + ": ")
+          .contains(message);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+        delimiter = '|',
+        quoteCharacter = '\0',
+        value = {
+          "A[3]=1|A[3]: index is one of 1 to 2, was given [3]",
+          "A[0]=1|index is one of 1 to 2",
+          "A=1|A: an array of 1 dimensions, was given no index",
+          "A[]=1|an array gets its values element by element",
+          "A[1].X=1|no structure, has no .X",
+          "A[1]=#A|A[1]: needs INT, was given #A",
+          "F.Q=1|F.Q: FRAME has no .Q",
+          "F={Q 1}|Q: FRAME has no .Q",
+          "T=\"a\"|T: a CHAR array, needs []",
+          "T[]=\"abcd\"|T[]: holds 3 characters, was given 4",
+          "T[]=5|T[]: needs a text in double quotes, was given 5",
+          "S=TRUE|a SIGNAL has no initial value, S is one",
+        })
+    void inInitialValuesHaveTheirPlace(String line, String message) {
+      assertThat(load("M", "INT A[2]", "FRAME F", "CHAR T[3]", "SIGNAL S $OUT[1]", line, "A[1]=5"))
+          .singleElement()
+          .asString()
+          .startsWith("x:6:")
+          .contains(message);
+    }
+
+    @Test
+    void areAllFoundAndTheRestIsDeclared() throws RefusedException {
+      assertThat(
+              load(
+                  "M",
+                  "INT A=TRUE,B=2,C=FALSE",
+                  "FRAME F={X 1.0,Y 2,Z 3}",
+                  "STRUC S NOTYPE P,INT Q[0]",
+                  "INT LAST=9"))
+          .hasSize(6);
+      assertThat(printed("B")).isEqualTo("2");
+      assertThat(printed("F.X")).isEqualTo("1.00000");
+      assertThat(printed("LAST")).isEqualTo("9");
+    }
+
+    @Test
+    void doNotDragOthersBehindThem() {
+      assertThat(
+              load(
+                  "M",
+                  "DECL NOTYPE N={X 1}",
+                  "N.X=5",
+                  "STRUC S NOTYPE P",
+                  "DECL S V={P 1}",
+                  "V.P=2",
+                  "INT A[0]",
+                  "A[1]=5",
+                  "SIGNAL G $OUT[9]",
+                  "G=TRUE",
+                  "ENUM E A,A",
+                  "DECL E W=#A"))
+          .hasSize(5);
+    }
+
+    @Test
+    void areNamesThatAreDeclaredTwice() {
+      assertThat(
+              load(
+                  "M",
+                  "INT A=1",
+                  "REAL a=2.0",
+                  "SIGNAL A $OUT[1]",
+                  "INT B,B",
+                  "ENUM E X",
+                  "STRUC e INT I"))
+          .containsExactly(
+              "x:3:6: a data list declares a name once, a is declared again",
+              "x:4:1: a data list declares a name once, A is declared again",
+              "x:5:7: a data list declares a name once, B is declared again",
+              "x:7:1: a data list declares a type once, type e is declared again");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+        strings = {"INT A[]", "CHAR A[]", "CHAR A[]=\"\"", "CHAR A[,5]", "STRUC S CHAR A[]"})
+    void areLengthsLeftOpen(String line) {
+      ParseResult result = KrlParser.parse("x", "DEFDAT M\n" + line + "\nENDDAT");
+      List<KrlError> errors = new ArrayList<>(result.errors());
+      DataListLoader.load((DataList) result.file().orElseThrow(), module, globals, errors::add);
+      assertThat(errors).isNotEmpty();
+    }
+  }
+}

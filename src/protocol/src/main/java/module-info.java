@@ -1,0 +1,8 @@
+/** The messages of KUKAVARPROXY and C3 Bridge, the codec for them, and the KRL values in them. */
+module no.hials.crosscom.protocol {
+  requires static transitive org.jspecify;
+
+  exports no.hials.crosscom.protocol;
+  exports no.hials.crosscom.protocol.code;
+  exports no.hials.crosscom.protocol.value;
+}

@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * What came of one access of several.

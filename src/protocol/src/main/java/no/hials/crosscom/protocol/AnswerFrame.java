@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.FieldReader;
+
 /**
  * A view of one answer in a buffer, which can be moved to the next answer without making objects.
  *
@@ -59,7 +61,7 @@ public final class AnswerFrame implements CharSequence {
    * @return 0 to 65535
    */
   public int id() {
-    return Codec.u16(bytes, 0);
+    return FieldReader.u16At(bytes, 0);
   }
 
   /**
@@ -95,12 +97,12 @@ public final class AnswerFrame implements CharSequence {
    * @return 0 to 65535
    */
   public int code() {
-    return Codec.u16(bytes, length - Tail.LENGTH);
+    return FieldReader.u16At(bytes, length - Tail.LENGTH);
   }
 
-  /** Gives what lies between the function and the tail. */
-  WireBuffer fields() {
-    return new WireBuffer(bytes, length, FIELDS, length - Tail.LENGTH);
+  /** Returns a reader of the fields between the function and the tail. */
+  FieldReader fields() {
+    return new FieldReader(bytes, length, FIELDS, length - Tail.LENGTH, Strictness.STRICT);
   }
 
   /**
@@ -110,11 +112,11 @@ public final class AnswerFrame implements CharSequence {
    */
   public void openValue() throws MalformedFrameException {
     int room = length - Tail.LENGTH - FIELDS - 2;
-    if (room < 0 || Codec.u16(bytes, FIELDS) != room) {
+    if (room < 0 || FieldReader.u16At(bytes, FIELDS) != room) {
       throw malformed(
           room < 0
               ? "an answer with a value has at least 6 bytes after its length, has " + (length - 4)
-              : "value length must be " + room + ", is " + Codec.u16(bytes, FIELDS));
+              : "value length must be " + room + ", is " + FieldReader.u16At(bytes, FIELDS));
     }
     valueStart = FIELDS + 2;
     valueEnd = valueStart + room;
@@ -132,11 +134,11 @@ public final class AnswerFrame implements CharSequence {
 
   @Override
   public CharSequence subSequence(int start, int end) {
-    return Codec.latin1(bytes, valueStart + start, end - start);
+    return FieldReader.latin1At(bytes, valueStart + start, end - start);
   }
 
   @Override
   public String toString() {
-    return Codec.latin1(bytes, valueStart, valueEnd - valueStart);
+    return FieldReader.latin1At(bytes, valueStart, valueEnd - valueStart);
   }
 }

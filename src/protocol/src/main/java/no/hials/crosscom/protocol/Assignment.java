@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol;
 
 import java.util.List;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * A variable and the text that it is to have.
@@ -9,16 +10,6 @@ import java.util.List;
  * @param value WSTRING
  */
 public record Assignment(String name, String value) {
-
-  void write(WireBuffer out) {
-    out.putWide(name);
-    out.putWide(value);
-  }
-
-  static Assignment read(WireBuffer in) throws MalformedFrameException {
-    return new Assignment(in.wide("name"), in.wide("value"));
-  }
-
   static long length(List<Assignment> assignments) {
     return assignments.stream().mapToLong(a -> Ranges.wide(a.name) + Ranges.wide(a.value)).sum();
   }

@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks for a file to be read in parts (c3-bridge.md, type 30): {@code 01, flags, name}. The length

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Answers {@link BenchmarkReadRequest} and {@link BenchmarkWriteRequest} (c3-bridge.md, type 17):
  * {@code write, count, iterations, start, stop, difference}.
@@ -23,27 +25,6 @@ public record BenchmarkResponse(
     long differenceMillis,
     Tail tail)
     implements TypedResponse {
-  static final Layout<BenchmarkResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.bool(m.write);
-            out.u8(m.count);
-            out.u32(m.iterations);
-            out.u32(m.startMillis);
-            out.u32(m.stopMillis);
-            out.u32(m.differenceMillis);
-          },
-          (id, in, tail) ->
-              new BenchmarkResponse(
-                  id,
-                  in.bool("write"),
-                  in.u8("count"),
-                  in.u32("iterations"),
-                  in.u32("start"),
-                  in.u32("stop"),
-                  in.u32("difference"),
-                  tail));
-
   /** Checks the ranges. */
   public BenchmarkResponse {
     Ranges.u16("id", id);

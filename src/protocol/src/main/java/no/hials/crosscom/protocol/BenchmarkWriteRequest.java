@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol;
 
 import java.util.List;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks to measure how long writing takes (c3-bridge.md, type 17): {@code 01, count u8, iterations,

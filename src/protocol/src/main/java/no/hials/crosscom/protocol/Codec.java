@@ -1,7 +1,10 @@
 package no.hials.crosscom.protocol;
 
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
+import no.hials.crosscom.protocol.internal.FieldReader;
+import no.hials.crosscom.protocol.internal.FieldWriter;
+import no.hials.crosscom.protocol.internal.Layouts;
+import no.hials.crosscom.protocol.internal.Ranges;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,7 +31,7 @@ public final class Codec {
    * @return the frame
    */
   public static byte[] encode(Request request) {
-    return encode(request.id(), request.type(), request.type().request(), request, null);
+    return encode(request.id(), request.type(), request, null);
   }
 
   /**
@@ -39,18 +42,17 @@ public final class Codec {
    */
   public static byte[] encode(Response response) {
     if (response instanceof TypedResponse typed) {
-      return encode(typed.id(), typed.type(), typed.type().response(), typed, typed.tail());
+      return encode(typed.id(), typed.type(), typed, typed.tail());
     }
     byte[] frame = new byte[HEADER_LENGTH];
     setId(frame, response.id());
     return frame;
   }
 
-  private static byte[] encode(
-      int id, MessageType type, Layout<?> layout, Object message, @Nullable Tail tail) {
-    WireBuffer out = WireBuffer.forWriting();
+  private static byte[] encode(int id, MessageType type, Object message, @Nullable Tail tail) {
+    FieldWriter out = new FieldWriter();
     begin(out, id, type);
-    layout.writeAny(message, out);
+    Layouts.write(message, out);
     if (tail != null) {
       out.u16(tail.code());
       out.u8(tail.flag());
@@ -59,14 +61,14 @@ public final class Codec {
     return out.toByteArray();
   }
 
-  static void begin(WireBuffer out, int id, MessageType type) {
+  static void begin(FieldWriter out, int id, MessageType type) {
     out.u16(id);
     out.u16(0); // the length, known at the end
     out.u8(type.code());
   }
 
-  static void end(WireBuffer out) {
-    putU16(out.array(), 2, out.size() - HEADER_LENGTH);
+  static void end(FieldWriter out) {
+    putU16(out.buffer(), 2, out.length() - HEADER_LENGTH);
   }
 
   /**
@@ -99,7 +101,7 @@ public final class Codec {
    * @return the length of the whole frame, header included
    */
   public static int frameLength(byte[] header, int offset) {
-    return HEADER_LENGTH + u16(header, offset + 2);
+    return HEADER_LENGTH + FieldReader.u16At(header, offset + 2);
   }
 
   /**
@@ -132,12 +134,12 @@ public final class Codec {
     if (frame.length == HEADER_LENGTH) {
       throw new MalformedFrameException("a request has a function, has none", frame, frame.length);
     }
-    int id = u16(frame, 0);
+    int id = FieldReader.u16At(frame, 0);
     MessageType type = type(frame, server, id);
-    WireBuffer fields =
-        new WireBuffer(frame, frame.length, HEADER_LENGTH + 1, frame.length, strictness);
+    FieldReader fields =
+        new FieldReader(frame, frame.length, HEADER_LENGTH + 1, frame.length, strictness);
     try {
-      Request request = type.request().reader().read(id, fields, Tail.SUCCESS);
+      Request request = Layouts.readRequest(type, id, fields);
       fields.expectEnd();
       return request;
     } catch (MalformedFrameException e) {
@@ -185,9 +187,9 @@ public final class Codec {
       return new EmptyResponse(id);
     }
     MessageType type = type(frame, server, id);
-    WireBuffer fields = answer.fields();
+    FieldReader fields = answer.fields();
     Tail tail = new Tail(answer.code(), frame[frame.length - 1] & 0xFF);
-    Response response = type.response().reader().read(id, fields, tail);
+    Response response = Layouts.readAnswer(type, id, fields, tail);
     fields.expectEnd();
     return response;
   }
@@ -211,13 +213,5 @@ public final class Codec {
   private static void putU16(byte[] bytes, int offset, int value) {
     bytes[offset] = (byte) (value >> 8);
     bytes[offset + 1] = (byte) value;
-  }
-
-  static int u16(byte[] bytes, int offset) {
-    return (bytes[offset] & 0xFF) << 8 | (bytes[offset + 1] & 0xFF);
-  }
-
-  static String latin1(byte[] bytes, int offset, int count) {
-    return new String(bytes, offset, count, StandardCharsets.ISO_8859_1);
   }
 }

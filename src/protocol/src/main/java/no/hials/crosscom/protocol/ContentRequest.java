@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ContentOperation;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks for an operation on a file's content that needs no fields (c3-bridge.md, types 29 and 30):

@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ContentOperation;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Answers an operation on a file's content with nothing but its number (c3-bridge.md, types 29 and

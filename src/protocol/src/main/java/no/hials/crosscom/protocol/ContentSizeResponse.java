@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ContentOperation;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Answers an operation on a file's content with the size of the server's buffer (c3-bridge.md,

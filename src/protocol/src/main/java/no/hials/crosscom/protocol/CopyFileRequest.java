@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks to copy or to move a file (c3-bridge.md, types 24 and 25): {@code flags, source,
@@ -16,27 +17,10 @@ import no.hials.crosscom.protocol.code.Flags;
 public record CopyFileRequest(
     int id, MessageType type, Flags<CopyFlag> flags, String source, String destination)
     implements Request {
-
   /** Checks the ranges. */
   public CopyFileRequest {
     Ranges.u16("id", id);
     Ranges.type(type, MessageType.COPY_FILE, MessageType.MOVE_FILE);
     Ranges.frame("source and destination", 5 + Ranges.wide(source) + Ranges.wide(destination));
-  }
-
-  static Layout<CopyFileRequest> layout(MessageType type) {
-    return new Layout<>(
-        (m, out) -> {
-          out.i32(m.flags.bits());
-          out.putWide(m.source);
-          out.putWide(m.destination);
-        },
-        (id, in, tail) ->
-            new CopyFileRequest(
-                id,
-                type,
-                new Flags<>(CopyFlag.class, in.i32("flags")),
-                in.wide("source"),
-                in.wide("destination")));
   }
 }

@@ -4,6 +4,7 @@ import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ModulePart;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks to create a file, a module or a directory (c3-bridge.md, type 22): {@code itemType, parts,
@@ -25,24 +26,6 @@ public record CreateFileRequest(
     String name,
     String template)
     implements Request {
-  static final Layout<CreateFileRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.u16(m.itemType.number());
-            out.u8(m.parts.bits());
-            out.bool(m.always);
-            out.putWide(m.name);
-            out.putWide(m.template);
-          },
-          (id, in, tail) ->
-              new CreateFileRequest(
-                  id,
-                  new Code<>(ItemType.class, in.u16("item type")),
-                  new Flags<>(ModulePart.class, in.u8("parts")),
-                  in.bool("always"),
-                  in.wide("name"),
-                  in.wide("template")));
-
   /** Checks the ranges. */
   public CreateFileRequest {
     Ranges.u16("id", id);

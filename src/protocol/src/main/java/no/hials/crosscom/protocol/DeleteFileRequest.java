@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Asks to delete a file (c3-bridge.md, type 23): {@code always, name}.
  *
@@ -8,14 +10,6 @@ package no.hials.crosscom.protocol;
  * @param name WSTRING; 32,765 characters at most
  */
 public record DeleteFileRequest(int id, boolean always, String name) implements Request {
-  static final Layout<DeleteFileRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.bool(m.always);
-            out.putWide(m.name);
-          },
-          (id, in, tail) -> new DeleteFileRequest(id, in.bool("always"), in.wide("name")));
-
   /** Checks the ranges. */
   public DeleteFileRequest {
     Ranges.u16("id", id);

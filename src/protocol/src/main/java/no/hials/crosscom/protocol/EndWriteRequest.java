@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks to store what was sent as a file (c3-bridge.md, type 29): {@code 04, flags, name}.

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Answers a {@link PlainRequest} of type {@link MessageType#FEATURES} (c3-bridge.md, type 14): 32
  * bytes.
@@ -9,11 +11,6 @@ package no.hials.crosscom.protocol;
  * @param tail how the access ended
  */
 public record FeaturesResponse(int id, Features features, Tail tail) implements TypedResponse {
-  static final Layout<FeaturesResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> m.features.write(out),
-          (id, in, tail) -> new FeaturesResponse(id, Features.read(in), tail));
-
   /** Checks the ranges. */
   public FeaturesResponse {
     Ranges.u16("id", id);

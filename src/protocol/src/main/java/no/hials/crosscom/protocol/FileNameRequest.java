@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Asks for another form of a file's name (c3-bridge.md, types 27 and 28): {@code path}.
  *
@@ -8,17 +10,10 @@ package no.hials.crosscom.protocol;
  * @param path WSTRING: u16 count of characters and UTF-16, little-endian; 32,766 at most
  */
 public record FileNameRequest(int id, MessageType type, String path) implements Request {
-
   /** Checks the ranges. */
   public FileNameRequest {
     Ranges.u16("id", id);
     Ranges.type(type, MessageType.FULL_NAME, MessageType.KRC_NAME);
     Ranges.frame("path", 1 + Ranges.wide(path));
-  }
-
-  static Layout<FileNameRequest> layout(MessageType type) {
-    return new Layout<>(
-        (m, out) -> out.putWide(m.path),
-        (id, in, tail) -> new FileNameRequest(id, type, in.wide("path")));
   }
 }

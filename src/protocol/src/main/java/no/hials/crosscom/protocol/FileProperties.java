@@ -48,35 +48,4 @@ public record FileProperties(
       throw new IllegalArgumentException("size must not be negative, is " + size);
     }
   }
-
-  static FileProperties read(WireBuffer in) throws MalformedFrameException {
-    return new FileProperties(
-        new Code<>(ItemType.class, in.i32("item type")),
-        size(in),
-        new Flags<>(FileAttribute.class, in.i32("attributes")),
-        ItemTime.read(in, "creation time"),
-        ItemTime.read(in, "access time"),
-        ItemTime.read(in, "modification time"),
-        new Code<>(EditMode.class, in.i32("edit mode")),
-        in.wide("name"));
-  }
-
-  private static long size(WireBuffer in) throws MalformedFrameException {
-    long size = in.lowHigh("size");
-    if (size < 0) {
-      throw in.malformed("size must not be negative, is " + size);
-    }
-    return size;
-  }
-
-  void write(WireBuffer out) {
-    out.i32(itemType.number());
-    out.lowHigh(size);
-    out.i32(attributes.bits());
-    created.write(out);
-    accessed.write(out);
-    modified.write(out);
-    out.i32(editMode.number());
-    out.putWide(name);
-  }
 }

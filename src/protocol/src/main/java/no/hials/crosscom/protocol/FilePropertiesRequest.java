@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.FileProperty;
 import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks for a file's properties (c3-bridge.md, type 26): {@code properties, name}.
@@ -12,16 +13,6 @@ import no.hials.crosscom.protocol.code.Flags;
  */
 public record FilePropertiesRequest(int id, Flags<FileProperty> properties, String name)
     implements Request {
-  static final Layout<FilePropertiesRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.i32(m.properties.bits());
-            out.putWide(m.name);
-          },
-          (id, in, tail) ->
-              new FilePropertiesRequest(
-                  id, new Flags<>(FileProperty.class, in.i32("properties")), in.wide("name")));
-
   /** Checks the ranges. */
   public FilePropertiesRequest {
     Ranges.u16("id", id);

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Answers {@link FilePropertiesRequest} (c3-bridge.md, type 26).
  *
@@ -9,11 +11,6 @@ package no.hials.crosscom.protocol;
  */
 public record FilePropertiesResponse(int id, FileProperties properties, Tail tail)
     implements TypedResponse {
-  static final Layout<FilePropertiesResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> m.properties.write(out),
-          (id, in, tail) -> new FilePropertiesResponse(id, FileProperties.read(in), tail));
-
   /** Checks the ranges. */
   public FilePropertiesResponse {
     Ranges.u16("id", id);

@@ -1,11 +1,15 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.FieldWriter;
+import no.hials.crosscom.protocol.internal.Ranges;
+import no.hials.crosscom.protocol.internal.VariableLayouts;
+
 /**
  * A buffer for write requests that is used again and again, so that encoding one creates no
  * objects. For one thread.
  */
 public final class FrameWriter {
-  private final WireBuffer out = WireBuffer.forWriting();
+  private final FieldWriter out = new FieldWriter();
 
   /** Creates an empty buffer. */
   public FrameWriter() {}
@@ -18,10 +22,10 @@ public final class FrameWriter {
    * @throws IllegalArgumentException if {@link WriteRequest} does not accept them
    */
   public void write(CharSequence name, CharSequence value) {
-    WriteRequest.check(name, value);
+    Ranges.assignment(name, value);
     out.clear();
     Codec.begin(out, 0, MessageType.WRITE);
-    WriteRequest.put(out, name, value);
+    VariableLayouts.write(name, value, out);
     Codec.end(out);
   }
 
@@ -31,7 +35,7 @@ public final class FrameWriter {
    * @return the buffer, not a copy; another one may replace it at the next frame
    */
   public byte[] buffer() {
-    return out.array();
+    return out.buffer();
   }
 
   /**
@@ -40,6 +44,6 @@ public final class FrameWriter {
    * @return in bytes
    */
   public int length() {
-    return out.size();
+    return out.length();
   }
 }

@@ -67,13 +67,4 @@ public record ItemTime(Instant instant, int biasMinutes) {
     return (instant.getEpochSecond() - EPOCH_SECOND) * TICKS_PER_SECOND
         + instant.getNano() / TICK_NANOS;
   }
-
-  static ItemTime read(WireBuffer in, String field) throws MalformedFrameException {
-    return ofTicks(in.lowHigh(field), in.i32(field + " bias"));
-  }
-
-  void write(WireBuffer out) {
-    out.lowHigh(ticks());
-    out.i32(biasMinutes);
-  }
 }

@@ -3,6 +3,7 @@ package no.hials.crosscom.protocol;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks for the items of a directory (c3-bridge.md, type 21): {@code types, flags, path}.
@@ -14,20 +15,6 @@ import no.hials.crosscom.protocol.code.ListFlag;
  */
 public record ListDirectoryRequest(
     int id, Flags<ItemType> types, Flags<ListFlag> flags, String path) implements Request {
-  static final Layout<ListDirectoryRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.i32(m.types.bits());
-            out.i32(m.flags.bits());
-            out.putWide(m.path);
-          },
-          (id, in, tail) ->
-              new ListDirectoryRequest(
-                  id,
-                  new Flags<>(ItemType.class, in.i32("types")),
-                  new Flags<>(ListFlag.class, in.i32("flags")),
-                  in.wide("path")));
-
   /** Checks the ranges. */
   public ListDirectoryRequest {
     Ranges.u16("id", id);

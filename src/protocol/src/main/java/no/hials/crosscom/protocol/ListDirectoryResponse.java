@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol;
 
 import java.util.List;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Answers {@link ListDirectoryRequest} (c3-bridge.md, type 21): {@code count u16, items, count u16,
@@ -14,21 +15,6 @@ import java.util.List;
  */
 public record ListDirectoryResponse(int id, List<String> items, List<String> infos, Tail tail)
     implements TypedResponse {
-  static final Layout<ListDirectoryResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.u16(m.items.size());
-            m.items.forEach(out::putWide);
-            out.u16(m.infos.size());
-            m.infos.forEach(out::putWide);
-          },
-          (id, in, tail) ->
-              new ListDirectoryResponse(
-                  id,
-                  in.wides(in.u16("item count"), "item"),
-                  in.wides(in.u16("info count"), "info"),
-                  tail));
-
   /** Checks the ranges. */
   public ListDirectoryResponse {
     items = List.copyOf(items);

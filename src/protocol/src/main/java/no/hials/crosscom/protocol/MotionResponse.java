@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.MotionType;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Answers {@link MotionRequest} (c3-bridge.md, type 11): {@code motion}.
@@ -11,12 +12,6 @@ import no.hials.crosscom.protocol.code.MotionType;
  * @param tail how the access ended
  */
 public record MotionResponse(int id, Code<MotionType> motion, Tail tail) implements TypedResponse {
-  static final Layout<MotionResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> out.u8(m.motion.number()),
-          (id, in, tail) ->
-              new MotionResponse(id, new Code<>(MotionType.class, in.u8("motion")), tail));
-
   /** Checks the ranges. */
   public MotionResponse {
     Ranges.u16("id", id);

@@ -1,8 +1,7 @@
 package no.hials.crosscom.protocol;
 
-import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Answers {@link ReadMultipleRequest} and {@link WriteMultipleRequest} (c3-bridge.md, types 6 and
@@ -16,7 +15,6 @@ import no.hials.crosscom.protocol.code.Code;
  */
 public record MultipleResponse(int id, MessageType type, List<AccessResult> results, Tail tail)
     implements TypedResponse {
-
   /** Checks the ranges. */
   public MultipleResponse {
     results = List.copyOf(results);
@@ -25,28 +23,5 @@ public record MultipleResponse(int id, MessageType type, List<AccessResult> resu
     Ranges.count("results", results, 255);
     long length = results.stream().mapToLong(r -> 1 + Ranges.wide(r.value())).sum();
     Ranges.frame("results", 1 + 1 + length + Tail.LENGTH);
-  }
-
-  static Layout<MultipleResponse> layout(MessageType type) {
-    return new Layout<>(
-        MultipleResponse::write,
-        (id, in, tail) -> new MultipleResponse(id, type, results(in), tail));
-  }
-
-  private static void write(MultipleResponse response, WireBuffer out) {
-    out.u8(response.results.size());
-    for (AccessResult result : response.results) {
-      out.u8(result.code().number());
-      out.putWide(result.value());
-    }
-  }
-
-  private static List<AccessResult> results(WireBuffer in) throws MalformedFrameException {
-    int count = in.u8("count");
-    List<AccessResult> results = new ArrayList<>();
-    for (int i = 0; i < count; i++) {
-      results.add(new AccessResult(new Code<>(ErrorCode.class, in.u8("code")), in.wide("value")));
-    }
-    return results;
   }
 }

@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.PendantKey;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks to press or release a key of the pendant (c3-bridge.md, type 12): {@code key, number,
@@ -18,24 +19,6 @@ import no.hials.crosscom.protocol.code.PendantKey;
 public record PendantKeyRequest(
     int id, Code<PendantKey> key, int number, int keyCode, boolean direction, boolean released)
     implements Request {
-  static final Layout<PendantKeyRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.u8(m.key.number());
-            out.i32(m.number);
-            out.i32(m.keyCode);
-            out.bool(m.direction);
-            out.bool(m.released);
-          },
-          (id, in, tail) ->
-              new PendantKeyRequest(
-                  id,
-                  new Code<>(PendantKey.class, in.u8("key")),
-                  in.i32("number"),
-                  in.i32("key code"),
-                  in.bool("direction"),
-                  in.bool("released")));
-
   /** Checks the ranges. */
   public PendantKeyRequest {
     Ranges.u16("id", id);

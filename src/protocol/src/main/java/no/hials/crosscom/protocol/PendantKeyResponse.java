@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.PendantKey;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Answers {@link PendantKeyRequest} (c3-bridge.md, type 12): {@code key}.
@@ -11,12 +12,6 @@ import no.hials.crosscom.protocol.code.PendantKey;
  * @param tail how the access ended
  */
 public record PendantKeyResponse(int id, Code<PendantKey> key, Tail tail) implements TypedResponse {
-  static final Layout<PendantKeyResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> out.u8(m.key.number()),
-          (id, in, tail) ->
-              new PendantKeyResponse(id, new Code<>(PendantKey.class, in.u8("key")), tail));
-
   /** Checks the ranges. */
   public PendantKeyResponse {
     Ranges.u16("id", id);

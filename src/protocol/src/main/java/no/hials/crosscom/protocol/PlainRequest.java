@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Asks what needs no fields: for information, for features, or to confirm all messages
  * (c3-bridge.md, types 13, 14 and 63).
@@ -9,14 +11,9 @@ package no.hials.crosscom.protocol;
  *     MessageType#CONFIRM_ALL}
  */
 public record PlainRequest(int id, MessageType type) implements Request {
-
   /** Checks the ranges. */
   public PlainRequest {
     Ranges.u16("id", id);
     Ranges.type(type, MessageType.INFORMATION, MessageType.FEATURES, MessageType.CONFIRM_ALL);
-  }
-
-  static Layout<PlainRequest> layout(MessageType type) {
-    return new Layout<>((m, out) -> {}, (id, in, tail) -> new PlainRequest(id, type));
   }
 }

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Answers without fields: a request of a type whose answer has none (c3-bridge.md, types 20, 22 to
  * 25 and 63), or a failed one of any type that only C3 Bridge knows.
@@ -9,7 +11,6 @@ package no.hials.crosscom.protocol;
  * @param tail how the access ended; failure if the type's answer has fields
  */
 public record PlainResponse(int id, MessageType type, Tail tail) implements TypedResponse {
-
   /** Checks the ranges. */
   public PlainResponse {
     Ranges.u16("id", id);
@@ -26,9 +27,5 @@ public record PlainResponse(int id, MessageType type, Tail tail) implements Type
           MessageType.MOVE_FILE,
           MessageType.CONFIRM_ALL);
     }
-  }
-
-  static Layout<PlainResponse> layout(MessageType type) {
-    return new Layout<>((m, out) -> {}, (id, in, tail) -> new PlainResponse(id, type, tail));
   }
 }

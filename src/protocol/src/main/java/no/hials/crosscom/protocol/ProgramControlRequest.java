@@ -3,6 +3,8 @@ package no.hials.crosscom.protocol;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.internal.ProgramLayouts;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks an interpreter to reset, start, stop or cancel its program (c3-bridge.md, type 10, I):
@@ -20,7 +22,7 @@ public record ProgramControlRequest(
   public ProgramControlRequest {
     Ranges.u16("id", id);
     Ranges.u8("command", command.number());
-    if (ProgramLayout.selects(command)) {
+    if (ProgramLayouts.selects(command)) {
       throw new IllegalArgumentException("command must not be SELECT or RUN, is " + command);
     }
     Ranges.i16("interpreter", interpreter.number());

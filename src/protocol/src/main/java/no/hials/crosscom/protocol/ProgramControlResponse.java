@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Answers {@link ProgramControlRequest} and {@link ProgramSelectRequest} (c3-bridge.md, type 10):
@@ -13,13 +14,6 @@ import no.hials.crosscom.protocol.code.ProgramCommand;
  */
 public record ProgramControlResponse(int id, Code<ProgramCommand> command, Tail tail)
     implements TypedResponse {
-  static final Layout<ProgramControlResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> out.u8(m.command.number()),
-          (id, in, tail) ->
-              new ProgramControlResponse(
-                  id, new Code<>(ProgramCommand.class, in.u8("command")), tail));
-
   /** Checks the ranges. */
   public ProgramControlResponse {
     Ranges.u16("id", id);

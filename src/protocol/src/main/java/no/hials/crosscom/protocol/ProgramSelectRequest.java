@@ -3,6 +3,8 @@ package no.hials.crosscom.protocol;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.internal.ProgramLayouts;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks to select a program, or to select and run it (c3-bridge.md, type 10, II): {@code command,
@@ -27,7 +29,7 @@ public record ProgramSelectRequest(
   /** Checks the ranges. */
   public ProgramSelectRequest {
     Ranges.u16("id", id);
-    if (!ProgramLayout.selects(command)) {
+    if (!ProgramLayouts.selects(command)) {
       throw new IllegalArgumentException("command must be SELECT or RUN, is " + command);
     }
     Ranges.i16("interpreter", interpreter.number());

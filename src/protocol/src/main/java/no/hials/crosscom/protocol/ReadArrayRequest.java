@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Asks for an INT array as 16-bit numbers: {@code id, length, 02, name length, name}.
  *
@@ -7,11 +9,6 @@ package no.hials.crosscom.protocol;
  * @param name u16 byte count and ISO 8859-1 bytes; 65,532 at most
  */
 public record ReadArrayRequest(int id, String name) implements Request {
-  static final Layout<ReadArrayRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> out.putString(m.name),
-          (id, in, tail) -> new ReadArrayRequest(id, in.string("name")));
-
   /** Checks the ranges. */
   public ReadArrayRequest {
     Ranges.u16("id", id);

@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol;
 
 import java.util.List;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Answers {@link ReadArrayRequest}: {@code id, length, 02, value length, numbers, tail}.
@@ -11,11 +12,6 @@ import java.util.List;
  */
 public record ReadArrayResponse(int id, List<Integer> elements, Tail tail)
     implements TypedResponse {
-  static final Layout<ReadArrayResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> out.putWords(m.elements),
-          (id, in, tail) -> new ReadArrayResponse(id, in.words("elements"), tail));
-
   /** Checks the ranges. */
   public ReadArrayResponse {
     elements = List.copyOf(elements);

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Answers {@link ReadDataRequest} (c3-bridge.md, type 30): {@code 02, offset, size u32, data}.
  *

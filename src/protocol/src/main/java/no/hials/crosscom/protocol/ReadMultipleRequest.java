@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol;
 
 import java.util.List;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks for the texts of several variables (c3-bridge.md, type 6): {@code count u8, names}.
@@ -9,14 +10,6 @@ import java.util.List;
  * @param names WSTRING each; 255 at most
  */
 public record ReadMultipleRequest(int id, List<String> names) implements Request {
-  static final Layout<ReadMultipleRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.u8(m.names.size());
-            m.names.forEach(out::putWide);
-          },
-          (id, in, tail) -> new ReadMultipleRequest(id, in.wides(in.u8("count"), "name")));
-
   /** Checks the ranges. */
   public ReadMultipleRequest {
     names = List.copyOf(names);

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Asks for the text of a variable: {@code id, length, 00, name length, name}.
  *
@@ -7,11 +9,6 @@ package no.hials.crosscom.protocol;
  * @param name u16 byte count and ISO 8859-1 bytes; 65,532 at most
  */
 public record ReadRequest(int id, String name) implements Request {
-  static final Layout<ReadRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> out.putString(m.name),
-          (id, in, tail) -> new ReadRequest(id, in.string("name")));
-
   /** Checks the ranges. */
   public ReadRequest {
     Ranges.u16("id", id);

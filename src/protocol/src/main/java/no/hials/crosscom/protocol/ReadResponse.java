@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Answers {@link ReadRequest}: {@code id, length, 00, value length, value, tail}.
  *
@@ -9,11 +11,6 @@ package no.hials.crosscom.protocol;
  * @param tail how the access ended
  */
 public record ReadResponse(int id, String value, Tail tail) implements TypedResponse {
-  static final Layout<ReadResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> out.putString(m.value),
-          (id, in, tail) -> new ReadResponse(id, in.string("value"), tail));
-
   /** Checks the ranges. */
   public ReadResponse {
     Ranges.u16("id", id);

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Asks for the text of a variable (c3-bridge.md, type 4): {@code name}.
  *
@@ -7,11 +9,6 @@ package no.hials.crosscom.protocol;
  * @param name WSTRING: u16 count of characters and UTF-16, little-endian; 32,766 at most
  */
 public record ReadUtf16Request(int id, String name) implements Request {
-  static final Layout<ReadUtf16Request> LAYOUT =
-      new Layout<>(
-          (m, out) -> out.putWide(m.name),
-          (id, in, tail) -> new ReadUtf16Request(id, in.wide("name")));
-
   /** Checks the ranges. */
   public ReadUtf16Request {
     Ranges.u16("id", id);

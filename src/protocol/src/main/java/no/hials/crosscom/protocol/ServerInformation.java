@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.BuildType;
 import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * What C3 Bridge says about itself (c3-bridge.md, type 13).

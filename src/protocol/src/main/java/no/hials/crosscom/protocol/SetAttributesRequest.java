@@ -2,6 +2,7 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Asks to change a file's attributes (c3-bridge.md, type 20): {@code attributes, mask, name}.
@@ -14,20 +15,6 @@ import no.hials.crosscom.protocol.code.Flags;
 public record SetAttributesRequest(
     int id, Flags<FileAttribute> attributes, Flags<FileAttribute> mask, String name)
     implements Request {
-  static final Layout<SetAttributesRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.i32(m.attributes.bits());
-            out.i32(m.mask.bits());
-            out.putWide(m.name);
-          },
-          (id, in, tail) ->
-              new SetAttributesRequest(
-                  id,
-                  new Flags<>(FileAttribute.class, in.i32("attributes")),
-                  new Flags<>(FileAttribute.class, in.i32("mask")),
-                  in.wide("name")));
-
   /** Checks the ranges. */
   public SetAttributesRequest {
     Ranges.u16("id", id);

@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 import java.util.Optional;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * A time in UTC as the controller's operating system has it: eight numbers.
@@ -27,7 +28,6 @@ public record SystemTime(
     int minute,
     int second,
     int millisecond) {
-
   /** Checks the ranges of the bytes; the numbers can be no time at all. */
   public SystemTime {
     Ranges.u16("year", year);
@@ -73,28 +73,5 @@ public record SystemTime(
     } catch (DateTimeException | ArithmeticException e) {
       return Optional.empty();
     }
-  }
-
-  static SystemTime read(WireBuffer in) throws MalformedFrameException {
-    return new SystemTime(
-        in.u16("year"),
-        in.u16("month"),
-        in.u16("day of week"),
-        in.u16("day"),
-        in.u16("hour"),
-        in.u16("minute"),
-        in.u16("second"),
-        in.u16("millisecond"));
-  }
-
-  void write(WireBuffer out) {
-    out.u16(year);
-    out.u16(month);
-    out.u16(dayOfWeek);
-    out.u16(day);
-    out.u16(hour);
-    out.u16(minute);
-    out.u16(second);
-    out.u16(millisecond);
   }
 }

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * The three bytes that end an answer.
  *
@@ -16,7 +18,8 @@ public record Tail(int code, int flag) {
   /** {@code 00 00 00}: refused, as other servers say it. */
   public static final Tail FAILURE_ZERO = new Tail(0, 0);
 
-  static final int LENGTH = 3;
+  /** How many bytes a tail has. */
+  public static final int LENGTH = 3;
 
   /** Checks the ranges. */
   public Tail {

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Answers with a text: {@link ReadUtf16Request} and {@link WriteUtf16Request} with the value,
  * {@link FileNameRequest} with the name (c3-bridge.md, types 4, 5, 27 and 28).
@@ -12,7 +14,6 @@ package no.hials.crosscom.protocol;
  */
 public record TextResponse(int id, MessageType type, String text, Tail tail)
     implements TypedResponse {
-
   /** Checks the ranges. */
   public TextResponse {
     Ranges.u16("id", id);
@@ -23,11 +24,5 @@ public record TextResponse(int id, MessageType type, String text, Tail tail)
         MessageType.FULL_NAME,
         MessageType.KRC_NAME);
     Ranges.frame("text", 1 + Ranges.wide(text) + Tail.LENGTH);
-  }
-
-  static Layout<TextResponse> layout(MessageType type) {
-    return new Layout<>(
-        (m, out) -> out.putWide(m.text),
-        (id, in, tail) -> new TextResponse(id, type, in.wide("text"), tail));
   }
 }

@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol;
 
 import java.util.List;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Sets the elements of an array from 16-bit numbers: {@code id, length, 03, name length, name,
@@ -12,14 +13,6 @@ import java.util.List;
  * @param elements u16 each, for {@code NAME[1]}, {@code NAME[2]}, ...
  */
 public record WriteArrayRequest(int id, String name, List<Integer> elements) implements Request {
-  static final Layout<WriteArrayRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.putString(m.name);
-            out.putWords(m.elements);
-          },
-          (id, in, tail) -> new WriteArrayRequest(id, in.string("name"), in.words("elements")));
-
   /** Checks the ranges. */
   public WriteArrayRequest {
     elements = List.copyOf(elements);

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Answers {@link WriteArrayRequest}: {@code id, length, 03, value length, value, tail}.
  *
@@ -8,11 +10,6 @@ package no.hials.crosscom.protocol;
  * @param tail how the access ended
  */
 public record WriteArrayResponse(int id, String value, Tail tail) implements TypedResponse {
-  static final Layout<WriteArrayResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> out.putString(m.value),
-          (id, in, tail) -> new WriteArrayResponse(id, in.string("value"), tail));
-
   /** Checks the ranges. */
   public WriteArrayResponse {
     Ranges.u16("id", id);

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Sends a part of a file (c3-bridge.md, type 29): {@code 02, offset, size u32, data}.
  *

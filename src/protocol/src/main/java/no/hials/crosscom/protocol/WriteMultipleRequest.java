@@ -1,7 +1,7 @@
 package no.hials.crosscom.protocol;
 
-import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Sets several variables from texts (c3-bridge.md, type 7): {@code count u8, assignments}.
@@ -14,17 +14,6 @@ import java.util.List;
  */
 public record WriteMultipleRequest(int id, int count, List<Assignment> assignments)
     implements Request {
-  static final Layout<WriteMultipleRequest> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.u8(m.count);
-            m.assignments.forEach(assignment -> assignment.write(out));
-          },
-          (id, in, tail) -> {
-            int count = in.u8("count");
-            return new WriteMultipleRequest(id, count, assignments(count, in));
-          });
-
   /** Checks the ranges. */
   public WriteMultipleRequest {
     assignments = List.copyOf(assignments);
@@ -43,21 +32,6 @@ public record WriteMultipleRequest(int id, int count, List<Assignment> assignmen
    */
   public WriteMultipleRequest(int id, List<Assignment> assignments) {
     this(id, assignments.size(), assignments);
-  }
-
-  private static List<Assignment> assignments(int count, WireBuffer in)
-      throws MalformedFrameException {
-    List<Assignment> assignments = new ArrayList<>();
-    try {
-      while (assignments.size() < count) {
-        assignments.add(Assignment.read(in));
-      }
-    } catch (MalformedFrameException e) {
-      if (!in.isLenient()) {
-        throw e;
-      }
-    }
-    return assignments;
   }
 
   @Override

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Answers {@link WriteRequest}: {@code id, length, 01, value length, value, tail}.
  *
@@ -9,11 +11,6 @@ package no.hials.crosscom.protocol;
  * @param tail how the access ended
  */
 public record WriteResponse(int id, String value, Tail tail) implements TypedResponse {
-  static final Layout<WriteResponse> LAYOUT =
-      new Layout<>(
-          (m, out) -> out.putString(m.value),
-          (id, in, tail) -> new WriteResponse(id, in.string("value"), tail));
-
   /** Checks the ranges. */
   public WriteResponse {
     Ranges.u16("id", id);

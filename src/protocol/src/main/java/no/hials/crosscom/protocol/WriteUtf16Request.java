@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.internal.Ranges;
+
 /**
  * Sets a variable from text (c3-bridge.md, type 5): {@code name, value}.
  *
@@ -8,14 +10,6 @@ package no.hials.crosscom.protocol;
  * @param value WSTRING; name and value have 32,765 characters together at most
  */
 public record WriteUtf16Request(int id, String name, String value) implements Request {
-  static final Layout<WriteUtf16Request> LAYOUT =
-      new Layout<>(
-          (m, out) -> {
-            out.putWide(m.name);
-            out.putWide(m.value);
-          },
-          (id, in, tail) -> new WriteUtf16Request(id, in.wide("name"), in.wide("value")));
-
   /** Checks the ranges. */
   public WriteUtf16Request {
     Ranges.u16("id", id);

@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import no.hials.crosscom.protocol.internal.FieldReader;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -171,7 +172,7 @@ final class C3VectorsTest {
         .withMessageStartingWith(MALFORMED.get(row.name()) + " left, frame: ")
         .satisfies(
             e -> {
-              assertThat(e.id()).isEqualTo(Codec.u16(frame, 0));
+              assertThat(e.id()).isEqualTo(FieldReader.u16At(frame, 0));
               assertThat(e.type().code()).hasToString(row.type());
               assertThat(e.fields()).isEqualTo(Arrays.copyOfRange(frame, 5, frame.length));
             });
@@ -234,7 +235,7 @@ final class C3VectorsTest {
     for (int i = 0; i < answers.size(); i++) {
       Response response = Codec.decodeResponse(answers.get(i), ServerType.C3_BRIDGE);
       assertThat(Codec.encode(response)).isEqualTo(answers.get(i));
-      assertThat(response.id()).isEqualTo(Codec.u16(requests.get(i), 0));
+      assertThat(response.id()).isEqualTo(FieldReader.u16At(requests.get(i), 0));
       assertThat(response)
           .isInstanceOfSatisfying(
               TypedResponse.class,

@@ -24,6 +24,7 @@ import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
 import no.hials.crosscom.protocol.code.WireCode;
+import no.hials.crosscom.protocol.internal.ProgramLayouts;
 
 /** Random messages of every type: those that KUKAVARPROXY knows, and those of C3 Bridge. */
 final class Messages {
@@ -215,7 +216,7 @@ final class Messages {
 
   private static Code<ProgramCommand> plainCommand(Random r) {
     Code<ProgramCommand> command = code(ProgramCommand.class, r);
-    return ProgramLayout.selects(command) ? plainCommand(r) : command;
+    return ProgramLayouts.selects(command) ? plainCommand(r) : command;
   }
 
   private static Code<Interpreter> interpreter(Random r) {

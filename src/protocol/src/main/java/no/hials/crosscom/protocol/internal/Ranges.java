@@ -1,29 +1,35 @@
-package no.hials.crosscom.protocol;
+package no.hials.crosscom.protocol.internal;
 
 import java.util.Collection;
 import java.util.List;
+import no.hials.crosscom.protocol.MessageType;
 
 /** The checks of the messages' constructors. */
-final class Ranges {
-  static final int MAX_U16 = 0xFFFF;
+public final class Ranges {
+  /** The largest number of 16 bits. */
+  public static final int MAX_U16 = 0xFFFF;
 
   private static final long MAX_U32 = 0xFFFF_FFFFL;
 
   private Ranges() {}
 
-  static void u8(String field, int value) {
+  /** Checks a number of 8 bits. */
+  public static void u8(String field, int value) {
     check(field, value, 0, 0xFF);
   }
 
-  static void u16(String field, int value) {
+  /** Checks a number of 16 bits. */
+  public static void u16(String field, int value) {
     check(field, value, 0, MAX_U16);
   }
 
-  static void i16(String field, int value) {
+  /** Checks a signed number of 16 bits. */
+  public static void i16(String field, int value) {
     check(field, value, Short.MIN_VALUE, Short.MAX_VALUE);
   }
 
-  static void u32(String field, long value) {
+  /** Checks a number of 32 bits. */
+  public static void u32(String field, long value) {
     check(field, value, 0, MAX_U32);
   }
 
@@ -35,7 +41,7 @@ final class Ranges {
   }
 
   /** Checks that a text can be sent as a STRING at all. */
-  static void latin1(String field, CharSequence value) {
+  public static void latin1(String field, CharSequence value) {
     for (int i = 0; i < value.length(); i++) {
       if (value.charAt(i) > 0xFF) {
         throw new IllegalArgumentException(
@@ -50,14 +56,22 @@ final class Ranges {
     }
   }
 
-  static void words(String field, List<Integer> values) {
+  /** Checks the name and the value of a write request. */
+  public static void assignment(CharSequence name, CharSequence value) {
+    latin1("name", name);
+    latin1("value", value);
+    frame("name and value", 1 + 2 + name.length() + 2 + value.length());
+  }
+
+  /** Checks numbers of 16 bits. */
+  public static void words(String field, List<Integer> values) {
     for (int value : values) {
       u16(field, value);
     }
   }
 
   /** Checks how many items there are. */
-  static void count(String field, Collection<?> items, int max) {
+  public static void count(String field, Collection<?> items, int max) {
     if (items.size() > max) {
       throw new IllegalArgumentException(
           field + " must be " + max + " at most, are " + items.size());
@@ -65,25 +79,25 @@ final class Ranges {
   }
 
   /** Checks the type of a message that several types have in common. */
-  static void type(MessageType type, MessageType... allowed) {
+  public static void type(MessageType type, MessageType... allowed) {
     List<MessageType> types = List.of(allowed);
     if (!types.contains(type)) {
       throw new IllegalArgumentException("type must be one of " + types + ", is " + type);
     }
   }
 
-  /** Gives the bytes of a WSTRING. */
-  static long wide(String value) {
+  /** Returns how many bytes a WSTRING has. */
+  public static long wide(String value) {
     return 2 + 2L * value.length();
   }
 
-  /** Gives the bytes of several WSTRINGs. */
-  static long wide(Collection<String> values) {
+  /** Returns how many bytes several WSTRINGs have together. */
+  public static long wide(Collection<String> values) {
     return values.stream().mapToLong(Ranges::wide).sum();
   }
 
-  /** Checks that the bytes behind the length field can be counted by it. */
-  static void frame(String field, long length) {
+  /** Checks that the length field of a frame can count the bytes after it. */
+  public static void frame(String field, long length) {
     if (length > MAX_U16) {
       throw new IllegalArgumentException(
           field + " makes a frame of " + length + " bytes, a frame has " + MAX_U16 + " at most");

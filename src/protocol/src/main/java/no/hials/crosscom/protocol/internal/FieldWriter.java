@@ -1,0 +1,113 @@
+package no.hials.crosscom.protocol.internal;
+
+import java.util.Arrays;
+import java.util.List;
+import no.hials.crosscom.protocol.Bytes;
+
+/** Writes the fields that messages are made of; numbers are big-endian. */
+public final class FieldWriter {
+  private byte[] buffer = new byte[64];
+  private int length;
+
+  /** Creates a writer without bytes. */
+  public FieldWriter() {}
+
+  /** Starts again at the beginning, in the same memory. */
+  public void clear() {
+    length = 0;
+  }
+
+  /** Returns the buffer whose first {@link #length} bytes were written, not a copy. */
+  public byte[] buffer() {
+    return buffer;
+  }
+
+  /** Returns how many bytes were written. */
+  public int length() {
+    return length;
+  }
+
+  /** Returns the bytes written, as a copy. */
+  public byte[] toByteArray() {
+    return Arrays.copyOf(buffer, length);
+  }
+
+  /** Writes a number of 8 bits. */
+  public void u8(int value) {
+    if (length == buffer.length) {
+      buffer = Arrays.copyOf(buffer, 2 * length);
+    }
+    buffer[length++] = (byte) value;
+  }
+
+  /** Writes a number of 16 bits. */
+  public void u16(int value) {
+    u8(value >> 8);
+    u8(value);
+  }
+
+  /** A number of 32 bits, signed or not. */
+  void i32(int value) {
+    u16(value >> 16);
+    u16(value);
+  }
+
+  void u32(long value) {
+    i32((int) value);
+  }
+
+  void bool(boolean value) {
+    u8(value ? 1 : 0);
+  }
+
+  /** 64 bits as C3 Bridge has them: two numbers of 32, the lower first (c3-bridge.md, type 26). */
+  void lowHigh(long value) {
+    i32((int) value);
+    i32((int) (value >> 32));
+  }
+
+  /** A WSTRING: a count of characters, then UTF-16, little-endian (c3-bridge.md). */
+  void wide(String value) {
+    int count = value.length();
+    u16(count);
+    reserve(2 * count);
+    for (int i = 0; i < count; i++) {
+      char c = value.charAt(i);
+      u8(c);
+      u8(c >> 8);
+    }
+  }
+
+  void bytes(Bytes value) {
+    reserve(value.size());
+    value.copyTo(buffer, length);
+    length += value.size();
+  }
+
+  private void reserve(int count) {
+    if (buffer.length - length < count) {
+      buffer = Arrays.copyOf(buffer, 2 * length + count);
+    }
+  }
+
+  /** A STRING: a byte count, then ISO 8859-1, which the message's constructor has checked. */
+  void string(CharSequence value) {
+    int count = value.length();
+    u16(count);
+    reserve(count);
+    byte[] target = buffer;
+    int offset = length;
+    for (int i = 0; i < count; i++) {
+      target[offset + i] = (byte) value.charAt(i);
+    }
+    length += count;
+  }
+
+  /** A block of 16-bit numbers: a byte count, then the numbers. */
+  void words(List<Integer> values) {
+    u16(values.size() * 2);
+    for (int value : values) {
+      u16(value);
+    }
+  }
+}

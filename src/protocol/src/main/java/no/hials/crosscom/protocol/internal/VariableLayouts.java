@@ -1,0 +1,217 @@
+package no.hials.crosscom.protocol.internal;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.protocol.AccessResult;
+import no.hials.crosscom.protocol.Assignment;
+import no.hials.crosscom.protocol.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.BenchmarkResponse;
+import no.hials.crosscom.protocol.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.MalformedFrameException;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.MultipleResponse;
+import no.hials.crosscom.protocol.ReadArrayRequest;
+import no.hials.crosscom.protocol.ReadArrayResponse;
+import no.hials.crosscom.protocol.ReadMultipleRequest;
+import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.ReadResponse;
+import no.hials.crosscom.protocol.ReadUtf16Request;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.WriteArrayRequest;
+import no.hials.crosscom.protocol.WriteArrayResponse;
+import no.hials.crosscom.protocol.WriteMultipleRequest;
+import no.hials.crosscom.protocol.WriteRequest;
+import no.hials.crosscom.protocol.WriteResponse;
+import no.hials.crosscom.protocol.WriteUtf16Request;
+import no.hials.crosscom.protocol.code.Code;
+
+/** The layouts of the messages about variables: types 0 to 7 and 17. */
+public final class VariableLayouts {
+  private VariableLayouts() {}
+
+  static void addTo(Layouts all) {
+    all.request(
+        MessageType.READ,
+        ReadRequest.class,
+        (m, out) -> out.string(m.name()),
+        (id, in) -> new ReadRequest(id, in.string("name")));
+    all.answer(
+        MessageType.READ,
+        ReadResponse.class,
+        (m, out) -> out.string(m.value()),
+        (id, in, tail) -> new ReadResponse(id, in.string("value"), tail));
+    all.request(
+        MessageType.WRITE,
+        WriteRequest.class,
+        (m, out) -> write(m.name(), m.value(), out),
+        (id, in) -> new WriteRequest(id, in.string("name"), in.string("value")));
+    all.answer(
+        MessageType.WRITE,
+        WriteResponse.class,
+        (m, out) -> out.string(m.value()),
+        (id, in, tail) -> new WriteResponse(id, in.string("value"), tail));
+    all.request(
+        MessageType.READ_ARRAY,
+        ReadArrayRequest.class,
+        (m, out) -> out.string(m.name()),
+        (id, in) -> new ReadArrayRequest(id, in.string("name")));
+    all.answer(
+        MessageType.READ_ARRAY,
+        ReadArrayResponse.class,
+        (m, out) -> out.words(m.elements()),
+        (id, in, tail) -> new ReadArrayResponse(id, in.words("elements"), tail));
+    all.request(
+        MessageType.WRITE_ARRAY,
+        WriteArrayRequest.class,
+        (m, out) -> {
+          out.string(m.name());
+          out.words(m.elements());
+        },
+        (id, in) -> new WriteArrayRequest(id, in.string("name"), in.words("elements")));
+    all.answer(
+        MessageType.WRITE_ARRAY,
+        WriteArrayResponse.class,
+        (m, out) -> out.string(m.value()),
+        (id, in, tail) -> new WriteArrayResponse(id, in.string("value"), tail));
+    all.request(
+        MessageType.READ_UTF16,
+        ReadUtf16Request.class,
+        (m, out) -> out.wide(m.name()),
+        (id, in) -> new ReadUtf16Request(id, in.wide("name")));
+    all.textAnswer(MessageType.READ_UTF16);
+    all.request(
+        MessageType.WRITE_UTF16,
+        WriteUtf16Request.class,
+        (m, out) -> {
+          out.wide(m.name());
+          out.wide(m.value());
+        },
+        (id, in) -> new WriteUtf16Request(id, in.wide("name"), in.wide("value")));
+    all.textAnswer(MessageType.WRITE_UTF16);
+    addMultiple(all);
+    addBenchmark(all);
+  }
+
+  private static void addMultiple(Layouts all) {
+    all.request(
+        MessageType.READ_MULTIPLE,
+        ReadMultipleRequest.class,
+        (m, out) -> {
+          out.u8(m.names().size());
+          m.names().forEach(out::wide);
+        },
+        (id, in) -> new ReadMultipleRequest(id, in.wides(in.u8("count"), "name")));
+    all.request(
+        MessageType.WRITE_MULTIPLE,
+        WriteMultipleRequest.class,
+        (m, out) -> {
+          out.u8(m.count());
+          write(m.assignments(), out);
+        },
+        (id, in) -> {
+          int count = in.u8("count");
+          return new WriteMultipleRequest(id, count, assignments(count, in, in.isLenient()));
+        });
+    all.writer(
+        MultipleResponse.class,
+        (m, out) -> {
+          out.u8(m.results().size());
+          for (AccessResult result : m.results()) {
+            out.u8(result.code().number());
+            out.wide(result.value());
+          }
+        });
+    for (MessageType type : List.of(MessageType.READ_MULTIPLE, MessageType.WRITE_MULTIPLE)) {
+      all.answer(type, (id, in, tail) -> new MultipleResponse(id, type, results(in), tail));
+    }
+  }
+
+  private static void addBenchmark(Layouts all) {
+    all.request(MessageType.BENCHMARK, VariableLayouts::readBenchmark);
+    all.writer(
+        BenchmarkReadRequest.class,
+        (m, out) -> {
+          out.bool(false);
+          out.u8(m.names().size());
+          out.u32(m.iterations());
+          m.names().forEach(out::wide);
+        });
+    all.writer(
+        BenchmarkWriteRequest.class,
+        (m, out) -> {
+          out.bool(true);
+          out.u8(m.assignments().size());
+          out.u32(m.iterations());
+          write(m.assignments(), out);
+        });
+    all.answer(
+        MessageType.BENCHMARK,
+        BenchmarkResponse.class,
+        (m, out) -> {
+          out.bool(m.write());
+          out.u8(m.count());
+          out.u32(m.iterations());
+          out.u32(m.startMillis());
+          out.u32(m.stopMillis());
+          out.u32(m.differenceMillis());
+        },
+        (id, in, tail) ->
+            new BenchmarkResponse(
+                id,
+                in.bool("write"),
+                in.u8("count"),
+                in.u32("iterations"),
+                in.u32("start"),
+                in.u32("stop"),
+                in.u32("difference"),
+                tail));
+  }
+
+  /** Writes the fields of a {@link WriteRequest}. */
+  public static void write(CharSequence name, CharSequence value, FieldWriter out) {
+    out.string(name);
+    out.string(value);
+  }
+
+  private static void write(List<Assignment> assignments, FieldWriter out) {
+    for (Assignment assignment : assignments) {
+      out.wide(assignment.name());
+      out.wide(assignment.value());
+    }
+  }
+
+  /** Reads assignments; if some may be missing, as many as are whole. */
+  private static List<Assignment> assignments(int count, FieldReader in, boolean someMayBeMissing)
+      throws MalformedFrameException {
+    List<Assignment> assignments = new ArrayList<>();
+    try {
+      while (assignments.size() < count) {
+        assignments.add(new Assignment(in.wide("name"), in.wide("value")));
+      }
+    } catch (MalformedFrameException e) {
+      if (!someMayBeMissing) {
+        throw e;
+      }
+    }
+    return assignments;
+  }
+
+  private static List<AccessResult> results(FieldReader in) throws MalformedFrameException {
+    int count = in.u8("count");
+    List<AccessResult> results = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      results.add(new AccessResult(new Code<>(ErrorCode.class, in.u8("code")), in.wide("value")));
+    }
+    return results;
+  }
+
+  private static Request readBenchmark(int id, FieldReader in) throws MalformedFrameException {
+    boolean write = in.bool("write");
+    int count = in.u8("count");
+    long iterations = in.u32("iterations");
+    return write
+        ? new BenchmarkWriteRequest(id, iterations, assignments(count, in, false))
+        : new BenchmarkReadRequest(id, iterations, in.wides(count, "name"));
+  }
+}

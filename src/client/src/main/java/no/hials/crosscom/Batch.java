@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.CrossComAccessException.Operation;
-import no.hials.crosscom.CrossComClient.Exchanged;
 import no.hials.crosscom.KRL.KRLArray;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.protocol.AccessResult;
@@ -182,7 +181,7 @@ abstract class Batch {
       return;
     }
     String what = what(some);
-    C3Channel.Answered answered;
+    MessageAnswer answered;
     try {
       answered = messages.exchange(request(some), MultipleResponse.class, what);
     } catch (CrossComUnsupportedException e) {
@@ -253,7 +252,7 @@ abstract class Batch {
     @Override
     void take(Item item, AccessResult result, long nanos) throws CrossComException {
       if (result.success() && !result.value().isEmpty()) {
-        CrossComClient.take(item.variable, new Exchanged(result.value(), nanos), false);
+        CrossComClient.take(item.variable, new TextAnswer(result.value(), nanos), false);
       } else if (item.variable instanceof KRLArray array && array.getDeclaredLength() > 0) {
         oneByOne(List.of(item));
       } else {
@@ -311,7 +310,7 @@ abstract class Batch {
         throw new CrossComAccessException(
             item.name(), Operation.WRITE, false, result.code().number());
       }
-      CrossComClient.takeEcho(item.variable, new Exchanged(result.value(), nanos));
+      CrossComClient.takeEcho(item.variable, new TextAnswer(result.value(), nanos));
     }
 
     /** Some may be done, and nothing says which. */

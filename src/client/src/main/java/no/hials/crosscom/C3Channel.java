@@ -112,7 +112,7 @@ final class C3Channel implements MessageChannel {
    * Does what {@link #ask} does, but gives an answer that says failure too, which may be of another
    * class.
    */
-  Answered exchange(Request request, Class<? extends TypedResponse> answer, String what)
+  MessageAnswer exchange(Request request, Class<? extends TypedResponse> answer, String what)
       throws CrossComException {
     byte[] frame = Codec.encode(request);
     MessageType type = request.type();
@@ -120,15 +120,14 @@ final class C3Channel implements MessageChannel {
     lock.lock();
     try {
       begin(what);
-      Question<Answered> sent =
+      Question<MessageAnswer> sent =
           server -> {
             server.require(type, what);
             checkPin(what);
             if (pinned) {
               pin = link.connection();
             }
-            link.send(frame, type, effect, what);
-            return new Answered(link.decoded(answer, effect, what), link.exchangeNanos());
+            return link.send(frame, type, effect, what, answer);
           };
       if (effect == Repeatability.READ) {
         return answer(sent);
@@ -139,14 +138,6 @@ final class C3Channel implements MessageChannel {
       lock.unlock();
     }
   }
-
-  /**
-   * An answer.
-   *
-   * @param response it
-   * @param nanos how long it took, in ns
-   */
-  record Answered(TypedResponse response, long nanos) {}
 
   private void begin(String what) throws CrossComException {
     link.begin(what);

@@ -53,7 +53,7 @@ final class Connection {
 
   private final SocketChannel channel;
   private final FrameReader reader;
-  private final AnswerFrame answer = new AnswerFrame();
+  private final Answer answer = new Answer();
 
   /** What goes out. Outside the heap, so that the channel need not copy it there. */
   private ByteBuffer out = ByteBuffer.allocateDirect(512);
@@ -70,7 +70,6 @@ final class Connection {
   private volatile long lastEnd = System.nanoTime();
   private boolean answered;
   private volatile long timeoutNanos;
-  private long exchangeNanos;
 
   private Connection(SocketChannel channel) throws IOException {
     this.channel = channel;
@@ -130,16 +129,6 @@ final class Connection {
 
   boolean isClosed() {
     return closed;
-  }
-
-  /** Gives the answer of the last exchange, whose value is open; valid until the next. */
-  AnswerFrame answer() {
-    return answer;
-  }
-
-  /** Gives how long the last exchange took. */
-  long exchangeNanos() {
-    return exchangeNanos;
   }
 
   /** Gives when the last exchange ended, or the connection was made, by {@link System#nanoTime}. */
@@ -211,24 +200,27 @@ final class Connection {
   }
 
   /**
-   * Sends a request and waits for its answer, which is then {@link #answer}.
+   * Sends a request and waits for its answer.
    *
-   * @param frame the request; its id is not sent
+   * @param frame begins with the request; its id is not sent
+   * @param length the request's length
    * @param id the id to be sent instead
    * @param type its type
    * @param effect what it does
    * @param name the variable, or what is done, for error messages
+   * @return the answer, valid until the next exchange
    */
-  void exchange(byte[] frame, int id, MessageType type, Repeatability effect, String name)
+  Answer exchange(
+      byte[] frame, int length, int id, MessageType type, Repeatability effect, String name)
       throws CrossComException {
     boolean write = effect == Repeatability.CHANGE;
-    if (out.capacity() < frame.length) {
-      out = ByteBuffer.allocateDirect(frame.length);
+    if (out.capacity() < length) {
+      out = ByteBuffer.allocateDirect(length);
     }
-    out.clear().put(frame).flip();
+    out.clear().put(frame, 0, length).flip();
     Codec.setId(out, id);
     if (LOG.isTraceEnabled()) {
-      byte[] sent = frame.clone();
+      byte[] sent = Arrays.copyOf(frame, length);
       Codec.setId(sent, id);
       LOG.trace("sending {}", MalformedFrameException.hex(sent, sent.length));
     }
@@ -250,9 +242,8 @@ final class Connection {
       }
       long end = System.nanoTime();
       lastEnd = end;
-      exchangeNanos = end - start;
       answered = true;
-      answer.wrap(reader.buffer(), answerLength);
+      answer.set(reader.buffer(), answerLength, end - start);
     } catch (MalformedFrameException e) {
       disarm();
       throw violated(e, what(type, name), write);
@@ -284,6 +275,7 @@ final class Connection {
       LOG.trace("received {}", MalformedFrameException.hex(reader.buffer(), answerLength()));
     }
     check(id, type, name, write);
+    return answer;
   }
 
   private static String what(MessageType type, String name) {
@@ -295,24 +287,35 @@ final class Connection {
   }
 
   /**
-   * Gives the answer of the last exchange as a message.
+   * Sends a request and waits for its answer, which is a message.
    *
-   * @param answerClass the class that it has unless it says failure
-   * @param effect what the request did
-   * @param what what was done, for error messages
+   * @param frame the request; its id is not sent
+   * @param id the id to be sent instead
+   * @param type its type
+   * @param effect what it does
+   * @param what what is done, for error messages
+   * @param answerClass the class that the answer has unless it says failure
    */
-  TypedResponse decoded(
-      Class<? extends TypedResponse> answerClass, Repeatability effect, String what)
-      throws CrossComProtocolException {
+  MessageAnswer exchange(
+      byte[] frame,
+      int id,
+      MessageType type,
+      Repeatability effect,
+      String what,
+      Class<? extends TypedResponse> answerClass)
+      throws CrossComException {
+    long nanos = exchange(frame, frame.length, id, type, effect, what).nanos();
     try {
       Response response =
           Codec.decodeResponse(
               Arrays.copyOf(reader.buffer(), answerLength()), ServerType.C3_BRIDGE);
       if (response instanceof TypedResponse typed
           && (answerClass.isInstance(typed) || !typed.tail().success())) {
-        return typed;
+        return new MessageAnswer(typed, nanos);
       }
-      throw answer.malformed("must be a " + answerClass.getSimpleName() + ", is " + response);
+      throw answer
+          .frame()
+          .malformed("must be a " + answerClass.getSimpleName() + ", is " + response);
     } catch (MalformedFrameException e) {
       throw violated(e, what, effect == Repeatability.CHANGE);
     }
@@ -324,18 +327,19 @@ final class Connection {
 
   private void check(int id, MessageType type, String name, boolean write)
       throws CrossComProtocolException {
+    AnswerFrame frame = answer.frame();
     try {
-      if (answer.id() != id) {
-        throw answer.malformed("id must be " + id + ", is " + answer.id());
+      if (frame.id() != id) {
+        throw frame.malformed("id must be " + id + ", is " + frame.id());
       }
-      if (answer.functionUnknown()) {
-        throw answer.malformed("the server does not know function " + type.code());
+      if (frame.functionUnknown()) {
+        throw frame.malformed("the server does not know function " + type.code());
       }
-      if (answer.function() != type.code()) {
-        throw answer.malformed("function must be " + type.code() + ", is " + answer.function());
+      if (frame.function() != type.code()) {
+        throw frame.malformed("function must be " + type.code() + ", is " + frame.function());
       }
       if (type == MessageType.READ || type == MessageType.WRITE) {
-        answer.openValue();
+        frame.openValue();
       }
     } catch (MalformedFrameException e) {
       throw violated(e, what(type, name), write);

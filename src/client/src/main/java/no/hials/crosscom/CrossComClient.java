@@ -234,16 +234,16 @@ public final class CrossComClient implements Closeable {
     VariableAccess access = VariableAccess.get();
     byte[] frame = access.readFrame(variable);
     String name = variable.getName();
-    Exchanged wide = null;
+    TextAnswer wide = null;
     String text = null;
     lock.lock();
     try {
       if (frame == null) {
         wide = readUtf16(name);
       } else {
-        read(frame, name);
-        wide = access.holdsText(variable) ? readDoubtful(name) : null;
-        text = wide == null ? takeInPlace(variable, false) : null;
+        Answer answer = read(frame, name);
+        wide = access.holdsText(variable) ? readDoubtful(answer, name) : null;
+        text = wide == null ? takeInPlace(variable, answer, false) : null;
       }
     } finally {
       lock.unlock();
@@ -256,7 +256,7 @@ public final class CrossComClient implements Closeable {
   }
 
   /** Sets a variable from a text. The lock is not held. */
-  static void take(KRLVariable variable, Exchanged exchanged, boolean written)
+  static void take(KRLVariable variable, TextAnswer exchanged, boolean written)
       throws CrossComValueException {
     VariableAccess access = VariableAccess.get();
     boolean taken;
@@ -275,17 +275,16 @@ public final class CrossComClient implements Closeable {
    * @param written whether it is the answer to a write
    * @return nothing if the variable is set; else the text for {@link #takeText}
    */
-  private @Nullable String takeInPlace(KRLVariable variable, boolean written)
+  private @Nullable String takeInPlace(KRLVariable variable, Answer answer, boolean written)
       throws CrossComValueException {
     VariableAccess access = VariableAccess.get();
-    AnswerFrame answer = link.answer();
-    scanner.reset(answer);
+    scanner.reset(answer.frame());
     try {
       boolean taken = access.scan(variable, scanner, written);
-      access.setReadTime(variable, link.exchangeNanos());
-      return taken ? null : answer.toString();
+      access.setReadTime(variable, answer.nanos());
+      return taken ? null : answer.frame().toString();
     } catch (IllegalArgumentException e) {
-      throw notOfType(variable, answer.toString(), written, e);
+      throw notOfType(variable, answer.frame().toString(), written, e);
     }
   }
 
@@ -358,12 +357,12 @@ public final class CrossComClient implements Closeable {
     String echo = null;
     lock.lock();
     try {
-      write(frame, variable.getName());
-      if (!link.answer().isEmpty()) {
-        echo = takeInPlace(variable, true);
+      Answer answer = write(frame, variable.getName());
+      if (!answer.frame().isEmpty()) {
+        echo = takeInPlace(variable, answer, true);
       } else {
         // done, but there is no value to update the variable from
-        VariableAccess.get().setReadTime(variable, link.exchangeNanos());
+        VariableAccess.get().setReadTime(variable, answer.nanos());
       }
     } finally {
       lock.unlock();
@@ -372,7 +371,7 @@ public final class CrossComClient implements Closeable {
   }
 
   /** Updates a variable from what the server says that it has now. The lock is not held. */
-  static void takeEcho(KRLVariable variable, Exchanged echo) throws CrossComValueException {
+  static void takeEcho(KRLVariable variable, TextAnswer echo) throws CrossComValueException {
     if (echo.text().isEmpty()) {
       // done, but there is no value to update the variable from
       VariableAccess.get().setReadTime(variable, echo.nanos());
@@ -409,7 +408,7 @@ public final class CrossComClient implements Closeable {
     for (int i = 1; i <= total; i++) {
       String name = array.getElementName(i);
       try {
-        Exchanged element = read(name);
+        TextAnswer element = read(name);
         nanos += element.nanos();
         VariableAccess.get().scanElement(array, new KrlScanner(element.text()), i - 1);
       } catch (CrossComException e) {
@@ -628,7 +627,7 @@ public final class CrossComClient implements Closeable {
     return describe(name, write(name, val));
   }
 
-  private static String describe(String name, Exchanged exchanged) {
+  private static String describe(String name, TextAnswer exchanged) {
     return name
         + " #read time="
         + exchanged.nanos() / 1_000_000
@@ -650,7 +649,7 @@ public final class CrossComClient implements Closeable {
   public Callback sendRequest(Request request) throws IOException {
     String name = request.getVariable();
     String value = request.getValue();
-    Exchanged exchanged = value == null ? read(name) : write(name, value);
+    TextAnswer exchanged = value == null ? read(name) : write(name, value);
     return new Callback(
         name,
         request.getId(),
@@ -879,40 +878,32 @@ public final class CrossComClient implements Closeable {
 
   // --- exchanges
 
-  /** What an exchange gave: the value's text, and the time it took. */
-  record Exchanged(String text, long nanos) {}
-
-  private Exchanged read(String name) throws CrossComException {
+  private TextAnswer read(String name) throws CrossComException {
     if (!Latin1.has(checkName(name))) {
       return readUtf16(name);
     }
     byte[] frame = Codec.encode(new ReadRequest(0, name));
     lock.lock();
     try {
-      read(frame, name);
-      Exchanged wide = readDoubtful(name);
-      return wide == null ? exchanged() : wide;
+      Answer answer = read(frame, name);
+      TextAnswer wide = readDoubtful(answer, name);
+      return wide == null ? answer.toText() : wide;
     } finally {
       lock.unlock();
     }
   }
 
-  private Exchanged write(String name, String value) throws CrossComException {
+  private TextAnswer write(String name, String value) throws CrossComException {
     byte[] frame = encodeWrite(name, value);
     if (frame == null) {
       return writeUtf16(name, value);
     }
     lock.lock();
     try {
-      write(frame, name);
-      return exchanged();
+      return write(frame, name).toText();
     } finally {
       lock.unlock();
     }
-  }
-
-  private Exchanged exchanged() {
-    return new Exchanged(link.answer().toString(), link.exchangeNanos());
   }
 
   /**
@@ -920,12 +911,11 @@ public final class CrossComClient implements Closeable {
    *
    * @return nothing if the answer that there is holds; else what to take instead
    */
-  private @Nullable Exchanged readDoubtful(String name) throws CrossComException {
-    AnswerFrame answer = link.answer();
-    if (!Latin1.isDoubtful(answer) || answer.length() > MAX_UTF16_ANSWER) {
+  private @Nullable TextAnswer readDoubtful(Answer answer, String name) throws CrossComException {
+    if (!Latin1.isDoubtful(answer.frame()) || answer.frame().length() > MAX_UTF16_ANSWER) {
       return null;
     }
-    Exchanged first = exchanged();
+    TextAnswer first = answer.toText();
     try {
       String what = "read of " + name;
       return messages.find(what, ServerDetector::type) == ServerType.C3_BRIDGE
@@ -937,7 +927,7 @@ public final class CrossComClient implements Closeable {
   }
 
   /** Reads a variable whose name function 0 cannot carry. */
-  private Exchanged readUtf16(String name) throws CrossComException {
+  private TextAnswer readUtf16(String name) throws CrossComException {
     try {
       return readUtf16Only(name);
     } catch (CrossComUnsupportedException e) {
@@ -945,19 +935,19 @@ public final class CrossComClient implements Closeable {
     }
   }
 
-  private Exchanged readUtf16Only(String name) throws CrossComException {
-    C3Channel.Answered answered =
+  private TextAnswer readUtf16Only(String name) throws CrossComException {
+    MessageAnswer answered =
         messages.exchange(new ReadUtf16Request(0, name), TextResponse.class, "read of " + name);
     Tail tail = answered.response().tail();
     String text = text(answered.response());
     if (!tail.success() || text.isEmpty()) {
       throw new CrossComAccessException(name, Operation.READ, tail.success(), tail.code());
     }
-    return new Exchanged(text, answered.nanos());
+    return new TextAnswer(text, answered.nanos());
   }
 
-  private Exchanged writeUtf16(String name, String value) throws CrossComException {
-    C3Channel.Answered answered;
+  private TextAnswer writeUtf16(String name, String value) throws CrossComException {
+    MessageAnswer answered;
     try {
       answered =
           messages.exchange(writeUtf16Request(name, value), TextResponse.class, "write of " + name);
@@ -972,7 +962,7 @@ public final class CrossComClient implements Closeable {
     if (!tail.success()) {
       throw new CrossComAccessException(name, Operation.WRITE, false, tail.code());
     }
-    return new Exchanged(text(answered.response()), answered.nanos());
+    return new TextAnswer(text(answered.response()), answered.nanos());
   }
 
   private static WriteUtf16Request writeUtf16Request(String name, String value)
@@ -1049,24 +1039,25 @@ public final class CrossComClient implements Closeable {
     return name;
   }
 
-  private void read(byte[] frame, String name) throws CrossComException {
+  private Answer read(byte[] frame, String name) throws CrossComException {
     if (frame.length > config.maxRequestLength()) {
       throw tooLong(name, name, frame.length);
     }
-    link.exchange(frame, MessageType.READ, name);
-    AnswerFrame answer = link.answer();
+    Answer answer = link.exchange(frame, frame.length, MessageType.READ, name);
+    AnswerFrame result = answer.frame();
     // KUKAVARPROXY of 2019 and later says success when the controller refuses (krl.md 1.8)
-    if (!answer.success() || answer.isEmpty()) {
-      throw new CrossComAccessException(name, Operation.READ, answer.success(), answer.code());
+    if (!result.success() || result.isEmpty()) {
+      throw new CrossComAccessException(name, Operation.READ, result.success(), result.code());
     }
+    return answer;
   }
 
-  private void write(byte[] frame, String name) throws CrossComException {
-    link.exchange(frame, MessageType.WRITE, name);
-    AnswerFrame answer = link.answer();
-    if (!answer.success()) {
-      throw new CrossComAccessException(name, Operation.WRITE, false, answer.code());
+  private Answer write(byte[] frame, String name) throws CrossComException {
+    Answer answer = link.exchange(frame, frame.length, MessageType.WRITE, name);
+    if (!answer.frame().success()) {
+      throw new CrossComAccessException(name, Operation.WRITE, false, answer.frame().code());
     }
+    return answer;
   }
 
   // --- what programs of the original call on the client as on a Socket

@@ -7,7 +7,6 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.ConnectionEvent.Kind;
-import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ReadRequest;
@@ -95,38 +94,31 @@ final class ReconnectingConnection {
     connection.setTimeout(nanos);
   }
 
-  /** Gives the answer of the last exchange. The lock is held. */
-  AnswerFrame answer() {
-    return connection.answer();
-  }
-
-  /** Gives how long the last exchange took. The lock is held. */
-  long exchangeNanos() {
-    return connection.exchangeNanos();
-  }
-
   /**
    * Sends a request and waits for its answer. The lock is held.
    *
    * <p>If the connection breaks, a read is repeated once on a new connection. A write never is.
    *
-   * @param frame the request, whose id does not matter
+   * @param frame begins with the request, whose id does not matter
+   * @param length the request's length
    * @param type its type
    * @param name the variable, for error messages
+   * @return the answer, valid until the next exchange
    */
-  void exchange(byte[] frame, MessageType type, String name) throws CrossComException {
+  Answer exchange(byte[] frame, int length, MessageType type, String name)
+      throws CrossComException {
     begin(name);
     makeUsable();
     Repeatability effect = type == MessageType.WRITE ? Repeatability.CHANGE : Repeatability.READ;
     try {
-      send(frame, type, effect, name);
+      return send(frame, length, type, effect, name);
     } catch (CrossComConnectionLostException e) {
       if (!mayRepeat(effect)) {
         throw e;
       }
       LOG.debug("repeating the read of {} on a new connection", name);
       connect();
-      send(frame, type, effect, name);
+      return send(frame, length, type, effect, name);
     }
   }
 
@@ -153,32 +145,44 @@ final class ReconnectingConnection {
     }
   }
 
-  /** Sends a request on the connection that there is, and waits for its answer. */
-  void send(byte[] frame, MessageType type, Repeatability effect, String name)
+  /** Sends a request on the current connection, and waits for its answer. The lock is held. */
+  Answer send(byte[] frame, int length, MessageType type, Repeatability effect, String name)
       throws CrossComException {
-    lastId = (lastId + 1) & 0xFFFF;
     boolean known = connection.hasAnswered();
     try {
-      connection.exchange(frame, lastId, type, effect, name);
+      Answer answer = connection.exchange(frame, length, nextId(), type, effect, name);
       if (!known) {
         failedAttempts = 0; // a server that only accepts and closes has not let us in
       }
+      return answer;
     } catch (CrossComException e) {
       lost(e);
       throw e;
     }
   }
 
-  /** Gives the answer of the last exchange as a message. The lock is held. */
-  TypedResponse decoded(
-      Class<? extends TypedResponse> answerClass, Repeatability effect, String what)
+  /**
+   * Does the same for a request whose answer is a message. The server is known then, so that the
+   * connection has answered before.
+   */
+  MessageAnswer send(
+      byte[] frame,
+      MessageType type,
+      Repeatability effect,
+      String what,
+      Class<? extends TypedResponse> answerClass)
       throws CrossComException {
     try {
-      return connection.decoded(answerClass, effect, what);
+      return connection.exchange(frame, nextId(), type, effect, what, answerClass);
     } catch (CrossComException e) {
       lost(e);
       throw e;
     }
+  }
+
+  private int nextId() {
+    lastId = (lastId + 1) & 0xFFFF;
+    return lastId;
   }
 
   /** Throws if the client is closed. */
@@ -285,7 +289,7 @@ final class ReconnectingConnection {
         wait = nextDuty();
         if (wait <= 0 && !closed) {
           makeUsable();
-          send(ping, MessageType.READ, Repeatability.READ, "PING");
+          send(ping, ping.length, MessageType.READ, Repeatability.READ, "PING");
         }
       } catch (CrossComException e) {
         LOG.debug("keeping the connection failed: {}", e.getMessage());

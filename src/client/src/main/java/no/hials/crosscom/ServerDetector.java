@@ -68,8 +68,8 @@ final class ServerDetector {
   }
 
   private String read(byte[] frame, String name) throws CrossComException {
-    link.send(frame, MessageType.READ, Repeatability.READ, name);
-    AnswerFrame answer = link.answer();
+    AnswerFrame answer =
+        link.send(frame, frame.length, MessageType.READ, Repeatability.READ, name).frame();
     return answer.success() ? answer.toString().strip() : "";
   }
 
@@ -87,8 +87,14 @@ final class ServerDetector {
     }
     if (features == null) {
       String what = "request for the server's features";
-      link.send(askFeatures, MessageType.FEATURES, Repeatability.READ, what);
-      TypedResponse response = link.decoded(FeaturesResponse.class, Repeatability.READ, what);
+      TypedResponse response =
+          link.send(
+                  askFeatures,
+                  MessageType.FEATURES,
+                  Repeatability.READ,
+                  what,
+                  FeaturesResponse.class)
+              .response();
       if (!(response instanceof FeaturesResponse known) || !response.tail().success()) {
         throw new CrossComRefusedException(what, response.tail().code());
       }

@@ -1,0 +1,35 @@
+package no.hials.crosscom;
+
+import no.hials.crosscom.protocol.AnswerFrame;
+import no.hials.crosscom.protocol.MalformedFrameException;
+
+/**
+ * The answer to an exchange, and how long the exchange took.
+ *
+ * <p>Each connection has one, and the next exchange changes it, so that an exchange creates no
+ * objects. The lock of the {@link ReconnectingConnection} guards it.
+ */
+final class Answer {
+  private final AnswerFrame frame = new AnswerFrame();
+  private long nanos;
+
+  void set(byte[] buffer, int length, long exchangeNanos) throws MalformedFrameException {
+    nanos = exchangeNanos;
+    frame.wrap(buffer, length);
+  }
+
+  /** Returns the frame; if it answers a read or write, its value is open. */
+  AnswerFrame frame() {
+    return frame;
+  }
+
+  /** Returns the time from sending the request to having the answer. */
+  long nanos() {
+    return nanos;
+  }
+
+  /** Returns a copy of the value. */
+  TextAnswer toText() {
+    return new TextAnswer(frame.toString(), nanos);
+  }
+}

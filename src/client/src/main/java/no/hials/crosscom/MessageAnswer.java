@@ -1,0 +1,11 @@
+package no.hials.crosscom;
+
+import no.hials.crosscom.protocol.TypedResponse;
+
+/**
+ * A message that the server sent.
+ *
+ * @param response the message
+ * @param nanos how long the exchange took, in ns
+ */
+record MessageAnswer(TypedResponse response, long nanos) {}

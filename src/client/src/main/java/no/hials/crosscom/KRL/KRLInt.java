@@ -51,6 +51,12 @@ public class KRLInt extends ScannedVariable {
   }
 
   @Override
+  protected boolean appendValue(StringBuilder text) {
+    text.append(intValue());
+    return true;
+  }
+
+  @Override
   void read(KrlScanner scanner) {
     int read = scanner.readInt();
     scanner.expectEnd();

@@ -1,7 +1,9 @@
 package no.hials.crosscom.KRL;
 
+import no.hials.crosscom.protocol.value.KrlPrinter;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlScanner;
+import no.hials.crosscom.protocol.value.RealStyle;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -55,6 +57,12 @@ public class KRLReal extends ScannedVariable {
   @Override
   public String getStringValue() {
     return new KrlReal((float) doubleValue()).printShort();
+  }
+
+  @Override
+  protected boolean appendValue(StringBuilder text) {
+    KrlPrinter.appendReal(text, (float) doubleValue(), RealStyle.SHORTEST);
+    return true;
   }
 
   @Override

@@ -27,6 +27,12 @@ public abstract class KRLVariable {
   private final byte @Nullable [] readFrame;
   private long readTime = -1;
 
+  /** Whether the class is part of the client, so that no program has changed how it prints. */
+  private final boolean builtIn =
+      getClass().getPackageName().startsWith(KRLVariable.class.getPackageName());
+
+  private @Nullable StringBuilder writeText;
+
   static {
     VariableAccess.set(new Access());
   }
@@ -110,6 +116,31 @@ public abstract class KRLVariable {
    */
   protected boolean setValueFrom(KrlScanner scanner, boolean written) {
     return false;
+  }
+
+  /**
+   * Appends the text that a write sends, without creating objects. A class that does not override
+   * this is printed by {@link #getStringValue}, and so is a class that a program derives.
+   *
+   * @param text where to append
+   * @return false if nothing was appended
+   * @throws IllegalStateException if there is no value
+   */
+  protected boolean appendValue(StringBuilder text) {
+    return false;
+  }
+
+  private CharSequence writeText() {
+    if (!builtIn) {
+      return getStringValue();
+    }
+    StringBuilder text = writeText;
+    if (text == null) {
+      text = new StringBuilder();
+      writeText = text;
+    }
+    text.setLength(0);
+    return appendValue(text) ? text : getStringValue();
   }
 
   /** Says whether the value can have characters that function 0 of C3 Bridge does not give. */
@@ -258,6 +289,11 @@ public abstract class KRLVariable {
     @Override
     public boolean holdsText(KRLVariable variable) {
       return variable.holdsText();
+    }
+
+    @Override
+    public CharSequence writeText(KRLVariable variable) {
+      return variable.writeText();
     }
 
     @Override

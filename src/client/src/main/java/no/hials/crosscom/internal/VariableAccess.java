@@ -48,6 +48,16 @@ public abstract class VariableAccess {
   public abstract boolean holdsText(KRLVariable variable);
 
   /**
+   * Returns the text that a write of a variable sends. Printing a number or a structure of numbers
+   * creates no objects.
+   *
+   * @param variable the variable
+   * @return the text, valid until the next call for the variable
+   * @throws IllegalStateException if the variable has no value
+   */
+  public abstract CharSequence writeText(KRLVariable variable);
+
+  /**
    * Sets a variable from text in place, all or nothing.
    *
    * @param variable the variable

@@ -204,12 +204,18 @@ abstract class NumberStruct extends KRLStruct {
   @Override
   public String getStringValue() {
     StringBuilder text = new StringBuilder(255);
+    appendValue(text);
+    return text.toString();
+  }
+
+  @Override
+  protected final boolean appendValue(StringBuilder text) {
     KrlPrinter.openStruct(text);
     for (int i = 0; i < values.length; i++) {
       append(text, i);
     }
     KrlPrinter.closeStruct(text);
-    return text.toString();
+    return true;
   }
 
   @Override

@@ -1,6 +1,5 @@
 package no.hials.crosscom;
 
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.CrossComAccessException.Operation;
@@ -29,8 +28,8 @@ abstract class Batch {
   /** How many bytes the names, or names and values, of a message may have. */
   private static final int ROOM = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 2;
 
-  final CrossComClient client;
-  private final C3Channel messages;
+  final VariableExchange exchange;
+  private final C3Channel channel;
   private final MessageType type;
   private final String noun;
   private final String done;
@@ -38,14 +37,14 @@ abstract class Batch {
   private @Nullable CrossComException broken;
 
   private Batch(
-      CrossComClient client,
-      C3Channel messages,
+      VariableExchange exchange,
+      C3Channel channel,
       List<? extends KRLVariable> variables,
       MessageType type,
       String noun,
       String done) {
-    this.client = client;
-    this.messages = messages;
+    this.exchange = exchange;
+    this.channel = channel;
     this.type = type;
     this.noun = noun;
     this.done = done;
@@ -54,14 +53,14 @@ abstract class Batch {
 
   /** Reads variables; gives what came of each. */
   static List<VariableResult> read(
-      CrossComClient client, C3Channel messages, List<? extends KRLVariable> variables) {
-    return new Reading(client, messages, variables).run();
+      VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
+    return new Reading(exchange, channel, variables).run();
   }
 
   /** Writes variables, all of which have a value; gives what came of each. */
   static List<VariableResult> write(
-      CrossComClient client, C3Channel messages, List<? extends KRLVariable> variables) {
-    return new Writing(client, messages, variables).run();
+      VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
+    return new Writing(exchange, channel, variables).run();
   }
 
   /** A variable and what came of it. */
@@ -97,7 +96,7 @@ abstract class Batch {
       return false;
     }
     try {
-      return messages.find(what(items), server -> server.hasRight(type));
+      return channel.find(what(items), server -> server.hasRight(type));
     } catch (CrossComException e) {
       fail(items.subList(0, 1), e);
       return false;
@@ -151,8 +150,6 @@ abstract class Batch {
           throw e;
         }
         item.failure = unsupported;
-      } catch (IOException e) {
-        throw new AssertionError("the client throws only its own exceptions", e);
       }
     }
   }
@@ -183,7 +180,7 @@ abstract class Batch {
     String what = what(some);
     MessageAnswer answered;
     try {
-      answered = messages.exchange(request(some), MultipleResponse.class, what);
+      answered = channel.exchange(request(some), MultipleResponse.class, what);
     } catch (CrossComUnsupportedException e) {
       oneByOne(some); // it was made anew, to another server
       return;
@@ -217,7 +214,7 @@ abstract class Batch {
 
   abstract Request request(List<Item> some);
 
-  abstract void alone(KRLVariable variable) throws IOException;
+  abstract void alone(KRLVariable variable) throws CrossComException;
 
   abstract void take(Item item, AccessResult result, long nanos) throws CrossComException;
 
@@ -230,8 +227,8 @@ abstract class Batch {
   }
 
   private static final class Reading extends Batch {
-    Reading(CrossComClient client, C3Channel messages, List<? extends KRLVariable> variables) {
-      super(client, messages, variables, MessageType.READ_MULTIPLE, "read", "read");
+    Reading(VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
+      super(exchange, channel, variables, MessageType.READ_MULTIPLE, "read", "read");
     }
 
     @Override
@@ -245,14 +242,14 @@ abstract class Batch {
     }
 
     @Override
-    void alone(KRLVariable variable) throws IOException {
-      client.readVariable(variable);
+    void alone(KRLVariable variable) throws CrossComException {
+      exchange.read(variable);
     }
 
     @Override
     void take(Item item, AccessResult result, long nanos) throws CrossComException {
       if (result.success() && !result.value().isEmpty()) {
-        CrossComClient.take(item.variable, new TextAnswer(result.value(), nanos), false);
+        VariableExchange.take(item.variable, new TextAnswer(result.value(), nanos), false);
       } else if (item.variable instanceof KRLArray array && array.getDeclaredLength() > 0) {
         oneByOne(List.of(item));
       } else {
@@ -275,8 +272,8 @@ abstract class Batch {
   }
 
   private static final class Writing extends Batch {
-    Writing(CrossComClient client, C3Channel messages, List<? extends KRLVariable> variables) {
-      super(client, messages, variables, MessageType.WRITE_MULTIPLE, "write", "written");
+    Writing(VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
+      super(exchange, channel, variables, MessageType.WRITE_MULTIPLE, "write", "written");
     }
 
     @Override
@@ -286,7 +283,7 @@ abstract class Batch {
       }
       item.text = item.variable.getStringValue();
       try {
-        client.checkAggregate(item.name(), item.text);
+        exchange.checkAggregate(item.name(), item.text);
       } catch (CrossComValueException e) {
         item.failure = e;
       }
@@ -300,8 +297,8 @@ abstract class Batch {
     }
 
     @Override
-    void alone(KRLVariable variable) throws IOException {
-      client.writeVariable(variable);
+    void alone(KRLVariable variable) throws CrossComException {
+      exchange.write(variable);
     }
 
     @Override
@@ -310,7 +307,7 @@ abstract class Batch {
         throw new CrossComAccessException(
             item.name(), Operation.WRITE, false, result.code().number());
       }
-      CrossComClient.takeEcho(item.variable, new TextAnswer(result.value(), nanos));
+      VariableExchange.takeEcho(item.variable, new TextAnswer(result.value(), nanos));
     }
 
     /** Some may be done, and nothing says which. */

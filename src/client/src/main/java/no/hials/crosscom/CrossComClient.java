@@ -15,9 +15,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
-import no.hials.crosscom.CrossComAccessException.Operation;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLArray;
 import no.hials.crosscom.KRL.KRLRealArray;
@@ -29,21 +27,8 @@ import no.hials.crosscom.c3.Information;
 import no.hials.crosscom.c3.Motion;
 import no.hials.crosscom.c3.Pendant;
 import no.hials.crosscom.c3.Programs;
-import no.hials.crosscom.internal.Latin1;
-import no.hials.crosscom.internal.VariableAccess;
-import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.ReadRequest;
-import no.hials.crosscom.protocol.ReadUtf16Request;
-import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.protocol.Tail;
-import no.hials.crosscom.protocol.TextResponse;
-import no.hials.crosscom.protocol.TypedResponse;
-import no.hials.crosscom.protocol.WriteRequest;
-import no.hials.crosscom.protocol.WriteUtf16Request;
-import no.hials.crosscom.protocol.value.KrlScanner;
-import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
@@ -79,11 +64,6 @@ import org.jspecify.annotations.Nullable;
  * something to do. Each {@link Watch} has threads of its own.
  */
 public final class CrossComClient implements Closeable {
-  private static final ArrayProgress NO_PROGRESS = (done, total) -> {};
-
-  /** A longer text makes no answer in UTF-16: 65,535 bytes less type, length and tail, halved. */
-  private static final int MAX_UTF16_ANSWER = 32_764;
-
   private final ClientConfig config;
   private final ReconnectingConnection link;
   private final C3Channel messages;
@@ -95,9 +75,8 @@ public final class CrossComClient implements Closeable {
   private final ThreadPoolExecutor async;
   private final ThreadPoolExecutor transfers;
   private final Executor callbacks;
-  private final ReentrantLock lock;
+  private final VariableExchange variables;
   private final Set<Watch> watches = ConcurrentHashMap.newKeySet();
-  private final KrlScanner scanner = new KrlScanner();
 
   /**
    * Connects, with the default times: 5 s for connecting, 3 s for a request.
@@ -122,11 +101,11 @@ public final class CrossComClient implements Closeable {
   public CrossComClient(ClientConfig config) throws CrossComException {
     this.config = Objects.requireNonNull(config, "config");
     this.link = new ReconnectingConnection(config);
-    this.lock = link.lock();
     this.callbacks = Threads.forCallbacks("crosscom-callback-" + config.port());
     this.async = Threads.lazy("crosscom-async-" + config.port());
     this.transfers = Threads.lazy("crosscom-files-" + config.port());
     this.messages = new C3Channel(link, async, transfers, callbacks);
+    this.variables = new VariableExchange(config, link, messages);
     this.programs = new Programs(messages);
     this.motion = new Motion(messages);
     this.pendant = new Pendant(messages);
@@ -223,95 +202,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComException if the exchange failed
    */
   public void readVariable(KRLVariable variable) throws IOException {
-    if (variable instanceof KRLArray array && array.getDeclaredLength() > 0) {
-      readVariable(array, NO_PROGRESS);
-    } else {
-      readWhole(variable);
-    }
-  }
-
-  private void readWhole(KRLVariable variable) throws CrossComException {
-    VariableAccess access = VariableAccess.get();
-    byte[] frame = access.readFrame(variable);
-    String name = variable.getName();
-    TextAnswer wide = null;
-    String text = null;
-    lock.lock();
-    try {
-      if (frame == null) {
-        wide = readUtf16(name);
-      } else {
-        Answer answer = read(frame, name);
-        wide = access.holdsText(variable) ? readDoubtful(answer, name) : null;
-        text = wide == null ? takeInPlace(variable, answer, false) : null;
-      }
-    } finally {
-      lock.unlock();
-    }
-    if (wide != null) {
-      take(variable, wide, false);
-    } else {
-      takeText(variable, text, false);
-    }
-  }
-
-  /** Sets a variable from a text. The lock is not held. */
-  static void take(KRLVariable variable, TextAnswer exchanged, boolean written)
-      throws CrossComValueException {
-    VariableAccess access = VariableAccess.get();
-    boolean taken;
-    try {
-      taken = access.scan(variable, new KrlScanner(exchanged.text()), written);
-    } catch (IllegalArgumentException e) {
-      throw notOfType(variable, exchanged.text(), written, e);
-    }
-    access.setReadTime(variable, exchanged.nanos());
-    takeText(variable, taken ? null : exchanged.text(), written);
-  }
-
-  /**
-   * Sets a variable from the answer, in place. The lock is held.
-   *
-   * @param written whether it is the answer to a write
-   * @return nothing if the variable is set; else the text for {@link #takeText}
-   */
-  private @Nullable String takeInPlace(KRLVariable variable, Answer answer, boolean written)
-      throws CrossComValueException {
-    VariableAccess access = VariableAccess.get();
-    scanner.reset(answer.frame());
-    try {
-      boolean taken = access.scan(variable, scanner, written);
-      access.setReadTime(variable, answer.nanos());
-      return taken ? null : answer.frame().toString();
-    } catch (IllegalArgumentException e) {
-      throw notOfType(variable, answer.frame().toString(), written, e);
-    }
-  }
-
-  /** Sets a variable of a class of the program's own, whose code does not run under the lock. */
-  private static void takeText(KRLVariable variable, @Nullable String text, boolean written)
-      throws CrossComValueException {
-    if (text != null) {
-      try {
-        VariableAccess.get().setFromString(variable, text);
-      } catch (IllegalArgumentException e) {
-        throw notOfType(variable, text, written, e);
-      }
-    }
-  }
-
-  private static CrossComValueException notOfType(
-      KRLVariable variable, String text, boolean written, IllegalArgumentException e) {
-    return new CrossComValueException(
-        variable.getName(),
-        text,
-        (written
-                ? "the write was done, but its answer is not a value for "
-                : "what the controller has is not a value for ")
-            + variable.getType()
-            + ": "
-            + e.getMessage(),
-        e);
+    variables.read(variable);
   }
 
   /**
@@ -328,11 +219,7 @@ public final class CrossComClient implements Closeable {
    * @throws IllegalStateException if the variable has no value
    */
   public void writeVariable(KRLVariable variable) throws IOException {
-    if (variable instanceof KRLArray array) {
-      writeVariable(array, NO_PROGRESS);
-    } else {
-      write(variable, variable.getStringValue());
-    }
+    variables.write(variable);
   }
 
   /**
@@ -345,39 +232,7 @@ public final class CrossComClient implements Closeable {
    * @throws IllegalArgumentException if there is no such field or it has no value
    */
   public void writeFields(KRLStruct struct, String... fields) throws IOException {
-    write(struct, struct.getStringValueOf(fields));
-  }
-
-  private void write(KRLVariable variable, String text) throws CrossComException {
-    byte[] frame = encodeWrite(variable.getName(), text);
-    if (frame == null) {
-      takeEcho(variable, writeUtf16(variable.getName(), text));
-      return;
-    }
-    String echo = null;
-    lock.lock();
-    try {
-      Answer answer = write(frame, variable.getName());
-      if (!answer.frame().isEmpty()) {
-        echo = takeInPlace(variable, answer, true);
-      } else {
-        // done, but there is no value to update the variable from
-        VariableAccess.get().setReadTime(variable, answer.nanos());
-      }
-    } finally {
-      lock.unlock();
-    }
-    takeText(variable, echo, true);
-  }
-
-  /** Updates a variable from what the server says that it has now. The lock is not held. */
-  static void takeEcho(KRLVariable variable, TextAnswer echo) throws CrossComValueException {
-    if (echo.text().isEmpty()) {
-      // done, but there is no value to update the variable from
-      VariableAccess.get().setReadTime(variable, echo.nanos());
-    } else {
-      take(variable, echo, true);
-    }
+    variables.write(struct, struct.getStringValueOf(fields));
   }
 
   /**
@@ -392,37 +247,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComException if an exchange failed
    */
   public void readVariable(KRLArray array, ArrayProgress progress) throws IOException {
-    try {
-      readWhole(array);
-    } catch (CrossComAccessException e) {
-      if (array.getDeclaredLength() == 0) {
-        throw e;
-      }
-      readElements(array, progress);
-    }
-  }
-
-  private void readElements(KRLArray array, ArrayProgress progress) throws CrossComException {
-    int total = array.getDeclaredLength();
-    long nanos = 0;
-    for (int i = 1; i <= total; i++) {
-      String name = array.getElementName(i);
-      try {
-        TextAnswer element = read(name);
-        nanos += element.nanos();
-        VariableAccess.get().scanElement(array, new KrlScanner(element.text()), i - 1);
-      } catch (CrossComException e) {
-        e.setElementsDone(i - 1, total);
-        throw e;
-      } catch (KrlSyntaxException e) {
-        CrossComValueException wrong = notOfType(array, e.text(), false, e);
-        wrong.setElementsDone(i - 1, total);
-        throw wrong;
-      }
-      progress.elementsDone(i, total);
-    }
-    VariableAccess.get().acceptElements(array, total);
-    VariableAccess.get().setReadTime(array, nanos);
+    variables.read(array, progress);
   }
 
   /**
@@ -436,22 +261,7 @@ public final class CrossComClient implements Closeable {
    * @throws IllegalStateException if the array has no value
    */
   public void writeVariable(KRLArray array, ArrayProgress progress) throws IOException {
-    int total = array.length();
-    if (total == 0) {
-      throw new IllegalStateException(
-          array.getName() + " has no value: it was neither set nor read");
-    }
-    long nanos = 0;
-    for (int i = 1; i <= total; i++) {
-      try {
-        nanos += write(array.getElementName(i), array.getElementStringValue(i)).nanos();
-      } catch (CrossComException e) {
-        e.setElementsDone(i - 1, total);
-        throw e;
-      }
-      progress.elementsDone(i, total);
-    }
-    VariableAccess.get().setReadTime(array, nanos);
+    variables.write(array, progress);
   }
 
   /**
@@ -463,21 +273,21 @@ public final class CrossComClient implements Closeable {
    * them are not tried. An array that cannot be read whole is read element by element, as by {@link
    * #readVariable(KRLArray, ArrayProgress)}.
    *
-   * @param variables what to read
+   * @param several what to read
    * @return what came of each, in the same order
    */
-  public List<VariableResult> readVariables(List<? extends KRLVariable> variables) {
-    return Batch.read(this, messages, variables);
+  public List<VariableResult> readVariables(List<? extends KRLVariable> several) {
+    return variables.readAll(several);
   }
 
   /**
    * Reads several variables, as {@link #readVariables(List)}.
    *
-   * @param variables what to read
+   * @param several what to read
    * @return what came of each, in the same order
    */
-  public List<VariableResult> readVariables(KRLVariable... variables) {
-    return readVariables(Arrays.asList(variables));
+  public List<VariableResult> readVariables(KRLVariable... several) {
+    return readVariables(Arrays.asList(several));
   }
 
   /**
@@ -488,29 +298,23 @@ public final class CrossComClient implements Closeable {
    * fails, the outcome of all variables that it was for may be unknown, and those behind them are
    * not tried.
    *
-   * @param variables what to write
+   * @param several what to write
    * @return what came of each, in the same order
    * @throws IllegalStateException if one has no value; nothing was written then
    */
-  public List<VariableResult> writeVariables(List<? extends KRLVariable> variables) {
-    variables.forEach(KRLVariable::getStringValue); // refuses what has no value
-    return Batch.write(this, messages, variables);
+  public List<VariableResult> writeVariables(List<? extends KRLVariable> several) {
+    return variables.writeAll(several);
   }
 
   /**
    * Writes several variables, as {@link #writeVariables(List)}.
    *
-   * @param variables what to write
+   * @param several what to write
    * @return what came of each, in the same order
    * @throws IllegalStateException if one has no value; nothing was written then
    */
-  public List<VariableResult> writeVariables(KRLVariable... variables) {
-    return writeVariables(Arrays.asList(variables));
-  }
-
-  /** Forgets a watch that has ended. */
-  void ended(Watch watch) {
-    watches.remove(watch);
+  public List<VariableResult> writeVariables(KRLVariable... several) {
+    return writeVariables(Arrays.asList(several));
   }
 
   /**
@@ -521,7 +325,7 @@ public final class CrossComClient implements Closeable {
    * @return the watch, which runs already; it is to be closed
    */
   public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener) {
-    Watch watch = new Watch(this, watchConfig);
+    Watch watch = new Watch(variables, link, watchConfig, watches::remove);
     watches.add(watch);
     watch.addListener(listener);
     watch.start();
@@ -554,7 +358,7 @@ public final class CrossComClient implements Closeable {
    *     C3 Bridge
    */
   public String readText(String name) throws IOException {
-    return read(name).text();
+    return variables.read(name).text();
   }
 
   /**
@@ -586,7 +390,7 @@ public final class CrossComClient implements Closeable {
    *     C3 Bridge
    */
   public void writeText(String name, String value) throws IOException {
-    write(name, value);
+    variables.write(name, value);
   }
 
   /**
@@ -599,7 +403,7 @@ public final class CrossComClient implements Closeable {
    * @throws IllegalArgumentException if the name is blank
    */
   public void checkText(String name, String value) throws CrossComValueException {
-    encodeWrite(name, value);
+    variables.checkWrite(name, value);
   }
 
   /**
@@ -611,7 +415,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComException if the exchange failed
    */
   public String simpleRead(String name) throws IOException {
-    return describe(name, read(name));
+    return describe(name, variables.read(name));
   }
 
   /**
@@ -624,7 +428,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComException if the exchange failed
    */
   public String simpleWrite(String name, String val) throws IOException {
-    return describe(name, write(name, val));
+    return describe(name, variables.write(name, val));
   }
 
   private static String describe(String name, TextAnswer exchanged) {
@@ -649,7 +453,7 @@ public final class CrossComClient implements Closeable {
   public Callback sendRequest(Request request) throws IOException {
     String name = request.getVariable();
     String value = request.getValue();
-    TextAnswer exchanged = value == null ? read(name) : write(name, value);
+    TextAnswer exchanged = value == null ? variables.read(name) : variables.write(name, value);
     return new Callback(
         name,
         request.getId(),
@@ -874,190 +678,6 @@ public final class CrossComClient implements Closeable {
 
   private <T> CompletableFuture<T> callAsync(Callable<T> call) {
     return AsyncCall.submit(async, callbacks, link, call);
-  }
-
-  // --- exchanges
-
-  private TextAnswer read(String name) throws CrossComException {
-    if (!Latin1.has(checkName(name))) {
-      return readUtf16(name);
-    }
-    byte[] frame = Codec.encode(new ReadRequest(0, name));
-    lock.lock();
-    try {
-      Answer answer = read(frame, name);
-      TextAnswer wide = readDoubtful(answer, name);
-      return wide == null ? answer.toText() : wide;
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  private TextAnswer write(String name, String value) throws CrossComException {
-    byte[] frame = encodeWrite(name, value);
-    if (frame == null) {
-      return writeUtf16(name, value);
-    }
-    lock.lock();
-    try {
-      return write(frame, name).toText();
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  /**
-   * Reads a variable again if function 0 may not have given it as it is. The lock is held.
-   *
-   * @return nothing if the answer that there is holds; else what to take instead
-   */
-  private @Nullable TextAnswer readDoubtful(Answer answer, String name) throws CrossComException {
-    if (!Latin1.isDoubtful(answer.frame()) || answer.frame().length() > MAX_UTF16_ANSWER) {
-      return null;
-    }
-    TextAnswer first = answer.toText();
-    try {
-      String what = "read of " + name;
-      return messages.find(what, ServerDetector::type) == ServerType.C3_BRIDGE
-          ? readUtf16Only(name)
-          : first;
-    } catch (CrossComUnsupportedException e) {
-      return first; // the connection was made anew meanwhile, to another server
-    }
-  }
-
-  /** Reads a variable whose name function 0 cannot carry. */
-  private TextAnswer readUtf16(String name) throws CrossComException {
-    try {
-      return readUtf16Only(name);
-    } catch (CrossComUnsupportedException e) {
-      throw new IllegalArgumentException("a variable's name " + Latin1.violation(name), e);
-    }
-  }
-
-  private TextAnswer readUtf16Only(String name) throws CrossComException {
-    MessageAnswer answered =
-        messages.exchange(new ReadUtf16Request(0, name), TextResponse.class, "read of " + name);
-    Tail tail = answered.response().tail();
-    String text = text(answered.response());
-    if (!tail.success() || text.isEmpty()) {
-      throw new CrossComAccessException(name, Operation.READ, tail.success(), tail.code());
-    }
-    return new TextAnswer(text, answered.nanos());
-  }
-
-  private TextAnswer writeUtf16(String name, String value) throws CrossComException {
-    MessageAnswer answered;
-    try {
-      answered =
-          messages.exchange(writeUtf16Request(name, value), TextResponse.class, "write of " + name);
-    } catch (CrossComUnsupportedException e) {
-      if (!Latin1.has(name)) {
-        throw new IllegalArgumentException("a variable's name " + Latin1.violation(name), e);
-      }
-      throw new CrossComValueException(
-          name, value, "the value cannot be sent: it " + Latin1.violation(value), e);
-    }
-    Tail tail = answered.response().tail();
-    if (!tail.success()) {
-      throw new CrossComAccessException(name, Operation.WRITE, false, tail.code());
-    }
-    return new TextAnswer(text(answered.response()), answered.nanos());
-  }
-
-  private static WriteUtf16Request writeUtf16Request(String name, String value)
-      throws CrossComValueException {
-    try {
-      return new WriteUtf16Request(0, name, value);
-    } catch (IllegalArgumentException e) {
-      throw new CrossComValueException(
-          name, value, "the value cannot be sent: " + e.getMessage(), e);
-    }
-  }
-
-  /** Gives the text of an answer, which has none if it says failure. */
-  private static String text(TypedResponse response) {
-    return response instanceof TextResponse text ? text.text() : "";
-  }
-
-  /**
-   * Encodes a write.
-   *
-   * @return the frame; nothing if function 1 cannot carry the text
-   */
-  private byte @Nullable [] encodeWrite(String name, String value) throws CrossComValueException {
-    checkName(name);
-    checkAggregate(name, value);
-    if (!Latin1.has(name) || !Latin1.has(value)) {
-      return null;
-    }
-    byte[] frame;
-    try {
-      frame = Codec.encode(new WriteRequest(0, name, value));
-    } catch (IllegalArgumentException e) {
-      throw new CrossComValueException(
-          name, value, "the value cannot be sent: " + e.getMessage(), e);
-    }
-    if (frame.length > config.maxRequestLength()) {
-      throw tooLong(name, value, frame.length);
-    }
-    return frame;
-  }
-
-  /** Refuses an aggregate that is too long for the controller. */
-  void checkAggregate(String name, String value) throws CrossComValueException {
-    Objects.requireNonNull(value, () -> "the value to be written to " + name);
-    int limit = config.maxAggregateLength();
-    if (limit > 0 && value.length() > limit && value.stripLeading().startsWith("{")) {
-      throw new CrossComValueException(
-          name,
-          value,
-          "an aggregate to be written must have at most "
-              + limit
-              + " bytes, has "
-              + value.length()
-              + AggregateLength.describe(value)
-              + ": "
-              + value,
-          null);
-    }
-  }
-
-  private CrossComValueException tooLong(String name, String text, int length) {
-    return new CrossComValueException(
-        name,
-        text,
-        "a request must have at most " + config.maxRequestLength() + " bytes, has " + length,
-        null);
-  }
-
-  private static String checkName(String name) {
-    Objects.requireNonNull(name, "the variable's name");
-    if (name.isBlank()) {
-      throw new IllegalArgumentException("a variable's name must not be blank");
-    }
-    return name;
-  }
-
-  private Answer read(byte[] frame, String name) throws CrossComException {
-    if (frame.length > config.maxRequestLength()) {
-      throw tooLong(name, name, frame.length);
-    }
-    Answer answer = link.exchange(frame, frame.length, MessageType.READ, name);
-    AnswerFrame result = answer.frame();
-    // KUKAVARPROXY of 2019 and later says success when the controller refuses (krl.md 1.8)
-    if (!result.success() || result.isEmpty()) {
-      throw new CrossComAccessException(name, Operation.READ, result.success(), result.code());
-    }
-    return answer;
-  }
-
-  private Answer write(byte[] frame, String name) throws CrossComException {
-    Answer answer = link.exchange(frame, frame.length, MessageType.WRITE, name);
-    if (!answer.frame().success()) {
-      throw new CrossComAccessException(name, Operation.WRITE, false, answer.frame().code());
-    }
-    return answer;
   }
 
   // --- what programs of the original call on the client as on a Socket

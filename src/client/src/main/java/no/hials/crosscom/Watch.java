@@ -41,7 +41,9 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
   private static final AtomicInteger COUNT = new AtomicInteger();
 
-  private final CrossComClient client;
+  private final VariableExchange exchange;
+  private final ReconnectingConnection connection;
+  private final Consumer<Watch> ended;
   private final WatchConfig config;
   private final List<KRLAny> variables;
   private final SubmissionPublisher<Sample> publisher;
@@ -63,8 +65,14 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   /** What changed in samples that somebody did not get, and so has to be told again. */
   private final Set<String> owed = new HashSet<>();
 
-  Watch(CrossComClient client, WatchConfig config) {
-    this.client = client;
+  Watch(
+      VariableExchange exchange,
+      ReconnectingConnection connection,
+      WatchConfig config,
+      Consumer<Watch> ended) {
+    this.exchange = exchange;
+    this.connection = connection;
+    this.ended = ended;
     this.config = config;
     this.variables = config.names().stream().map(KRLAny::new).toList();
     String name = "crosscom-watch-" + COUNT.incrementAndGet();
@@ -149,7 +157,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
       next += (leftOut + 1) * period;
       poll();
     }
-    client.ended(this);
+    ended.accept(this);
     publisher.close();
   }
 
@@ -158,7 +166,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     Instant time = Instant.now();
     long start = System.nanoTime();
     Map<String, Reading> readings = new LinkedHashMap<>();
-    for (VariableResult result : client.readVariables(variables)) {
+    for (VariableResult result : exchange.readAll(variables)) {
       CrossComException failure = result.failure();
       if (failure instanceof CrossComClosedException) {
         close();
@@ -170,7 +178,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
         LOG.debug("a reading failed: {}", failure.getMessage());
         failed.incrementAndGet();
         failedSinceSample++;
-        if (client.isClosed()) {
+        if (connection.isClosed()) {
           close(); // the connection is lost and not to be made again
         }
         return;

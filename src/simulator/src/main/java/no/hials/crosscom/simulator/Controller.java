@@ -26,7 +26,6 @@ import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.lang.Statement.MotionKind;
-import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.files.FileTree;
 import no.hials.crosscom.simulator.internal.core.Kernel;
@@ -35,9 +34,9 @@ import no.hials.crosscom.simulator.internal.program.Interpreter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The simulated controller behind a {@link MockServer}: what a person could do with a KR C4 at its
- * pendant. It loads data lists and programs, runs them with a robot interpreter and a submit
- * interpreter, moves a simulated robot, and shows all that in its system variables.
+ * A simulated KR C4: what a person could do with it at its pendant. It loads data lists and
+ * programs, runs them with a robot interpreter and a submit interpreter, moves a simulated robot,
+ * and shows all that in its system variables.
  *
  * <p>Its time passes in cycles of 12 ms as its {@link SimulationClock} says. With {@link
  * SimulationClock#stepped} the same calls give the same trajectory, bit by bit.
@@ -54,8 +53,8 @@ import org.jspecify.annotations.Nullable;
  * those from 9001 on are this simulation's own. A target that cannot be reached stops the program
  * at its motion statement; a path that turns out to lead nowhere, behind it.
  *
- * <p>Threads: one, {@code mock-server-PORT-clock}, unless the clock is stepped; a daemon that ends
- * with the server. All methods are safe for use by several threads.
+ * <p>Threads: one daemon, unless the clock is stepped, which {@link #close} ends. All methods are
+ * safe for use by several threads.
  */
 public final class Controller implements AutoCloseable {
   /** With a stepped clock all is the same each time: {@code $DATE}, too, as $OPERATE.DAT has it. */

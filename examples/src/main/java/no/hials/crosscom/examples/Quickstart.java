@@ -17,7 +17,7 @@ public final class Quickstart {
    * @throws IOException if reading failed
    */
   public static void main(String[] args) throws IOException {
-    try (MockServer robot = MockServer.start(); // a simulated KR C4, for want of a real one
+    try (MockServer robot = MockServer.start(); // a simulated KR C4
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       KRLE6Pos position = KRLVariable.POS_ACT();
       client.readVariable(position);

@@ -1,8 +1,8 @@
 """Makes a site of the pages in docs, which are written for a code host.
 
 The pages link to files beside docs (examples, KRL programs) as they lie in the repository. The site has no
-such files, so each of them becomes a page of it, and the link leads there. The navigation is made from the
-folders, so that a new page needs no entry in a list.
+such files, so each of them becomes a page of it, and the link leads there. The navigation has the pages of
+each folder in the order in which index.md links to them.
 """
 
 import os
@@ -35,13 +35,20 @@ LANGUAGES = {".java": "java", ".sh": "sh", ".md": "md", ".xml": "xml", ".propert
 
 
 def on_config(config):
+    home = (DOCS / "index.md").read_text(encoding="utf-8")
+    lists = home[home.index("\n## ") :]
+
+    def place(page):
+        found = lists.find(f"({page})")
+        return not page.endswith("/index.md"), found if found >= 0 else len(lists), page
+
     nav = ["index.md"]
     for title, folder in FOLDERS.items():
-        pages = sorted(p.relative_to(DOCS).as_posix() for p in (DOCS / folder).glob("*.md"))
-        if pages:
-            index = f"{folder}/index.md"
-            nav.append({title: sorted(pages, key=lambda page: (page != index, page))})
-    nav.append({"Project": ["CHANGELOG.md", "CONTRIBUTING.md"]})
+        pages = [p.relative_to(DOCS).as_posix() for p in (DOCS / folder).glob("*.md")]
+        nav.append({title: sorted(pages, key=place)})
+    project = ["CHANGELOG.md", "CONTRIBUTING.md", "RELEASING.md"]
+    decisions = [p.relative_to(DOCS).as_posix() for p in (DOCS / "decisions").glob("*.md")]
+    nav.append({"Project": [*project, {"Decisions": sorted(decisions, key=place)}]})
     config.nav = nav
     return config
 

@@ -148,7 +148,7 @@ class DriveIT {
       assertThat(shown.code()).isEqualTo(2);
       assertThat(shown.text())
           .isEqualTo(
-              "jopenshowvar: the keyboard needs a terminal that gives keys, TERM is dumb\r\n");
+              "jopenshowvar: the keyboard needs a terminal that sends single keys, TERM is dumb\r\n");
       assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
     }
   }

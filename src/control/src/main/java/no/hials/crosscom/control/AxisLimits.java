@@ -10,26 +10,21 @@ import no.hials.crosscom.kinematics.RobotModel;
  * @param maximum the largest angles, degrees
  */
 public record AxisLimits(Axes minimum, Axes maximum) {
-  /** Checks that each minimum is below its maximum. */
+  /** Checks that each minimum is less than its maximum. */
   public AxisLimits {
     for (int i = 0; i < 6; i++) {
       Checks.holds(
           minimum.get(i) < maximum.get(i),
-          "the limits of A"
+          "the minimum of A"
               + (i + 1)
-              + " must be a minimum below a maximum, are "
+              + " must be less than its maximum, are "
               + minimum.get(i)
               + " and "
               + maximum.get(i));
     }
   }
 
-  /**
-   * Takes the software limits of a model.
-   *
-   * @param model the robot
-   * @return its limits
-   */
+  /** Returns the software limits of a robot model. */
   public static AxisLimits of(RobotModel model) {
     double[] minimum = new double[6];
     double[] maximum = new double[6];

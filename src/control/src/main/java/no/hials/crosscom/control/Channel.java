@@ -18,8 +18,8 @@ import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a loop reads and writes. Several variables go as one message to C3 Bridge, and one after the
- * other to KUKAVARPROXY.
+ * Reads and writes the variables of a loop. Several variables are one message to C3 Bridge and one
+ * message each to KUKAVARPROXY.
  */
 final class Channel {
   private static final String MODE = "$MODE_OP";
@@ -95,7 +95,7 @@ final class Channel {
     write(variable);
   }
 
-  /** Gives the position that was read last. */
+  /** Returns the last position read. */
   Frame frame() throws ControlRefusedException {
     try {
       return new Frame(
@@ -110,7 +110,7 @@ final class Channel {
     }
   }
 
-  /** Gives the axes that were read last. */
+  /** Returns the last axis positions read. */
   Axes joints() throws ControlRefusedException {
     try {
       return Axes.of(axes.asArrayA1ToA6());
@@ -124,7 +124,7 @@ final class Channel {
         new StopReason(Kind.ACCESS, Objects.requireNonNull(e.getMessage()), e));
   }
 
-  /** Reads the ranges that the controller keeps its axes in. */
+  /** Reads the software limits of the controller's axes. */
   AxisLimits readAxisLimits() throws ControlRefusedException {
     Axes minimum = readSix("$SOFTN_END[]");
     Axes maximum = readSix("$SOFTP_END[]");
@@ -148,7 +148,7 @@ final class Channel {
     return new Axes(values[0], values[1], values[2], values[3], values[4], values[5]);
   }
 
-  /** Refuses a mode, as it was read last, that is not allowed. */
+  /** Checks that the last mode read is allowed. */
   void checkMode(Safety safety) throws ControlRefusedException {
     String found = mode.stringValue();
     for (OperatingMode allowed : safety.modes()) {
@@ -161,7 +161,7 @@ final class Channel {
         MODE + " must be one of " + safety.modes().stream().sorted().toList() + ", is " + found);
   }
 
-  /** Refuses a robot program, as it was read last, that does not run. */
+  /** Checks that the robot program was running when last read. */
   void checkProgram() throws ControlRefusedException {
     String found = program.stringValue();
     if (!found.equalsIgnoreCase(RUNNING)) {

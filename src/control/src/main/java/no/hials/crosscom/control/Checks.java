@@ -2,7 +2,7 @@ package no.hials.crosscom.control;
 
 import java.time.Duration;
 
-/** The checks of the records' constructors. */
+/** Checks of constructor arguments. */
 final class Checks {
   private Checks() {}
 

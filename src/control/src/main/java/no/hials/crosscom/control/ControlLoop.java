@@ -11,30 +11,30 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Moves a robot by a {@link Law}: once in each period it reads where the robot is, asks the law and
- * writes one structure, which a KRL program follows.
+ * Moves a robot by a {@link Law}: once in each period it reads the position of the robot, calls the
+ * law and writes one structure, which a KRL program follows.
  *
- * <p><b>It moves a machine.</b> Before anything is written, the operating mode, the state of the
- * robot's program, the limits and the watchdog are checked; while it runs, every command passes the
- * limits of {@link Safety}. Whatever breaks one, any exception, and any access that fails ends the
- * loop: the robot is told once to stand, if the connection allows, and nothing is written after
- * that. {@link #stopReason} then says which limit it was. A loop does not start again; a write is
- * never repeated. A reading that the client repeats on a new connection, as it does unless told not
- * to reconnect, has not failed if it is fresh enough ({@link Safety#maxFeedbackAge}).
+ * <p><b>It moves a machine.</b> Before the first command, the loop checks the operating mode, the
+ * state of the robot program, the limits and the watchdog. While it runs, it checks each command
+ * against the limits of {@link Safety}. A violated limit, an exception or a failed access ends the
+ * loop: it writes the command to stand once, if the connection allows, and nothing after that.
+ * {@link #stopReason} then returns the reason. A loop does not start again, and a write is never
+ * repeated. A read that the client repeats on a new connection has not failed if the value is fresh
+ * enough ({@link Safety#maxFeedbackAge}).
  *
- * <p>If the robot could not be told to stand, it is the watchdog's turn: without heartbeat the
- * program on the controller stops. Except after a planned end, the watchdog stays armed, so that
- * the program stops after any other end too.
+ * <p>If the command to stand could not be written, the watchdog stops the program on the
+ * controller, since the heartbeat has ended. The watchdog stays armed except after a planned end,
+ * so the program stops after every other end.
  *
- * <p>Without the dead-man, or with input that is too old, the robot stands and the law is not
- * asked; the loop goes on and moves again when both are back.
+ * <p>Without the dead-man or with input that is too old, the robot stands still and the law is not
+ * called. The loop continues and moves the robot again when both are back.
  *
- * <p>Cycles begin at fixed times without drift. One whose time has come before the one before has
- * ended is left out and counted, never made up for.
+ * <p>Cycles start at fixed times without drift. A cycle is skipped and counted if the previous
+ * cycle is still running at its time; skipped cycles are not made up.
  *
  * <p>Threads: a loop runs the daemon thread {@code crosscom-control-N}, which calls the law and the
- * input device and uses the client. The client can be used for other things meanwhile, at the cost
- * of the loop's time. All methods here may be called by any thread.
+ * input device and uses the client. Other code may use the client at the same time, but its
+ * accesses delay the loop. All methods are thread-safe.
  */
 public final class ControlLoop implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(ControlLoop.class);
@@ -51,11 +51,11 @@ public final class ControlLoop implements AutoCloseable {
     thread.setDaemon(true);
   }
 
-  /** What a loop is doing. */
+  /** The state of a loop. */
   public enum Status {
-    /** It asks the law and moves the robot. */
+    /** It calls the law and moves the robot. */
     MOVING,
-    /** It lets the robot stand, because nobody holds the dead-man or the input is too old. */
+    /** The robot stands still, because nobody holds the dead-man or the input is too old. */
     HOLDING,
     /** It has ended. */
     STOPPED
@@ -66,10 +66,10 @@ public final class ControlLoop implements AutoCloseable {
    * accesses, and up to a second until the watchdog has seen the heartbeat.
    *
    * @param client the connection; it stays open when the loop ends
-   * @param config what the loop is to do
-   * @param law decides where the robot is to go
-   * @return the loop, which runs already; it is to be closed
-   * @throws ControlRefusedException if a check failed; nothing was written that moves a robot
+   * @param config the settings
+   * @param law computes the commands
+   * @return the running loop; the caller must close it
+   * @throws ControlRefusedException if a check failed; no motion was written
    */
   public static ControlLoop start(CrossComClient client, LoopConfig config, Law law)
       throws ControlRefusedException {
@@ -94,12 +94,12 @@ public final class ControlLoop implements AutoCloseable {
     heartbeat.start();
     if (heartbeat.wasOn()) {
       LOG.warn(
-          "the watchdog was on before this loop, as after one whose end was not planned;"
-              + " it stays on when this one has ended, and stops the program then");
+          "the watchdog was on before this loop, as after an unplanned end;"
+              + " it stays on after this loop, and then stops the program");
     }
     ControlLoop loop =
         new ControlLoop(new Runner<>(config, target, channel, space, guard, heartbeat, time));
-    LOG.debug("control of {} starts, every {}", target.name(), config.period());
+    LOG.debug("started control of {} every {}", target.name(), config.period());
     loop.thread.start();
     return loop;
   }
@@ -107,12 +107,12 @@ public final class ControlLoop implements AutoCloseable {
   private void run() {
     StopReason reason = runner.run();
     if (reason.isPlanned()) {
-      LOG.debug("control ends: {}", reason.message());
+      LOG.debug("ended control: {}", reason.message());
     } else {
-      LOG.warn("control stops the robot: {}", reason.message());
-      LOG.debug("the reason of the stop was {}", reason.kind(), reason.cause());
+      LOG.warn("stopped the robot: {}", reason.message());
+      LOG.debug("the cause of the stop was {}", reason.kind(), reason.cause());
     }
-    // an access refuses to begin in an interrupted thread, and the robot would go on moving
+    // an interrupted thread cannot start an access, and the robot would continue to move
     Thread.interrupted();
     try {
       toldToStand = runner.halt(reason);
@@ -123,11 +123,7 @@ public final class ControlLoop implements AutoCloseable {
     }
   }
 
-  /**
-   * Says what the loop is doing.
-   *
-   * @return the status
-   */
+  /** Returns the state of the loop. */
   public Status status() {
     if (end.isDone()) {
       return Status.STOPPED;
@@ -135,30 +131,26 @@ public final class ControlLoop implements AutoCloseable {
     return runner.isHolding() ? Status.HOLDING : Status.MOVING;
   }
 
-  /**
-   * Says why the loop has ended.
-   *
-   * @return the reason; nothing if it has not ended
-   */
+  /** Returns why the loop has ended, or empty if it is still running. */
   public Optional<StopReason> stopReason() {
     return Optional.ofNullable(end.getNow(null));
   }
 
   /**
-   * Says whether the robot was told to stand at the end. If not, it goes on to its last target, or
-   * with its last increment until the watchdog stops it.
+   * Returns whether the command to stand was written at the end. Without it, the robot moves on to
+   * its last target, or by its last increment until the watchdog stops it.
    *
-   * @return true if the zeros, or the position where it was, were written
+   * @return true if the zeros, or the position of the robot, were written
    */
   public boolean toldToStand() {
     return toldToStand;
   }
 
   /**
-   * Gives the reason of the end when it comes.
+   * Returns a future of the reason of the end.
    *
-   * @return a future of the caller's own; what depends on it runs on the loop's thread, after the
-   *     robot was told to stand
+   * @return a new future; its dependent stages run on the thread of the loop, after the command to
+   *     stand
    */
   public CompletableFuture<StopReason> ended() {
     return end.copy();
@@ -167,24 +159,24 @@ public final class ControlLoop implements AutoCloseable {
   /**
    * Waits until the loop has ended.
    *
-   * @return why it has
-   * @throws InterruptedException if the waiting was interrupted; the loop goes on
+   * @return the reason
+   * @throws InterruptedException if the wait was interrupted; the loop continues
    */
   public StopReason await() throws InterruptedException {
     try {
       return end.get();
     } catch (ExecutionException e) {
-      throw new AssertionError("it is completed by a reason only", e);
+      throw new AssertionError("a loop never ends without a reason", e);
     }
   }
 
-  /** Asks the loop to end, and does not wait for it. */
+  /** Requests the end of the loop without waiting for it. */
   public void stop() {
     runner.askToStop();
     LockSupport.unpark(thread);
   }
 
-  /** Ends the loop, and waits until the robot has been told to stand. */
+  /** Ends the loop and waits until it has written the command to stand. */
   @Override
   public void close() {
     stop();
@@ -193,20 +185,12 @@ public final class ControlLoop implements AutoCloseable {
     }
   }
 
-  /**
-   * Gives what was measured so far.
-   *
-   * @return the numbers
-   */
+  /** Returns the measurements so far. */
   public LoopStatistics statistics() {
     return runner.meter().statistics();
   }
 
-  /**
-   * Gives the last cycles.
-   *
-   * @return always the same object
-   */
+  /** Returns the last cycles; always the same object. */
   public Trace trace() {
     return runner.trace();
   }

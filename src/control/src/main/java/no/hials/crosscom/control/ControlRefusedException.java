@@ -2,16 +2,16 @@ package no.hials.crosscom.control;
 
 import java.io.IOException;
 
-/** Says that a motion was refused: nothing that breaks the named limit was sent. */
+/** Thrown if a motion was refused: no command that violates the limit was sent. */
 public final class ControlRefusedException extends IOException {
   private static final long serialVersionUID = 1;
 
   private final transient StopReason reason;
 
   /**
-   * Makes an exception.
+   * Creates an exception.
    *
-   * @param reason which limit was broken, by what
+   * @param reason the violated limit and the value
    */
   public ControlRefusedException(StopReason reason) {
     super(reason.message(), reason.cause());
@@ -22,11 +22,7 @@ public final class ControlRefusedException extends IOException {
     this(new StopReason(kind, message));
   }
 
-  /**
-   * Gives the reason.
-   *
-   * @return which limit was broken, by what
-   */
+  /** Returns the violated limit and the value. */
   public StopReason reason() {
     return reason;
   }

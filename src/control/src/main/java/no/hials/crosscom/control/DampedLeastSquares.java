@@ -6,13 +6,13 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * Finds the velocities of the axes that move the flange as wanted, by damped least squares: {@code
- * w = Jᵀ (J Jᵀ + λ² I)⁻¹ v}. Near a singularity, where the exact answer would ask the axes for any
- * speed, it gives up exactness instead. A joint velocity law can use it in place of the
- * controller's own inverse kinematics.
+ * Computes the axis velocities for a velocity of the flange by damped least squares: {@code w = Jᵀ
+ * (J Jᵀ + λ² I)⁻¹ v}. Near a singularity, where the exact solution has unbounded axis velocities,
+ * the result is less exact instead. A joint velocity law can use it in place of the controller's
+ * inverse kinematics.
  *
- * <p>Lengths are taken in units of 10 mm, so that they weigh about as much as degrees do on an arm
- * of the size of a person's. For one thread at a time; it makes one object a call.
+ * <p>Lengths are in units of 10 mm, so that they weigh about as much as degrees on an arm of human
+ * size. Not thread-safe; it creates one object per call.
  */
 public final class DampedLeastSquares {
   private static final int SIX = 6;
@@ -28,7 +28,7 @@ public final class DampedLeastSquares {
   private final DMatrixRMaj velocities = new DMatrixRMaj(SIX, 1);
 
   /**
-   * Makes a solver.
+   * Creates a solver.
    *
    * @param model the robot
    * @param damping λ, more than 0; 0.05 to 0.5 are usual
@@ -40,11 +40,11 @@ public final class DampedLeastSquares {
   }
 
   /**
-   * Finds velocities.
+   * Returns the axis velocities.
    *
-   * @param axes where the axes are
-   * @param flange how the flange is to move, along and about the axes of {@code $ROBROOT}
-   * @return the velocities of the axes, degrees/s
+   * @param axes the axis positions
+   * @param flange the velocity of the flange, along and about the axes of {@code $ROBROOT}
+   * @return degrees/s
    */
   public Axes velocity(Axes axes, Twist flange) {
     double[][] rows = model.jacobian(axes);
@@ -63,7 +63,7 @@ public final class DampedLeastSquares {
     for (int i = 0; i < SIX; i++) {
       square.add(i, i, squaredDamping);
     }
-    CommonOps_DDRM.solve(square, twist, solution); // positive definite by the damping
+    CommonOps_DDRM.solve(square, twist, solution); // positive definite due to the damping
     CommonOps_DDRM.multTransA(jacobian, solution, velocities);
     return Axes.of(velocities.data);
   }

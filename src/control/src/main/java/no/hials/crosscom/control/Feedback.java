@@ -6,31 +6,32 @@ import no.hials.crosscom.control.StopReason.Kind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Looks at where the robot is from cycle to cycle: how fast it is, whether it follows, and whether
- * the value changes at all.
+ * Checks the measured position from cycle to cycle: its speed, the tracking error, and whether the
+ * value changes at all.
  *
  * @param <P> the position
  */
 final class Feedback<P> {
   /**
-   * The shortest time over which a speed is measured, ns. When within its access a value was taken
-   * is not known, which is up to 24 ms (krl.md 5) at either end.
+   * The shortest time over which a speed is measured, ns. The moment of a value within its access
+   * is not known, which is up to 24 ms at both ends
+   * (docs/reference/access-times.md#50000-accesses).
    */
   private static final long WINDOW = 200_000_000;
 
-  /** How much faster than the law may ask for a robot may be that catches up. */
+  /** The factor by which a robot that catches up may exceed the speed limit of the law. */
   private static final double CATCHING_UP = 1.5;
 
   /**
-   * At least so many readings have to be the same for a stall, each counting for its share of the
-   * time at most: while this computer stands still, the value cannot be seen to change.
+   * The number of equal readings of a stall. Each reading counts at most for its share of the time,
+   * since a value does not change while this computer pauses.
    */
   private static final int READINGS_OF_STALL = 5;
 
-  /** So far, mm or degrees, the robot has to be told to go for the value to change. */
+  /** The shortest commanded motion, mm or degrees, that must change the value. */
   private static final double NOTICEABLE = 0.01;
 
-  /** Where the robot was, and when. */
+  /** A position of the robot and its time. */
   private record Fix<P>(long nanos, P place) {}
 
   private final Space<P> space;
@@ -42,7 +43,7 @@ final class Feedback<P> {
   private @Nullable P target;
   private long lastNanos;
 
-  /** How long the value has not changed, ns. */
+  /** The time since the last change of the value, ns. */
   private long unchanged;
 
   Feedback(Space<P> space, Safety safety, Meter meter) {
@@ -52,7 +53,7 @@ final class Feedback<P> {
     this.differences = new double[space.quantities.size()];
   }
 
-  /** Remembers where the robot was told to be; nothing if it was told to stand. */
+  /** Sets the commanded position; null if the robot was told to stand. */
   void told(@Nullable P place) {
     target = place;
   }
@@ -65,7 +66,7 @@ final class Feedback<P> {
     }
     checkStall(actual, now);
     if (target != null) {
-      checkError(); // of a value that stalls is said that it does
+      checkError(); // a stalled value is reported as a stall, not as a tracking error
     }
     last = actual;
   }
@@ -109,7 +110,7 @@ final class Feedback<P> {
           space.feedback().getName()
               + " must change within "
               + maxStall / 1_000_000
-              + " ms when the robot is told to move, has not for "
+              + " ms when the robot is told to move, was the same for "
               + unchanged / 1_000_000
               + " ms");
     }

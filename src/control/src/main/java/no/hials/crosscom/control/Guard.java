@@ -7,7 +7,7 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
 
-/** The limits of where the robot may be, and the words of every refusal. */
+/** The limits of the position, and the messages of all violated limits. */
 final class Guard {
   private static final String XYZ = "XYZ";
   private static final int SHOWN_DIGITS = 3;
@@ -23,7 +23,7 @@ final class Guard {
     this.workspace = workspace;
   }
 
-  /** Refuses axes that do not keep the margin, or are outside the limits if they are actual. */
+  /** Checks axes against the limits: actual positions without the margin, targets with it. */
   void check(Axes axes, boolean actual) throws ControlRefusedException {
     double margin = actual ? 0 : safety.axisMargin();
     for (int i = 0; i < 6; i++) {
@@ -37,7 +37,9 @@ final class Guard {
     }
   }
 
-  /** Refuses a position that does not keep the margin, or is outside if it is actual. */
+  /**
+   * Checks a position against the workspace: actual positions without the margin, targets with it.
+   */
   void check(Frame position, boolean actual) throws ControlRefusedException {
     if (workspace == null) {
       return;
@@ -72,16 +74,16 @@ final class Guard {
             + number(most)
             + " "
             + unit
-            + (margin > 0 ? " (a margin of " + number(margin) + " kept)" : "")
+            + (margin > 0 ? " (limits minus a margin of " + number(margin) + ")" : "")
             + (actual ? ", is " : ", would be ")
             + number(value));
   }
 
   /**
-   * Refuses what is more than a limit; a value computed to be at it may be a little above.
+   * Checks a value against a limit, with a tolerance for rounding.
    *
-   * @param words a pattern for the name, the limit, its unit and the value, filled in for a refusal
-   *     only
+   * @param words a pattern for the name, the limit, its unit and the value, formatted only if the
+   *     limit is exceeded
    */
   static void checkAtMost(
       Kind kind, String words, String name, double limit, String unit, double value)

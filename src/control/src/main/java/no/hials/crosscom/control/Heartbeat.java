@@ -4,18 +4,18 @@ import java.time.Duration;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.control.StopReason.Kind;
 
-/** The heartbeat that the watchdog of {@code krl/jov_sps.sub} looks at. */
+/** The heartbeat for the watchdog of {@code krl/jov_sps.sub}. */
 final class Heartbeat {
   private static final String LIMIT = "JOV_LIMIT";
   private static final String BEAT = "JOV_HEARTBEAT";
   private static final String SEEN = "JOV_SEEN";
 
-  /** How often the watchdog is asked at the start whether it has seen the heartbeat. */
+  /** How often the start checks whether the watchdog has seen the heartbeat. */
   private static final int ATTEMPTS = 50;
 
   private static final long PAUSE = Duration.ofMillis(20).toNanos();
 
-  /** How many beats are sent in the time that the watchdog waits. */
+  /** The number of beats within the time of the watchdog. */
   private static final int BEATS = 4;
 
   private final Channel channel;
@@ -24,7 +24,7 @@ final class Heartbeat {
   private final long interval;
   private final KRLInt beat = new KRLInt(BEAT);
 
-  /** What the watchdog is set to, and the last beat it saw; to be read while the loop runs. */
+  /** The setting of the watchdog, and the last beat that it saw; read while the loop runs. */
   final KRLInt limit = new KRLInt(LIMIT);
 
   final KRLInt seen = new KRLInt(SEEN);
@@ -38,7 +38,7 @@ final class Heartbeat {
     this.interval = limit.toNanos() / BEATS;
   }
 
-  /** Switches the watchdog on, and makes sure that it looks. */
+  /** Switches the watchdog on and checks that it sees the heartbeat. */
   void start() throws ControlRefusedException {
     if (!isOn()) {
       return;
@@ -48,13 +48,13 @@ final class Heartbeat {
       channel.read(beat);
       count();
       if (channel.readInt(SEEN) == beat.intValue()) {
-        count(); // what was seen before proves nothing
+        count(); // an earlier beat proves nothing
       }
     } catch (ControlRefusedException e) {
       throw new ControlRefusedException(
           new StopReason(
               Kind.WATCHDOG,
-              "the watchdog of krl/config.dat is not on this controller (noWatchdog() does without"
+              "the watchdog of krl/config.dat is not on this controller (noWatchdog() works without"
                   + " it): "
                   + e.getMessage(),
               e));
@@ -90,17 +90,17 @@ final class Heartbeat {
     beat.setValue(beat.intValue() == Integer.MAX_VALUE ? 0 : beat.intValue() + 1);
   }
 
-  /** Says whether there is a watchdog. */
+  /** Returns whether there is a watchdog. */
   boolean isOn() {
     return limitMillis > 0;
   }
 
-  /** Says whether the watchdog was on already. */
+  /** Returns whether the watchdog was on before. */
   boolean wasOn() {
     return limitBefore > 0;
   }
 
-  /** Refuses a watchdog, as it was read last, that somebody has set to something else. */
+  /** Checks that the setting of the watchdog, when last read, was still that of this loop. */
   void checkLimit() throws ControlRefusedException {
     if (limit.intValue() != limitMillis) {
       throw new ControlRefusedException(
@@ -108,20 +108,20 @@ final class Heartbeat {
           LIMIT
               + " must be "
               + limitMillis
-              + " as this loop has set it, is "
+              + " as set by this loop, is "
               + limit.intValue()
               + "; another client uses the watchdog");
     }
   }
 
-  /** Refuses a watchdog that has not seen, as it was read last, any of the latest beats. */
+  /** Checks that the watchdog, when last read, had seen one of the latest beats. */
   void checkSeen() throws ControlRefusedException {
-    // the beat after the greatest is 0
+    // the beat after the largest is 0
     long behind = Math.floorMod(beat.intValue() - (long) seen.intValue(), 1L << 31);
     if (behind > BEATS) {
       throw new ControlRefusedException(
           Kind.WATCHDOG,
-          "the watchdog does not see the heartbeat any more: "
+          "the watchdog no longer sees the heartbeat: "
               + SEEN
               + " must be at most "
               + BEATS
@@ -137,14 +137,14 @@ final class Heartbeat {
     return isOn() && time.nanoTime() - next >= 0;
   }
 
-  /** Gives the next beat to be written. */
+  /** Returns the next beat to be written. */
   KRLInt next() {
     count();
     next = time.nanoTime() + interval;
     return beat;
   }
 
-  /** Sets the watchdog to what it was before, once the robot stands. */
+  /** Restores the previous setting of the watchdog after the robot stands. */
   void end() throws ControlRefusedException {
     if (isOn()) {
       channel.writeInt(LIMIT, limitBefore);

@@ -6,25 +6,25 @@ import no.hials.crosscom.control.input.InputDevice;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a loop is to do. Immutable; made by {@link #create}.
+ * The settings of a loop. Immutable; created by {@link #create}.
  *
- * @param period the time {@code dt} from one command to the next, 4 ms to 1 s; default 20 ms
- * @param target the variable that the KRL program follows; if none is given, that of the program in
- *     {@code krl} for the kind of law: {@code JOV_POS} and {@code JOV_AXIS} for positions, the
+ * @param period the time {@code dt} between commands, 4 ms to 1 s; default 20 ms
+ * @param target the variable that the KRL program follows; by default the variable of the program
+ *     in {@code krl} for the kind of law: {@code JOV_POS} and {@code JOV_AXIS} for positions, the
  *     increments {@code MYPOS} and {@code MYAXIS} for velocities
- * @param gain what part of the way to its position a position law sends as an increment at most,
- *     since the program makes one or two more until the robot shows the first; more than 0, at most
- *     1, default 0.25
- * @param stepTime how long the program takes for one increment: it makes several in a longer
- *     period, so each is to be the motion of that time only; 4 ms to 1 s, default 12 ms, a cycle of
- *     the controller and so the shortest possible. The robot is the slower the longer it really
- *     takes
+ * @param gain the largest part of the distance to its position that a position law sends as an
+ *     increment, since the program makes one or two more increments until the robot shows the
+ *     first; more than 0, at most 1, default 0.25
+ * @param stepTime the time that the program takes for one increment; an increment is the motion of
+ *     this time, since the program makes several in a longer period. 4 ms to 1 s; default 12 ms, a
+ *     cycle of the controller and so the shortest possible. If the program takes longer, the robot
+ *     is slower
  * @param safety the limits
- * @param input the device whose dead-man allows motion; none if the law is to move the robot by
- *     itself ({@link Builder#noInput})
- * @param duration after what time the loop ends by itself; zero for never, the default
- * @param traceLength how many of the last cycles are kept for {@link Trace}, 0 to 1,000,000;
- *     default 10,000
+ * @param input the device whose dead-man allows motion; empty if the law moves the robot without
+ *     one ({@link Builder#noInput})
+ * @param duration the time after which the loop ends; zero for never, the default
+ * @param traceLength the number of last cycles kept for {@link Trace}, 0 to 1,000,000; default
+ *     10,000
  */
 public record LoopConfig(
     Duration period,
@@ -55,20 +55,19 @@ public record LoopConfig(
         "time of the watchdog must be at least 4 periods, is " + safety.watchdog());
   }
 
-  /** Gives the part of the way of a period that one increment is to be. */
+  /** Returns the part of a period's motion in one increment. */
   double part(boolean velocity) {
     double step = Math.min(1, (double) stepTime.toNanos() / period.toNanos());
     return velocity ? step : Math.min(gain, step);
   }
 
   /**
-   * Makes a configuration.
+   * Creates a configuration.
    *
-   * @param settings sets what is not to have its default, and {@link Builder#input} or {@link
-   *     Builder#noInput}
+   * @param settings changes the defaults, and sets {@link Builder#input} or {@link Builder#noInput}
    * @return the configuration
-   * @throws IllegalArgumentException if a value is out of its range, or neither an input device was
-   *     given nor said that there is none
+   * @throws IllegalArgumentException if a value is out of range, or neither an input device nor
+   *     {@code noInput} was set
    */
   public static LoopConfig create(Consumer<Builder> settings) {
     Builder builder = new Builder();
@@ -91,7 +90,7 @@ public record LoopConfig(
     private Builder() {}
 
     /**
-     * Sets the time from one command to the next.
+     * Sets the time between commands.
      *
      * @param dt 4 ms to 1 s
      * @return this
@@ -113,7 +112,7 @@ public record LoopConfig(
     }
 
     /**
-     * Sets what part of the way a position law sends as an increment at most.
+     * Sets the largest part of the distance that a position law sends as an increment.
      *
      * @param part more than 0, at most 1
      * @return this
@@ -124,7 +123,7 @@ public record LoopConfig(
     }
 
     /**
-     * Sets how long the program takes for one increment.
+     * Sets the time that the program takes for one increment.
      *
      * @param time 4 ms to 1 s
      * @return this
@@ -148,7 +147,7 @@ public record LoopConfig(
     /**
      * Changes limits.
      *
-     * @param changes sets what is not to have its default
+     * @param changes changes the defaults
      * @return this
      */
     public Builder safety(Consumer<Safety.Builder> changes) {
@@ -156,7 +155,8 @@ public record LoopConfig(
     }
 
     /**
-     * Sets the device whose dead-man allows motion. The loop reads it, and does not close it.
+     * Sets the device whose dead-man allows motion. The loop reads the device but does not close
+     * it.
      *
      * @param device the device
      * @return this
@@ -168,7 +168,7 @@ public record LoopConfig(
     }
 
     /**
-     * Lets the law move the robot by itself, without a dead-man.
+     * Lets the law move the robot without a dead-man.
      *
      * @return this
      */
@@ -179,9 +179,9 @@ public record LoopConfig(
     }
 
     /**
-     * Sets after what time the loop ends by itself.
+     * Sets the time after which the loop ends.
      *
-     * @param time more than zero; zero for never
+     * @param time more than zero, or zero for never
      * @return this
      */
     public Builder duration(Duration time) {
@@ -190,7 +190,7 @@ public record LoopConfig(
     }
 
     /**
-     * Sets how many of the last cycles are kept.
+     * Sets the number of last cycles to keep.
      *
      * @param cycles 0 to 1,000,000; each needs 200 bytes
      * @return this
@@ -203,8 +203,8 @@ public record LoopConfig(
     private LoopConfig build() {
       Checks.holds(
           inputKnown,
-          "a loop needs an input device, whose dead-man allows motion; a law that is to move the"
-              + " robot by itself says noInput()");
+          "a loop needs an input device, whose dead-man allows motion, or noInput() for a law that"
+              + " moves the robot without one");
       return new LoopConfig(period, target, gain, stepTime, safety, input, duration, traceLength);
     }
   }

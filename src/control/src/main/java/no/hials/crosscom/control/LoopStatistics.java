@@ -5,21 +5,21 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What a loop has measured so far.
+ * The measurements of a loop so far.
  *
- * @param cycles the cycles that were begun
- * @param holding those of them in which the robot had to stand because of the dead-man
- * @param missed the cycles that were left out, because the one before took too long
- * @param missedByAccess those of them that were missed since the accesses to the controller alone
- *     took longer than a period; the others are the law's, or the computer's, which {@code late}
- *     shows
+ * @param cycles the number of started cycles
+ * @param holding the cycles in which the robot stood still without the dead-man
+ * @param missed the cycles that were skipped, because the previous cycle took too long
+ * @param missedByAccess the missed cycles for which the accesses to the controller alone took
+ *     longer than a period; the other cycles were missed because of the law, or because of the
+ *     computer, which {@code late} shows
  * @param saturated the cycles in which an increment was cut to the step limit
- * @param period from the begin of one cycle to that of the next; missed cycles make it longer
- * @param late how long after its time a cycle began: what the computer took to wake the thread
- * @param read how long reading where the robot is took
- * @param write how long writing the command took
- * @param own how long the law and all the rest of a cycle took
- * @param errors how far the robot was from the target before, for each quantity of the law
+ * @param period the time between the starts of cycles, including missed cycles
+ * @param late the delay of the start of a cycle: the time that the computer took to wake the thread
+ * @param read the time to read the position of the robot
+ * @param write the time to write the command
+ * @param own the time of the law and the rest of a cycle
+ * @param errors the distance of the robot from the previous target, for each quantity of the law
  */
 public record LoopStatistics(
     long cycles,
@@ -40,33 +40,32 @@ public record LoopStatistics(
   }
 
   /**
-   * Times of one kind, in ms.
+   * Statistics of a kind of time, in ms.
    *
-   * @param count how many there are; without any the others are 0
-   * @param least the shortest
-   * @param mean their mean
-   * @param median what half of them do not exceed, to 0.01 ms
-   * @param percentile99 what 99 of 100 do not exceed, to 0.01 ms
-   * @param most the longest
+   * @param count the number of times; if it is 0, the others are 0
+   * @param least the shortest time
+   * @param mean the mean
+   * @param median the median, to 0.01 ms
+   * @param percentile99 the 99th percentile, to 0.01 ms
+   * @param most the longest time
    */
   public record Times(
       long count, double least, double mean, double median, double percentile99, double most) {}
 
   /**
-   * How far the robot was from its target.
+   * The tracking error of a quantity.
    *
-   * @param quantity what was measured: {@code path} and {@code rotation}, or {@code A1} to {@code
-   *     A6}
+   * @param quantity the quantity: {@code path} and {@code rotation}, or {@code A1} to {@code A6}
    * @param unit mm or degrees
-   * @param rootMeanSquare the root of the mean of the squares
-   * @param most the largest
+   * @param rootMeanSquare the root mean square
+   * @param most the largest error
    */
   public record TrackingError(String quantity, String unit, double rootMeanSquare, double most) {}
 
   /**
    * Writes the numbers as lines of {@code name,value}, times in ms.
    *
-   * @param csv where to; it is neither flushed nor closed
+   * @param csv the destination; neither flushed nor closed
    * @throws IOException if writing failed
    */
   public void writeCsv(Appendable csv) throws IOException {

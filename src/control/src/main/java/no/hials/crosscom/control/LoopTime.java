@@ -2,9 +2,9 @@ package no.hials.crosscom.control;
 
 import java.util.concurrent.locks.LockSupport;
 
-/** The time that a loop lives by; a test lets the time of a simulated controller be it. */
+/** The clock of a loop; tests use the time of a simulated controller. */
 interface LoopTime {
-  /** The computer's. */
+  /** The clock of the computer. */
   LoopTime REAL =
       new LoopTime() {
         @Override
@@ -18,9 +18,9 @@ interface LoopTime {
         }
       };
 
-  /** Gives the time, ns from some time on. */
+  /** Returns the time in ns, from an arbitrary origin. */
   long nanoTime();
 
-  /** Waits until a time; may come back earlier. */
+  /** Waits until a time; may return earlier. */
   void awaitUntil(long nanoTime);
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import no.hials.crosscom.control.LoopStatistics.TrackingError;
 import no.hials.crosscom.control.Space.Quantity;
 
-/** Collects the statistics of a loop; safe for use by several threads. */
+/** Collects the statistics of a loop. Thread-safe. */
 final class Meter {
   private final List<Quantity> quantities;
   private final double[] squares;

@@ -1,6 +1,6 @@
 package no.hials.crosscom.control;
 
-/** The operating modes of a controller, as {@code $MODE_OP} has them (krl.md 2.4). */
+/** The operating modes of a controller, the values of {@code $MODE_OP}. */
 public enum OperatingMode {
   /** Manual, slow; a person holds the enabling switch. */
   T1,

@@ -13,19 +13,18 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
- * Writes a path into an array of the controller and has {@code krl/play_path.src} drive it.
+ * Writes a path into an array of the controller and lets {@code krl/play_path.src} execute it.
  *
- * <p><b>It moves a machine</b>, at the speed that {@code JOV_SPEED} says; the way to the first
- * point is a PTP motion from where the robot stands. Every point passes the limits of {@link
- * Safety} for where the axes and the tool may be, and the mode, the program and the watchdog are
- * checked before the motion is asked for; the limits of speed and step are the program's matter.
- * The heartbeat goes out while this waits for the end, so that the robot stops if the connection is
- * lost.
+ * <p><b>It moves a machine</b>, at the speed in {@code JOV_SPEED}; the robot moves to the first
+ * point with a PTP motion. Every point is checked against the limits of {@link Safety} for the axes
+ * and the tool, and the mode, the program and the watchdog are checked before the motion starts.
+ * The limits of speed and step do not apply. The player sends the heartbeat while it waits for the
+ * end, so the robot stops if the connection is lost.
  *
- * <p>For one thread at a time. It starts no thread.
+ * <p>Not thread-safe. It starts no thread.
  */
 public final class PathPlayer {
-  /** How many points the arrays of {@code krl/config.dat} have. */
+  /** The length of the arrays in {@code krl/config.dat}. */
   public static final int MAX_POINTS = 50;
 
   private static final int AXES = 1;
@@ -43,9 +42,9 @@ public final class PathPlayer {
   private final LoopTime time;
 
   /**
-   * Makes a player.
+   * Creates a player.
    *
-   * @param client the connection to the controller in which {@code PLAY_PATH} runs
+   * @param client the connection to the controller that runs {@code PLAY_PATH}
    * @param safety the limits
    */
   public PathPlayer(CrossComClient client, Safety safety) {
@@ -59,14 +58,14 @@ public final class PathPlayer {
   }
 
   /**
-   * Plays a path in the space of the axes (PTP, approximated), and waits for its end.
+   * Plays a path of axis positions (PTP, approximated) and waits for its end.
    *
    * @param points 1 to 50 points, degrees
-   * @param limit how long the motion may take, 1 ms to 1 day; after that the heartbeat ends, and
+   * @param limit the time limit of the motion, 1 ms to 1 day; after that the heartbeat ends, and
    *     the watchdog stops the robot
-   * @throws ControlRefusedException if a limit is broken, in which case nothing was written that
-   *     moves the robot, or if the motion did not come to its end
-   * @throws InterruptedException if the waiting was interrupted; the watchdog stops the robot
+   * @throws ControlRefusedException if a limit is violated, in which case no motion was written, or
+   *     if the motion did not finish
+   * @throws InterruptedException if the wait was interrupted; the watchdog stops the robot
    */
   public void playAxes(List<Axes> points, Duration limit)
       throws ControlRefusedException, InterruptedException {
@@ -82,15 +81,15 @@ public final class PathPlayer {
   }
 
   /**
-   * Plays a path of the tool (straight lines, approximated), and waits for its end. The arm comes
-   * to the first point with the Status and Turn that it has.
+   * Plays a path of the tool (straight lines, approximated) and waits for its end. The arm keeps
+   * its Status and Turn up to the first point.
    *
    * @param points 1 to 50 points in {@code $BASE}
-   * @param limit how long the motion may take, 1 ms to 1 day; after that the heartbeat ends, and
+   * @param limit the time limit of the motion, 1 ms to 1 day; after that the heartbeat ends, and
    *     the watchdog stops the robot
-   * @throws ControlRefusedException if a limit is broken, in which case nothing was written that
-   *     moves the robot, or if the motion did not come to its end
-   * @throws InterruptedException if the waiting was interrupted; the watchdog stops the robot
+   * @throws ControlRefusedException if a limit is violated, in which case no motion was written, or
+   *     if the motion did not finish
+   * @throws InterruptedException if the wait was interrupted; the watchdog stops the robot
    */
   public void playPositions(List<Frame> points, Duration limit)
       throws ControlRefusedException, InterruptedException {
@@ -107,7 +106,7 @@ public final class PathPlayer {
   }
 
   private static void check(List<?> points, Duration limit) {
-    Checks.between("the limit of the motion's time", limit, SHORTEST_LIMIT, LONGEST_LIMIT);
+    Checks.between("time limit of the motion", limit, SHORTEST_LIMIT, LONGEST_LIMIT);
     Checks.holds(
         !points.isEmpty() && points.size() <= MAX_POINTS,
         "a path must have 1 to " + MAX_POINTS + " points, has " + points.size());
@@ -132,9 +131,9 @@ public final class PathPlayer {
       if (!done) {
         throw new ControlRefusedException(
             Kind.PROGRAM,
-            "PLAY_PATH must say "
+            "the result of PLAY_PATH must be "
                 + DONE
-                + " (done), said "
+                + " (done), is "
                 + result
                 + (result == REFUSED ? " (refused)" : ""));
       }

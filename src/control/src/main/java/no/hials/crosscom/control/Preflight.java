@@ -1,18 +1,18 @@
 package no.hials.crosscom.control;
 
-/** What is looked at before anything is written that moves a robot. */
+/** The checks before the first motion. */
 final class Preflight {
   private Preflight() {}
 
   /**
-   * Checks the mode, the robot's program and where the robot is.
+   * Checks the mode, the robot program and the position of the robot.
    *
-   * @param cartesian whether the tool needs a workspace, be it around where it is
-   * @return the limits from now on
+   * @param cartesian whether the tool needs a workspace, by default around its position
+   * @return the limits to apply from now on
    */
   static Guard check(Channel channel, Safety safety, boolean cartesian)
       throws ControlRefusedException {
-    // two at a time, so that the client finds out now whether the server takes them together
+    // two at a time, so that the client detects now whether the server supports it
     channel.read(channel.mode, channel.program);
     channel.checkMode(safety);
     channel.checkProgram();

@@ -3,8 +3,8 @@ package no.hials.crosscom.control;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
- * Rotations as frames without a position. All is done with whole rotations, never with A, B and C
- * by themselves, so that neither their wrap at 180 degrees nor B = 90 degrees matters.
+ * Rotations as frames without a position. All methods use whole rotations, never A, B and C alone,
+ * so neither their wrap at 180 degrees nor B = 90 degrees matters.
  */
 final class Rotations {
   private static final Frame X = new Frame(1, 0, 0, 0, 0, 0);
@@ -13,9 +13,11 @@ final class Rotations {
 
   private Rotations() {}
 
-  /** Gives the rotation about the direction of a vector, which is of no matter at 0 degrees. */
+  /**
+   * Returns the rotation about the direction of a vector; the direction is irrelevant at 0 degrees.
+   */
   static Frame about(double x, double y, double z, double degrees) {
-    // a frame whose X lies along the vector, in which the rotation is C alone
+    // in a frame with X along the vector, the rotation is C alone
     double a = Math.toDegrees(Math.atan2(y, x));
     double b = -Math.toDegrees(Math.atan2(z, Math.hypot(x, y)));
     Frame along = new Frame(0, 0, 0, a, b, 0);
@@ -26,25 +28,25 @@ final class Rotations {
     return new Frame(0, 0, 0, frame.a(), frame.b(), frame.c());
   }
 
-  /** Turns the orientation of a frame about the axes in which the frame is given. */
+  /** Turns the orientation of a frame about the axes of its reference. */
   static Frame turned(Frame from, Frame turn) {
     return turn.times(orientation(from));
   }
 
-  /** Gives the rotation about the axes of the base that leads from one orientation to another. */
+  /** Returns the rotation about the axes of the base from one orientation to another. */
   static Frame leading(Frame from, Frame to) {
     return orientation(to).times(orientation(from).inverse());
   }
 
-  /** Gives the part of a rotation about its axis, the shorter way round. */
+  /** Returns a part of a rotation about its axis, in the shorter direction. */
   static Frame part(Frame rotation, double part) {
     return Frame.IDENTITY.interpolate(rotation, part);
   }
 
-  /** Gives a rotation as its axis, as long as the angle in degrees. */
+  /** Returns the rotation vector: the axis, with the angle in degrees as its length. */
   static double[] vector(Frame rotation) {
     double angle = Frame.IDENTITY.angle(rotation);
-    // of the half rotation the antisymmetric part does not vanish at 180 degrees
+    // the antisymmetric part of the half rotation does not vanish at 180 degrees
     Frame half = part(rotation, 0.5);
     Frame x = half.times(X);
     Frame y = half.times(Y);

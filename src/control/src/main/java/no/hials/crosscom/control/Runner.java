@@ -7,20 +7,23 @@ import no.hials.crosscom.control.input.Input;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The cycles of a loop; all on one thread.
+ * The cycles of a loop, all on one thread.
  *
- * @param <P> the position that the law works with
+ * @param <P> the type of position of the law
  */
 final class Runner<P> {
-  /** What is looked at in turn, one in a cycle: the mode, the program, the other feedback. */
+  /**
+   * The number of checks that take turns, one in a cycle: the mode, the program, the other
+   * feedback.
+   */
   private static final int CHECKS = 3;
 
-  /** And of the watchdog, what it is set to and what it saw. */
+  /** With the watchdog also its setting and the beat that it saw. */
   private static final int CHECKS_OF_WATCHDOG = 2;
 
   /**
-   * An increment below this, mm or degrees, is what rounding has left of none: no robot resolves
-   * it, and its text would be as long as 1.23457E-17.
+   * Increments below this, mm or degrees, are rounding errors: no robot resolves them, and their
+   * text would be as long as 1.23457E-17.
    */
   private static final double NEGLIGIBLE = 1e-6;
 
@@ -39,7 +42,7 @@ final class Runner<P> {
   private final Feedback<P> feedback;
   private final long period;
 
-  /** From one of the checks to the next. */
+  /** The time between checks. */
   private final long checkInterval;
 
   private final int checks;
@@ -55,16 +58,16 @@ final class Runner<P> {
   private long lastBegin;
   private boolean begun;
 
-  /** The periods in which the robot was under the law. */
+  /** The number of periods in which the law moved the robot. */
   private long lawPeriods;
 
-  /** Where the law wanted the robot to be in the cycle before; null if it was not asked. */
+  /** The desired position of the previous cycle; null if the law was not called. */
   private @Nullable P previous;
 
-  /** Where an absolute target holds the robot; null while it moves. */
+  /** The absolute target that holds the robot; null while it moves. */
   private double @Nullable [] held;
 
-  // of the cycle under way
+  // of the current cycle
   private long readNanos;
   private long writeNanos;
 
@@ -137,7 +140,7 @@ final class Runner<P> {
       }
       cycle(now, now - next, elapsed);
       long end = time.nanoTime();
-      // never in a rush: a cycle whose time has come already is left out
+      // a cycle whose time has passed is skipped, never made up
       long missed = Math.max(0, (end - next) / period);
       if (missed > 0) {
         meter.missed(missed, readNanos + writeNanos >= period);
@@ -154,7 +157,7 @@ final class Runner<P> {
     begun = true;
     meter.began(sinceLast, late);
     boolean beat = heartbeat.isDue();
-    // in a slow loop a beat is due each time, which must not put off the checks for ever
+    // in a slow loop a beat is due each time, which must not delay the checks forever
     read(begin - nextCheck >= (beat ? checkInterval : 0), begin);
     long readEnd = time.nanoTime();
     readNanos = readEnd - begin;
@@ -218,7 +221,7 @@ final class Runner<P> {
     Guard.checkAtMost(Kind.STALE_FEEDBACK, words, space.feedback().getName(), limit, "ms", age);
   }
 
-  /** Gives the input; nothing if the robot has to stand. */
+  /** Returns the input; null if the robot must stand. */
   private @Nullable Input input() throws ControlRefusedException {
     if (config.input() == null) {
       return Input.NONE;
@@ -226,7 +229,7 @@ final class Runner<P> {
     Input input;
     try {
       input = config.input().read();
-    } catch (Throwable e) { // as of the law
+    } catch (Throwable e) { // see the law
       throw new ControlRefusedException(
           new StopReason(Kind.INPUT, "the input device failed: " + e, e));
     }
@@ -234,10 +237,10 @@ final class Runner<P> {
       return null;
     }
     long age = time.nanoTime() - input.nanoTime();
-    if (age < 0) { // such as from another clock: it would be fresh for ever
+    if (age < 0) { // for example from another clock: it would be fresh forever
       throw new ControlRefusedException(
           Kind.INPUT,
-          "the time of the input must be that of System.nanoTime, is "
+          "the time of the input must be from System.nanoTime, is "
               + -age / 1_000_000
               + " ms ahead of it");
     }
@@ -254,7 +257,7 @@ final class Runner<P> {
         new State(
             lawPeriods * period / 1e9, period / 1e9, channel.joints(), channel.frame(), input);
     P desired = ask(state, actual);
-    checkAge("the age of %s when the law has decided must be at most %s %s, is %s", begin);
+    checkAge("the age of %s after the law must be at most %s %s, is %s", begin);
     P from = first || space.isVelocity() ? actual : previous;
     checkStep(from, desired, space.isVelocity() || first ? 1 : elapsed);
     space.check(guard, desired, false);
@@ -281,11 +284,11 @@ final class Runner<P> {
     P desired;
     try {
       desired = space.ask(state, actual);
-    } catch (Throwable e) { // in another language a law need not declare what it throws
+    } catch (Throwable e) { // other languages than Java have no checked exceptions
       throw new ControlRefusedException(new StopReason(Kind.LAW, "the law failed: " + e, e));
     }
     if (desired == null) {
-      throw new ControlRefusedException(Kind.LAW, "the law must give a command, gave null");
+      throw new ControlRefusedException(Kind.LAW, "the law must return a command, returned null");
     }
     return desired;
   }
@@ -322,21 +325,21 @@ final class Runner<P> {
       return ZEROS;
     }
     if (held == null) {
-      held = space.numbers(actual); // once, so that the robot does not creep
+      held = space.numbers(actual); // once, so that the robot does not drift
     }
     return held;
   }
 
   /**
-   * Tells the robot to stand, once.
+   * Writes the command to stand, once.
    *
-   * @return whether it could be told
+   * @return whether it was written
    */
   boolean halt(StopReason reason) throws ControlRefusedException {
     if (target.increment()) {
       space.setTarget(ZEROS);
     } else if (reason.kind() == Kind.STALLED_FEEDBACK) {
-      return false; // where the robot is, is not known; it stops at its last target
+      return false; // the position of the robot is not known; it stops at its last target
     } else {
       channel.read(space.feedback());
       space.setTarget(space.numbers(space.actual()));

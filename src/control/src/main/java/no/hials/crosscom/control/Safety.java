@@ -8,29 +8,29 @@ import no.hials.crosscom.kinematics.RobotModel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The limits of a loop, all on unless they are switched off. Immutable; made by {@link #create}.
+ * The limits of a loop, all enabled by default. Immutable; created by {@link #create}.
  *
  * @param path limits of the tool centre point in Cartesian laws, mm; default 100 mm/s, 5 mm, 50 mm
  * @param rotation limits of the tool's rotation in Cartesian laws, degrees; default 30 degrees/s, 2
  *     degrees, 15 degrees
  * @param axes limits of each axis in joint laws, degrees; default 30 degrees/s, 2 degrees, 15
  *     degrees
- * @param axisLimits the ranges of the axes; if none are given, those that the controller says
- *     ({@code $SOFTN_END}, {@code $SOFTP_END})
- * @param axisMargin the distance that the axes have to keep from their limits, degrees; default 5
- * @param workspace where the tool centre point has to stay; if none is given, a cube that reaches
- *     300 mm from where it is at the start for Cartesian laws, and no limit for joint laws
- * @param workspaceMargin the distance to keep from the workspace's sides, mm; default 10
- * @param modes the operating modes in which the loop may run; default T1 only
- * @param checkInterval how often the mode, the program's state, the axes (Cartesian laws) or the
- *     position (joint laws), and the watchdog are read; default 300 ms
- * @param maxFeedbackAge how long reading where the robot is may take, and together with it the law;
+ * @param axisLimits the ranges of the axes; by default those of the controller ({@code $SOFTN_END},
+ *     {@code $SOFTP_END})
+ * @param axisMargin the minimum distance of the axes from their limits, degrees; default 5
+ * @param workspace the box in which the tool centre point must stay; by default, for Cartesian laws
+ *     300 mm to each side of its position at the start, and for joint laws no limit
+ * @param workspaceMargin the minimum distance from the sides of the workspace, mm; default 10
+ * @param modes the operating modes in which the loop may run; default only T1
+ * @param checkInterval the interval at which the mode, the program state, the axes (Cartesian laws)
+ *     or the position (joint laws), and the watchdog are read; default 300 ms
+ * @param maxFeedbackAge the maximum time to read the position, and to read it and call the law;
  *     default 100 ms
- * @param maxStall how long the robot may stand although it was told to move; from one reading to
- *     the next a fifth of it is counted at most, so that a pause of this computer is not taken for
- *     a stall; default 500 ms
- * @param maxInputAge how old the input may be for motion; default 200 ms
- * @param watchdog how long the watchdog on the controller waits for a heartbeat until it stops the
+ * @param maxStall the maximum time that the robot may stand still when it was told to move; at most
+ *     a fifth of it is counted between two readings, so that a pause of this computer is not taken
+ *     for a stall; default 500 ms
+ * @param maxInputAge the maximum age of the input for motion; default 200 ms
+ * @param watchdog the time without a heartbeat after which the watchdog on the controller stops the
  *     robot ({@code JOV_LIMIT} of {@code krl/config.dat}); zero for no heartbeat; default 500 ms
  */
 public record Safety(
@@ -48,7 +48,7 @@ public record Safety(
     Duration maxInputAge,
     Duration watchdog) {
 
-  /** Half the side of the workspace of a Cartesian law that has none, mm. */
+  /** Half the side of the default workspace of a Cartesian law, mm. */
   static final double REACH = 300;
 
   private static final Duration SHORTEST = Duration.ofMillis(1);
@@ -62,20 +62,20 @@ public record Safety(
     modes = Set.copyOf(modes);
     Checks.holds(!modes.isEmpty(), "at least one operating mode must be allowed");
     Checks.between("check interval", checkInterval, SHORTEST, LONGEST);
-    Checks.between("greatest age of the feedback", maxFeedbackAge, SHORTEST, LONGEST);
-    Checks.between("greatest time of a stall", maxStall, SHORTEST, LONGEST);
-    Checks.between("greatest age of the input", maxInputAge, SHORTEST, LONGEST);
+    Checks.between("maximum age of the feedback", maxFeedbackAge, SHORTEST, LONGEST);
+    Checks.between("maximum time of a stall", maxStall, SHORTEST, LONGEST);
+    Checks.between("maximum age of the input", maxInputAge, SHORTEST, LONGEST);
     if (!watchdog.isZero()) {
       Checks.between("time of the watchdog", watchdog, SHORTEST_WATCHDOG, LONGEST);
     }
   }
 
   /**
-   * Makes limits.
+   * Creates limits.
    *
-   * @param changes sets what is not to have its default
+   * @param changes changes the defaults
    * @return the limits
-   * @throws IllegalArgumentException if a value is out of its range
+   * @throws IllegalArgumentException if a value is out of range
    */
   public static Safety create(Consumer<Builder> changes) {
     Builder builder = new Builder();
@@ -105,7 +105,7 @@ public record Safety(
      * Sets the limits of the tool centre point in Cartesian laws.
      *
      * @param speed mm/s
-     * @param step from one target to the next, mm
+     * @param step between targets, mm
      * @param trackingError mm
      * @return this
      */
@@ -118,7 +118,7 @@ public record Safety(
      * Sets the limits of the tool's rotation in Cartesian laws.
      *
      * @param speed degrees/s
-     * @param step from one target to the next, degrees
+     * @param step between targets, degrees
      * @param trackingError degrees
      * @return this
      */
@@ -131,7 +131,7 @@ public record Safety(
      * Sets the limits of each axis in joint laws.
      *
      * @param speed degrees/s
-     * @param step from one target to the next, degrees
+     * @param step between targets, degrees
      * @param trackingError degrees
      * @return this
      */
@@ -141,7 +141,7 @@ public record Safety(
     }
 
     /**
-     * Sets the ranges of the axes, in place of what the controller says.
+     * Sets the ranges of the axes, in place of those of the controller.
      *
      * @param limits the ranges
      * @return this
@@ -152,7 +152,7 @@ public record Safety(
     }
 
     /**
-     * Sets the ranges of the axes to those of a model, in place of what the controller says.
+     * Sets the ranges of the axes to those of a robot model, in place of those of the controller.
      *
      * @param model the robot
      * @return this
@@ -162,7 +162,7 @@ public record Safety(
     }
 
     /**
-     * Sets the distance that the axes have to keep from their limits.
+     * Sets the minimum distance of the axes from their limits.
      *
      * @param degrees 0 or more
      * @return this
@@ -173,7 +173,7 @@ public record Safety(
     }
 
     /**
-     * Sets where the tool centre point has to stay, for joint laws too.
+     * Sets the box in which the tool centre point must stay, for joint laws too.
      *
      * @param box the workspace in {@code $BASE}
      * @return this
@@ -184,7 +184,7 @@ public record Safety(
     }
 
     /**
-     * Sets the distance to keep from the workspace's sides.
+     * Sets the minimum distance from the sides of the workspace.
      *
      * @param mm 0 or more
      * @return this
@@ -198,8 +198,8 @@ public record Safety(
      * Sets the operating modes in which the loop may run. In AUT and EX nobody holds an enabling
      * switch.
      *
-     * @param first one of them
-     * @param others the others
+     * @param first a mode
+     * @param others more modes
      * @return this
      */
     public Builder modes(OperatingMode first, OperatingMode... others) {
@@ -208,7 +208,7 @@ public record Safety(
     }
 
     /**
-     * Sets how often the mode, the program's state and the other one of axes and position are read.
+     * Sets the interval at which the mode, the program state and the other feedback are read.
      *
      * @param interval 1 ms to 10 s
      * @return this
@@ -219,7 +219,7 @@ public record Safety(
     }
 
     /**
-     * Sets how long reading where the robot is may take, and together with it the law.
+     * Sets the maximum time to read the position, and to read it and call the law.
      *
      * @param time 1 ms to 10 s
      * @return this
@@ -230,8 +230,8 @@ public record Safety(
     }
 
     /**
-     * Sets how long the robot may stand although it was told to move. It takes more than five
-     * readings to be seen, however far apart they are.
+     * Sets the maximum time that the robot may stand still when it was told to move. Detecting a
+     * stall takes more than five readings, at any interval.
      *
      * @param time 1 ms to 10 s
      * @return this
@@ -242,7 +242,7 @@ public record Safety(
     }
 
     /**
-     * Sets how old the input may be for motion.
+     * Sets the maximum age of the input for motion.
      *
      * @param time 1 ms to 10 s
      * @return this
@@ -253,7 +253,7 @@ public record Safety(
     }
 
     /**
-     * Sets how long the watchdog on the controller waits for a heartbeat.
+     * Sets the time without a heartbeat after which the watchdog on the controller stops the robot.
      *
      * @param time 50 ms to 10 s
      * @return this
@@ -264,8 +264,8 @@ public record Safety(
     }
 
     /**
-     * Sends no heartbeat, for a program without a watchdog: then nothing on the controller stops
-     * the robot when the connection is lost.
+     * Sends no heartbeat, for a program without a watchdog. Then nothing on the controller stops
+     * the robot if the connection is lost.
      *
      * @return this
      */

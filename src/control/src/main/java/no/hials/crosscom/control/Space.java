@@ -9,20 +9,19 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
- * Positions of one kind, in the space of the tool or in that of the axes, with the quantities that
- * are limited each by itself.
+ * A space of positions, Cartesian or joint, with its limited quantities.
  *
- * @param <P> the position
+ * @param <P> the type of position
  */
 abstract sealed class Space<P> {
   final Channel channel;
   final List<Quantity> quantities;
 
-  /** The numbers of a position, as they are in the variables. */
+  /** The names of the numbers of a position, as in the variables. */
   final List<String> names;
 
   /**
-   * What is limited.
+   * A limited quantity.
    *
    * @param name {@code path}, {@code rotation}, or {@code A1} to {@code A6}
    * @param unit mm or degrees
@@ -42,38 +41,38 @@ abstract sealed class Space<P> {
         : new Joint(channel, config, law, target);
   }
 
-  /** Gives the variable that says where the robot is. */
+  /** Returns the variable with the position of the robot. */
   abstract KRLVariable feedback();
 
-  /** Gives the variable that says so in the other space. */
+  /** Returns the variable with the position in the other space. */
   abstract KRLVariable otherFeedback();
 
-  /** Gives the variable that the program follows. */
+  /** Returns the variable that the program follows. */
   abstract KRLVariable target();
 
   abstract P actual() throws ControlRefusedException;
 
-  /** Refuses the place of the other space, as it was read last. */
+  /** Checks the last position read in the other space. */
   abstract void checkOther(Guard guard) throws ControlRefusedException;
 
   abstract void check(Guard guard, P place, boolean actual) throws ControlRefusedException;
 
-  /** Says whether the law gives velocities. */
+  /** Returns whether the law returns velocities. */
   abstract boolean isVelocity();
 
-  /** Asks the law where the robot is to be. */
+  /** Calls the law and returns the desired position. */
   abstract P ask(State state, P actual) throws Exception;
 
-  /** Measures how far two positions are apart, for each quantity. */
+  /** Computes the distance of two positions, for each quantity. */
   abstract void differences(P from, P to, double[] into);
 
-  /** Gives the numbers of a position. */
+  /** Returns the numbers of a position. */
   abstract double[] numbers(P place);
 
   /** Sets the variable that the program follows. */
   abstract void setTarget(double[] numbers);
 
-  /** Gives the numbers of an increment that leads a part of the way from one to another. */
+  /** Returns the numbers of an increment that is a part of the difference of two positions. */
   abstract double[] increment(P from, P to, double part);
 
   /**
@@ -125,7 +124,8 @@ abstract sealed class Space<P> {
 
     @Override
     void checkOther(Guard guard) throws ControlRefusedException {
-      guard.check(channel.joints(), false); // no target of the axes is known that keeps the margin
+      guard.check(
+          channel.joints(), false); // without the margin, since the target of the axes is not known
     }
 
     @Override
@@ -199,7 +199,7 @@ abstract sealed class Space<P> {
     }
   }
 
-  /** Angles of the axes. */
+  /** Positions of the axes. */
   static final class Joint extends Space<Axes> {
     private final Law law;
     private final double period;
@@ -243,7 +243,8 @@ abstract sealed class Space<P> {
 
     @Override
     void checkOther(Guard guard) throws ControlRefusedException {
-      guard.check(channel.frame(), false); // no target of the tool is known that keeps the margin
+      guard.check(
+          channel.frame(), false); // without the margin, since the target of the tool is not known
     }
 
     @Override

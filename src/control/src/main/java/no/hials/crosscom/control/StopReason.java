@@ -3,41 +3,41 @@ package no.hials.crosscom.control;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Why a loop has ended or did not start.
+ * The reason why a loop has ended or did not start.
  *
- * @param kind what kind of reason
- * @param message which limit or rule, what was found and what is allowed
- * @param cause what was thrown, if something was
+ * @param kind the kind of reason
+ * @param message the limit or rule, with the actual and the allowed value
+ * @param cause the exception, if there was one
  */
 public record StopReason(Kind kind, String message, @Nullable Throwable cause) {
 
   /** The kinds of reasons. */
   public enum Kind {
-    /** Somebody stopped or closed the loop. */
+    /** The loop was stopped or closed. */
     ASKED,
-    /** The time that was asked for is over. */
+    /** The configured time is over. */
     TIME_OVER,
-    /** The law asked for a higher speed than is allowed, or the robot moves faster. */
+    /** The law commanded a speed above the limit, or the robot moves faster. */
     SPEED,
-    /** The law asked for too long a way in one cycle. */
+    /** The law commanded too large a step in one cycle. */
     STEP,
-    /** An axis would be or is outside its limits less the margin. */
+    /** An axis is outside its limits, or would be outside its limits minus the margin. */
     AXIS_LIMIT,
-    /** The tool would be or is outside the workspace less the margin. */
+    /** The tool is outside the workspace, or would be outside the workspace minus the margin. */
     WORKSPACE,
     /** The robot is too far from its target. */
     TRACKING_ERROR,
-    /** The value that says where the robot is was too old when it came. */
+    /** The position of the robot was too old when it was read. */
     STALE_FEEDBACK,
-    /** The robot was told to move, and the value that says where it is does not change. */
+    /** The robot was told to move, and its position does not change. */
     STALLED_FEEDBACK,
     /** The operating mode is not among the allowed ones. */
     MODE,
-    /** The robot's program does not run. */
+    /** The robot program is not running. */
     PROGRAM,
-    /** The watchdog on the controller does not see the heartbeat, or is not set as it was. */
+    /** The watchdog on the controller does not see the heartbeat, or its setting has changed. */
     WATCHDOG,
-    /** The law threw an exception, or gave what is no command. */
+    /** The law threw an exception or returned an invalid command. */
     LAW,
     /** The input device threw an exception. */
     INPUT,
@@ -52,9 +52,8 @@ public record StopReason(Kind kind, String message, @Nullable Throwable cause) {
   }
 
   /**
-   * Says whether the loop ended as it was asked to.
-   *
-   * @return true for {@link Kind#ASKED} and {@link Kind#TIME_OVER}
+   * Returns whether the loop ended as planned: true for {@link Kind#ASKED} and {@link
+   * Kind#TIME_OVER}.
    */
   public boolean isPlanned() {
     return kind == Kind.ASKED || kind == Kind.TIME_OVER;

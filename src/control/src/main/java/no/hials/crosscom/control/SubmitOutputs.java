@@ -8,16 +8,16 @@ import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.control.StopReason.Kind;
 
 /**
- * Switches outputs and reads inputs through the globals that {@code krl/jov_sps.sub} copies to and
- * from them, since a client cannot write {@code $OUT} on every controller. Signals are numbered 1
- * to 16, from {@code JOV_FIRST_OUT} and {@code JOV_FIRST_IN} on.
+ * Switches outputs and reads inputs through global variables, which {@code krl/jov_sps.sub} copies
+ * to and from the signals; not every controller lets a client write {@code $OUT}. Signals are
+ * numbered 1 to 16, starting at {@code JOV_FIRST_OUT} and {@code JOV_FIRST_IN}.
  *
  * <p><b>An output can move a gripper or another machine.</b>
  *
- * <p>When the submit program starts, it takes the outputs as they are, so that none is switched by
- * that. Until then an output cannot be set; {@code JOV_OUT_READY} says so.
+ * <p>When the submit program starts, it reads the outputs, so the start switches no output. Until
+ * then an output cannot be set, and {@code JOV_OUT_READY} is FALSE.
  *
- * <p>It can be used by several threads, and starts none.
+ * <p>Thread-safe. It starts no thread.
  */
 public final class SubmitOutputs {
   private static final int COUNT = 16;
@@ -26,7 +26,7 @@ public final class SubmitOutputs {
   private final CrossComClient client;
 
   /**
-   * Makes the access.
+   * Creates the access.
    *
    * @param client the connection
    */
@@ -35,13 +35,13 @@ public final class SubmitOutputs {
   }
 
   /**
-   * Switches an output. The submit program does it in its next turn; {@link #output} shows when, or
-   * that it did not, as if somebody starts the submit program again at this moment.
+   * Switches an output. The submit program does it in its next cycle; read {@link #output} to
+   * check, since a restart of the submit program at that moment prevents it.
    *
    * @param number 1 to 16
    * @param value on or off
-   * @throws ControlRefusedException if no submit program runs, which would copy the value, or if it
-   *     has only just begun, and would overwrite it
+   * @throws ControlRefusedException if no submit program is running to copy the value, or if it has
+   *     just started and would overwrite the value
    * @throws IOException if an access failed
    */
   public void setOutput(int number, boolean value) throws IOException {
@@ -65,10 +65,9 @@ public final class SubmitOutputs {
   }
 
   /**
-   * Reads an output as it is.
+   * Reads the actual state of an output.
    *
    * @param number 1 to 16
-   * @return whether it is on
    * @throws IOException if an access failed
    */
   public boolean output(int number) throws IOException {
@@ -79,10 +78,9 @@ public final class SubmitOutputs {
   }
 
   /**
-   * Reads an input as the submit program copied it last.
+   * Reads the last copy of an input by the submit program.
    *
    * @param number 1 to 16
-   * @return whether it is on
    * @throws IOException if an access failed
    */
   public boolean input(int number) throws IOException {

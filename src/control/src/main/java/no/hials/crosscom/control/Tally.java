@@ -1,6 +1,6 @@
 package no.hials.crosscom.control;
 
-/** Counts times without making objects. Used under the lock of its owner. */
+/** A histogram of times that creates no objects. Used under the lock of its owner. */
 final class Tally {
   private static final long BUCKET_NANOS = 10_000;
   private static final int BUCKETS = 20_000;
@@ -26,7 +26,7 @@ final class Tally {
             count, millis(least), sum / 1e6 / count, part(0.5), part(0.99), millis(most));
   }
 
-  /** Gives the time that a part of all times do not exceed, to 10 µs. */
+  /** Returns a quantile of the times, to 10 µs. */
   private double part(double part) {
     long wanted = (long) Math.ceil(part * count);
     long seen = 0;

@@ -7,21 +7,21 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
- * Writes one target that {@code krl/follow_axis.src} or {@code krl/follow_pos.src} goes to.
+ * Writes a single target for {@code krl/follow_axis.src} or {@code krl/follow_pos.src}.
  *
- * <p><b>It moves a machine</b>, all the way at the speed that {@code JOV_SPEED} says. A target
- * passes the limits of {@link Safety} for where the axes and the tool may be, and the mode and the
- * program are checked before it is written. No heartbeat is sent; a motion that shall stop with the
- * client needs a {@link ControlLoop} or a {@link PathPlayer}.
+ * <p><b>It moves a machine</b> to the target at the speed in {@code JOV_SPEED}. The target is
+ * checked against the limits of {@link Safety} for the axes and the tool, and the mode and the
+ * program are checked before it is written. No heartbeat is sent; for a motion that stops with the
+ * client use a {@link ControlLoop} or a {@link PathPlayer}.
  *
- * <p>For one thread at a time. It starts no thread.
+ * <p>Not thread-safe. It starts no thread.
  */
 public final class TargetWriter {
   private final Channel channel;
   private final Safety safety;
 
   /**
-   * Makes a writer.
+   * Creates a writer.
    *
    * @param client the connection
    * @param safety the limits
@@ -32,12 +32,12 @@ public final class TargetWriter {
   }
 
   /**
-   * Sends the axes to angles.
+   * Moves the axes to positions.
    *
    * @param name the variable that the program follows, such as {@code JOV_AXIS}
    * @param axes the angles, degrees
-   * @throws ControlRefusedException if a limit is broken, in which case nothing was written, or if
-   *     an access failed
+   * @throws ControlRefusedException if a limit is violated, in which case nothing was written, or
+   *     if an access failed
    */
   public void writeAxes(String name, Axes axes) throws ControlRefusedException {
     Preflight.check(channel, safety, false).check(axes, false);
@@ -45,12 +45,12 @@ public final class TargetWriter {
   }
 
   /**
-   * Sends the tool to a position.
+   * Moves the tool to a position.
    *
    * @param name the variable that the program follows, such as {@code JOV_POS}
    * @param position the position in {@code $BASE}
-   * @throws ControlRefusedException if a limit is broken, in which case nothing was written, or if
-   *     an access failed
+   * @throws ControlRefusedException if a limit is violated, in which case nothing was written, or
+   *     if an access failed
    */
   public void writePosition(String name, Frame position) throws ControlRefusedException {
     Preflight.check(channel, safety, true).check(position, false);

@@ -7,8 +7,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * The last cycles of a loop: when they were, how long the accesses took, and where the robot was to
- * be and was. It can be looked at while the loop runs, by any thread.
+ * The last cycles of a loop: their times, the times of the accesses, and the desired and actual
+ * positions. Thread-safe, even while the loop runs.
  */
 public final class Trace {
   private static final int COORDINATES = 6;
@@ -19,7 +19,7 @@ public final class Trace {
   private final int length;
   private final double[] rows;
 
-  /** The rows that were ever added. */
+  /** The number of rows added so far. */
   private long count;
 
   Trace(List<String> names, int length) {
@@ -29,16 +29,17 @@ public final class Trace {
   }
 
   /**
-   * One cycle.
+   * A cycle.
    *
-   * @param time when it began, s from the start of the loop
-   * @param period from the begin of the cycle before, ms; 0 for the first
-   * @param read how long reading took, ms
-   * @param write how long writing took, ms
-   * @param moving whether the law was asked; false while the dead-man let the robot stand
-   * @param desired where the law wanted the robot to be: X, Y, Z, A, B, C or A1 to A6
-   * @param sent what was written, in the same order
-   * @param actual where the robot was when it was read, in the same order
+   * @param time its start, s from the start of the loop
+   * @param period the time since the start of the previous cycle, ms; 0 for the first
+   * @param read the time to read, ms
+   * @param write the time to write, ms
+   * @param moving whether the law was called; false while the robot stood still without the
+   *     dead-man
+   * @param desired the desired position of the law: X, Y, Z, A, B, C or A1 to A6
+   * @param sent the written values, in the same order
+   * @param actual the position read, in the same order
    */
   public record Cycle(
       double time,
@@ -49,7 +50,7 @@ public final class Trace {
       List<Double> desired,
       List<Double> sent,
       List<Double> actual) {
-    /** Makes the lists unmodifiable. */
+    /** Copies the lists. */
     public Cycle {
       desired = List.copyOf(desired);
       sent = List.copyOf(sent);
@@ -81,11 +82,7 @@ public final class Trace {
     count++;
   }
 
-  /**
-   * Gives the cycles that are kept.
-   *
-   * @return the last ones, the oldest first; a copy
-   */
+  /** Returns a copy of the last cycles, the oldest first. */
   public List<Cycle> cycles() {
     List<Cycle> cycles = new ArrayList<>();
     double[] row = new double[COLUMNS];
@@ -95,11 +92,7 @@ public final class Trace {
     return cycles;
   }
 
-  /**
-   * Gives the last cycle.
-   *
-   * @return it; nothing if there was none, or none is kept
-   */
+  /** Returns the last cycle; empty before the first cycle, or if no cycles are kept. */
   public Optional<Cycle> last() {
     double[] row = new double[COLUMNS];
     synchronized (this) {
@@ -125,9 +118,9 @@ public final class Trace {
   }
 
   /**
-   * Copies a row, or the oldest one if it was overwritten meanwhile.
+   * Copies a row, or the oldest row if that row has been overwritten.
    *
-   * @return the index of the row behind it; 0 if there is no such row yet
+   * @return the index of the next row; 0 if the row does not exist yet
    */
   private synchronized long copy(long index, double[] row) {
     long present = Math.max(index, count - length);
@@ -139,9 +132,9 @@ public final class Trace {
   }
 
   /**
-   * Writes the cycles that are kept, one a line below a line of names.
+   * Writes the last cycles, one per line after a line of names.
    *
-   * @param csv where to; it is neither flushed nor closed
+   * @param csv the destination; neither flushed nor closed
    * @throws IOException if writing failed
    */
   public void writeCsv(Appendable csv) throws IOException {

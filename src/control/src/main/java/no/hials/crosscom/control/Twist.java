@@ -3,7 +3,7 @@ package no.hials.crosscom.control;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
- * Says how fast a tool moves: the speed of its centre point and the rotation about it, both along
+ * The velocity of a tool: the linear velocity of its centre point and the angular velocity, along
  * and about the axes of the base.
  *
  * @param x along X, mm/s
@@ -14,10 +14,10 @@ import no.hials.crosscom.kinematics.Frame;
  * @param aboutZ about Z, degrees/s
  */
 public record Twist(double x, double y, double z, double aboutX, double aboutY, double aboutZ) {
-  /** Stands still. */
+  /** No motion. */
   public static final Twist ZERO = new Twist(0, 0, 0, 0, 0, 0);
 
-  /** Refuses a number that is not finite. */
+  /** Checks that the numbers are finite. */
   public Twist {
     Checks.finite("X", x);
     Checks.finite("Y", y);
@@ -28,24 +28,22 @@ public record Twist(double x, double y, double z, double aboutX, double aboutY, 
   }
 
   /**
-   * Makes one without rotation.
+   * Returns a twist without rotation.
    *
    * @param x along X, mm/s
    * @param y along Y, mm/s
    * @param z along Z, mm/s
-   * @return the twist
    */
   public static Twist linear(double x, double y, double z) {
     return new Twist(x, y, z, 0, 0, 0);
   }
 
   /**
-   * Finds what leads from one frame to another in a second: straight, and about one axis the
-   * shorter way round.
+   * Returns the twist that moves a frame to another frame in one second: on a straight line, and
+   * about one axis in the shorter direction.
    *
-   * @param from where it begins
-   * @param to where it ends, in the same coordinate system
-   * @return the twist
+   * @param from the first frame
+   * @param to the second frame, with the same reference
    */
   public static Twist between(Frame from, Frame to) {
     double[] turn = Rotations.vector(Rotations.leading(from, to));
@@ -53,23 +51,13 @@ public record Twist(double x, double y, double z, double aboutX, double aboutY, 
         to.x() - from.x(), to.y() - from.y(), to.z() - from.z(), turn[0], turn[1], turn[2]);
   }
 
-  /**
-   * Multiplies the speeds by a number.
-   *
-   * @param factor the number
-   * @return the faster or slower twist
-   */
+  /** Returns this twist multiplied by a number. */
   public Twist times(double factor) {
     return new Twist(
         x * factor, y * factor, z * factor, aboutX * factor, aboutY * factor, aboutZ * factor);
   }
 
-  /**
-   * Adds another twist.
-   *
-   * @param other the other one, about the same axes
-   * @return the sum
-   */
+  /** Returns the sum of two twists about the same axes. */
   public Twist plus(Twist other) {
     return new Twist(
         x + other.x,
@@ -80,30 +68,22 @@ public record Twist(double x, double y, double z, double aboutX, double aboutY, 
         aboutZ + other.aboutZ);
   }
 
-  /**
-   * Gives the speed of the tool centre point.
-   *
-   * @return 0 or more, mm/s
-   */
+  /** Returns the speed of the tool centre point, mm/s. */
   public double speed() {
     return Math.hypot(Math.hypot(x, y), z);
   }
 
-  /**
-   * Gives the speed of the rotation.
-   *
-   * @return 0 or more, degrees/s
-   */
+  /** Returns the speed of the rotation, degrees/s. */
   public double rotationSpeed() {
     return Math.hypot(Math.hypot(aboutX, aboutY), aboutZ);
   }
 
   /**
-   * Moves a frame for a time.
+   * Moves a frame with this velocity for a time.
    *
-   * @param from where it begins
-   * @param seconds how long, s
-   * @return where it ends: {@code x_a + v * dt}, the rotation as one about a fixed axis
+   * @param from the frame at the start
+   * @param seconds the time, s
+   * @return the frame at the end: {@code x_a + v * dt}, with the rotation about a fixed axis
    */
   public Frame move(Frame from, double seconds) {
     Frame turned =

@@ -3,18 +3,18 @@ package no.hials.crosscom.control;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
- * A box along the axes of {@code $BASE} in which the tool centre point has to stay.
+ * A box along the axes of {@code $BASE} in which the tool centre point must stay.
  *
- * @param minX the least X, mm
- * @param maxX the greatest X, mm
- * @param minY the least Y, mm
- * @param maxY the greatest Y, mm
- * @param minZ the least Z, mm
- * @param maxZ the greatest Z, mm
+ * @param minX the minimum X, mm
+ * @param maxX the maximum X, mm
+ * @param minY the minimum Y, mm
+ * @param maxY the maximum Y, mm
+ * @param minZ the minimum Z, mm
+ * @param maxZ the maximum Z, mm
  */
 public record Workspace(
     double minX, double maxX, double minY, double maxY, double minZ, double maxZ) {
-  /** Checks that each minimum is below its maximum. */
+  /** Checks that each minimum is less than its maximum. */
   public Workspace {
     ordered("X", minX, maxX);
     ordered("Y", minY, maxY);
@@ -35,11 +35,10 @@ public record Workspace(
   }
 
   /**
-   * Makes a cube.
+   * Returns a cube.
    *
    * @param centre its centre
    * @param reach the distance from the centre to each side, mm
-   * @return the cube
    */
   public static Workspace around(Frame centre, double reach) {
     Checks.positive("reach of the workspace", reach);

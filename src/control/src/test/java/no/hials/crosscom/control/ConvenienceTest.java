@@ -68,7 +68,7 @@ class ConvenienceTest extends ControlTest {
 
     assertThatExceptionOfType(ControlRefusedException.class)
         .isThrownBy(() -> player().playAxes(List.of(START, START.with(4, 119)), LIMIT))
-        .withMessage("A5 must be -115 to 115 degrees (a margin of 5 kept), would be 119");
+        .withMessage("A5 must be -115 to 115 degrees (limits minus a margin of 5), would be 119");
     assertThatExceptionOfType(ControlRefusedException.class)
         .isThrownBy(() -> player().playPositions(List.of(Frame.IDENTITY), LIMIT))
         .withMessageContaining("of the workspace must be");
@@ -77,7 +77,7 @@ class ConvenienceTest extends ControlTest {
         .withMessage("a path must have 1 to 50 points, has 51");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> player().playAxes(List.of(START), Duration.ZERO))
-        .withMessage("the limit of the motion's time must be PT0.001S to PT24H, is PT0S");
+        .withMessage("time limit of the motion must be PT0.001S to PT24H, is PT0S");
     assertNothingWritten();
   }
 

@@ -38,7 +38,7 @@ class DevicesInALoopTest extends ControlTest {
     return Law.cartesianVelocity(s -> Twist.linear(SPEED * s.input().axis(0), 0, 0));
   }
 
-  /** Gives lines every 50 ms with a deflection, from a time to another. */
+  /** Returns lines every 50 ms with a deflection, from a time to another. */
   private static String lines(double from, double to, String values) {
     StringBuilder lines = new StringBuilder();
     for (int i = (int) Math.round(from * 20); i < Math.round(to * 20); i++) {
@@ -124,7 +124,7 @@ class DevicesInALoopTest extends ControlTest {
     }
   }
 
-  /** Gives the input of a device the age that it has in the simulated time. */
+  /** Returns the input of a device the age that it has in the simulated time. */
   private InputDevice inSimulatedTime(InputDevice device) {
     return new InputDevice() {
       private Input last = Input.NONE;

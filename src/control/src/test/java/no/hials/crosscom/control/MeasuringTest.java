@@ -199,7 +199,7 @@ class MeasuringTest extends ControlTest {
         .withMessage("the workspace must have a minimum of X below the maximum, has 0.0 and 0.0");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> new AxisLimits(START, START))
-        .withMessage("the limits of A1 must be a minimum below a maximum, are 0.0 and 0.0");
+        .withMessage("the minimum of A1 must be less than its maximum, are 0.0 and 0.0");
   }
 
   /** With C3 Bridge. */

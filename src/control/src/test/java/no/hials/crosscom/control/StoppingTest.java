@@ -147,7 +147,7 @@ class StoppingTest extends ControlTest {
 
     assertThat(reason.kind()).isEqualTo(Kind.AXIS_LIMIT);
     assertThat(reason.message())
-        .startsWith("A3 must be -115 to 151 degrees (a margin of 5 kept), would be 151.");
+        .startsWith("A3 must be -115 to 151 degrees (limits minus a margin of 5), would be 151.");
     assertThat(controller.axes().a3()).isBetween(150.0, 152.0);
   }
 
@@ -161,7 +161,7 @@ class StoppingTest extends ControlTest {
             Law.cartesianVelocity(s -> Twist.linear(-20, 0, 0)));
 
     assertThat(reason.kind()).isEqualTo(Kind.AXIS_LIMIT);
-    assertThat(reason.message()).contains("(a margin of 5 kept), would be");
+    assertThat(reason.message()).contains("(limits minus a margin of 5), would be");
     for (int i = 0; i < 6; i++) {
       assertThat(controller.axes().get(i)).isBetween(START.get(i) - 10, START.get(i) + 10);
     }
@@ -202,7 +202,8 @@ class StoppingTest extends ControlTest {
 
     assertThat(reason.kind()).isEqualTo(Kind.WORKSPACE);
     assertThat(reason.message())
-        .startsWith("Y of the workspace must be -50 to 50 mm (a margin of 10 kept), would be 50.");
+        .startsWith(
+            "Y of the workspace must be -50 to 50 mm (limits minus a margin of 10), would be 50.");
     assertThat(position().y()).isBetween(49.0, 53.0);
   }
 
@@ -386,7 +387,7 @@ class StoppingTest extends ControlTest {
 
     assertThat(reason.kind()).isEqualTo(Kind.INPUT);
     assertThat(reason.message())
-        .isEqualTo("the time of the input must be that of System.nanoTime, is 5000 ms ahead of it");
+        .isEqualTo("the time of the input must be from System.nanoTime, is 5000 ms ahead of it");
   }
 
   @Test
@@ -419,7 +420,7 @@ class StoppingTest extends ControlTest {
     assertThat(reason.message())
         .isEqualTo(
             "$AXIS_ACT must change within 500 ms when the robot is told to move,"
-                + " has not for 504 ms");
+                + " was the same for 504 ms");
     assertThat(writesTo("MYAXIS")).last().asString().startsWith("{A1 0");
   }
 
@@ -526,7 +527,7 @@ class StoppingTest extends ControlTest {
 
     assertThat(reason.kind()).isEqualTo(Kind.STALE_FEEDBACK);
     assertThat(reason.message())
-        .isEqualTo("the age of $AXIS_ACT when the law has decided must be at most 100 ms, is 101");
+        .isEqualTo("the age of $AXIS_ACT after the law must be at most 100 ms, is 101");
   }
 
   // the controller
@@ -684,7 +685,7 @@ class StoppingTest extends ControlTest {
     StopReason reason = runToStop(config(cfg -> {}), Law.jointPosition(s -> null));
 
     assertThat(reason.kind()).isEqualTo(Kind.LAW);
-    assertThat(reason.message()).isEqualTo("the law must give a command, gave null");
+    assertThat(reason.message()).isEqualTo("the law must return a command, returned null");
   }
 
   // the connection and the watchdog
@@ -773,7 +774,7 @@ class StoppingTest extends ControlTest {
     assertThat(reason.kind()).isEqualTo(Kind.WATCHDOG);
     assertThat(reason.message())
         .isEqualTo(
-            "JOV_LIMIT must be 500 as this loop has set it, is 0; another client uses the watchdog");
+            "JOV_LIMIT must be 500 as set by this loop, is 0; another client uses the watchdog");
   }
 
   @Test

@@ -32,7 +32,7 @@ record OrthoParallelArm(
     Axes sign,
     Axes offset) {
   /**
-   * Bit 0 of the Status: the wrist centre is after A1
+   * Bit 0 of the Status: the wrist centre is behind A1
    * (docs/reference/kinematics.md#status-and-turn).
    */
   static final int BEHIND = 1;
@@ -197,7 +197,7 @@ record OrthoParallelArm(
     return flange.translate(0, 0, -c4).position();
   }
 
-  /** Returns the distance of the wrist centre in front of A1 for these axes, negative after A1. */
+  /** Returns the distance of the wrist centre in front of A1 for these axes, negative behind A1. */
   private double forward(Axes axes) {
     double theta2 = theta(axes, 1);
     double theta3 = theta(axes, 2) + forearmAngle();
@@ -206,7 +206,7 @@ record OrthoParallelArm(
         + forearm() * Math.sin(Math.toRadians(theta2 + theta3));
   }
 
-  /** Returns the distance of a wrist centre in front of A1 for this status, negative after A1. */
+  /** Returns the distance of a wrist centre in front of A1 for this status, negative behind A1. */
   private double forward(Vector wrist, int status) {
     double fromA1 = Math.hypot(wrist.x(), wrist.y());
     double forward = Math.sqrt(Math.max(0, (fromA1 - b) * (fromA1 + b)));

@@ -239,7 +239,7 @@ public final class RobotModel {
   }
 
   /**
-   * Returns the Status: bit 0 is set if the wrist centre is after A1, bit 1 if A3 is at or above
+   * Returns the Status: bit 0 is set if the wrist centre is behind A1, bit 1 if A3 is at or above
    * the angle of the straight arm, bit 2 if A5 is negative
    * (docs/reference/kinematics.md#status-and-turn).
    *

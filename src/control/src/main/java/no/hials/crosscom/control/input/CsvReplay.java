@@ -13,14 +13,14 @@ import java.util.function.LongSupplier;
 /**
  * Replays recorded input from CSV text.
  *
- * <p>The first line names the columns, separated by commas: {@code time} in s, rising; {@code
+ * <p>The first line names the columns, separated by commas: {@code time} in s, increasing; {@code
  * axis1}, {@code axis2} and so on, -1 to 1; {@code button1} and so on, 0 or 1; {@code dead_man}, 0
- * or 1. Axes, buttons and the dead-man may be left out; without the last nothing moves. Empty lines
- * and those that begin with {@code #} are passed over.
+ * or 1. Axes, buttons and the dead-man are optional, but nothing moves without the dead-man. Empty
+ * lines and lines that start with {@code #} are skipped.
  *
- * <p>The time begins with the first {@link #read}. Each line holds until the next one, and is as
- * old as the time since it, so that the robot stands in a gap and after the last line. Lines should
- * not be further apart than half the greatest age of the input.
+ * <p>The time starts with the first {@link #read}. Each line is valid until the next line, and its
+ * age is the time since it, so the robot stands still in a gap and after the last line. The time
+ * between lines should be at most half the maximum age of the input.
  */
 public final class CsvReplay implements InputDevice {
   private static final String BYTE_ORDER_MARK = "\uFEFF";
@@ -31,7 +31,7 @@ public final class CsvReplay implements InputDevice {
   private long start;
   private int next;
 
-  /** A line; the time in ns. */
+  /** A line, with its time in ns. */
   private record Row(long time, List<Double> axes, List<Boolean> buttons, boolean deadMan) {}
 
   private CsvReplay(List<Row> rows, LongSupplier clock) {
@@ -43,9 +43,8 @@ public final class CsvReplay implements InputDevice {
    * Reads a file.
    *
    * @param file CSV text in UTF-8
-   * @return the device
-   * @throws IOException if the file cannot be read, or a line is not as it must be: the message
-   *     then has the file, the line, what is expected and what was found
+   * @throws IOException if the file cannot be read or a line is invalid; the message then has the
+   *     file, the line, and the expected and actual text
    */
   public static CsvReplay load(Path file) throws IOException {
     try (Reader reader = Files.newBufferedReader(file)) {
@@ -57,9 +56,8 @@ public final class CsvReplay implements InputDevice {
    * Reads a text.
    *
    * @param csv CSV text; not closed
-   * @param nameForErrors what messages call it
-   * @return the device
-   * @throws IOException if the text cannot be read, or a line is not as it must be
+   * @param nameForErrors the name of the text in messages
+   * @throws IOException if the text cannot be read or a line is invalid
    */
   public static CsvReplay load(Reader csv, String nameForErrors) throws IOException {
     return load(csv, nameForErrors, System::nanoTime);
@@ -90,7 +88,7 @@ public final class CsvReplay implements InputDevice {
       }
     }
     if (rows.isEmpty()) {
-      throw new IOException(name + ": there must be a line of names and one of values, is none");
+      throw new IOException(name + ": expected a line of names and a line of values, found none");
     }
     return new CsvReplay(List.copyOf(rows), clock);
   }
@@ -107,7 +105,7 @@ public final class CsvReplay implements InputDevice {
     }
     if (columns.stream().distinct().count() < columns.size() || !columns.contains("time")) {
       throw new IllegalArgumentException(
-          "there must be a column time, and none twice, are " + columns);
+          "there must be a column time and no column twice, are " + columns);
     }
     return columns;
   }
@@ -115,7 +113,7 @@ public final class CsvReplay implements InputDevice {
   private static Row row(List<String> columns, List<String> cells, long before) {
     if (cells.size() != columns.size()) {
       throw new IllegalArgumentException(
-          "there must be " + columns.size() + " values, are " + cells.size());
+          "expected " + columns.size() + " values, found " + cells.size());
     }
     double seconds = number(cells.get(columns.indexOf("time")));
     if (!(seconds * 1e9 > before && seconds < 1e6)) {
@@ -179,11 +177,7 @@ public final class CsvReplay implements InputDevice {
     return new Input(row.axes(), row.buttons(), row.deadMan(), start + row.time());
   }
 
-  /**
-   * Says whether the last line is over.
-   *
-   * @return true if so
-   */
+  /** Returns whether the time of the last line is over. */
   public synchronized boolean isOver() {
     return next == rows.size();
   }

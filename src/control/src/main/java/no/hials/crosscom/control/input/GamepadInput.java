@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes the first gamepad of this computer. Its six axes are X, Y, Z and the rotations A, B, C, or
+ * Reads the first gamepad of this computer. Its six axes are X, Y, Z and the rotations A, B, C, or
  * A1 to A6; the directions are those of a person who stands behind the robot.
  *
  * <table>
@@ -29,16 +29,16 @@ import org.jspecify.annotations.Nullable;
  * </table>
  *
  * <p>The buttons are A, B, X, Y, back and start. The dead-man is either of the two shoulder buttons
- * above the triggers: nothing moves unless one is held. Sticks do not come to rest at 0 exactly, so
- * put a dead zone of 0.1 or more behind it ({@link #shaped}). A gamepad that is unplugged, or whose
- * radio is lost, makes {@link #read} fail, which stops the robot.
+ * above the triggers: nothing moves unless one is held. Sticks do not rest at exactly 0, so use a
+ * dead zone of 0.1 or more ({@link #shaped}). If the gamepad is unplugged or its radio connection
+ * is lost, {@link #read} fails, which stops the robot.
  *
- * <p>It needs Jamepad ({@code com.badlogicgames.jamepad:jamepad}), which this library does not
- * bring along: SDL 2 with its native code for Linux, macOS and Windows in the jar, which needs no
- * display. <b>It was tried without a gamepad only</b>: SDL starts and finds none. What SDL says of
- * a real one has never been seen here.
+ * <p>It needs Jamepad ({@code com.badlogicgames.jamepad:jamepad}), which is not a dependency of
+ * this library. Its jar contains SDL 2 with native code for Linux, macOS and Windows, and it needs
+ * no display. <b>This class was tested only without a gamepad</b>: SDL starts and finds none. It
+ * was never used with a real gamepad.
  *
- * <p>It runs the daemon thread {@code crosscom-input-gamepad}, which asks SDL 200 times a second,
+ * <p>It runs the daemon thread {@code crosscom-input-gamepad}, which polls SDL 200 times a second,
  * until it is closed.
  */
 public final class GamepadInput implements InputDevice {
@@ -51,15 +51,15 @@ public final class GamepadInput implements InputDevice {
   private volatile @Nullable IOException failure;
   private volatile boolean closed;
 
-  /** What a gamepad says, if it is there. */
+  /** The state of a gamepad, if it is connected. */
   interface Pad {
-    /** Gives an axis, about -1 to 1; a trigger from 0. */
+    /** Returns an axis, about -1 to 1; a trigger starts at 0. */
     double axis(ControllerAxis axis) throws ControllerUnpluggedException;
 
     boolean button(ControllerButton button) throws ControllerUnpluggedException;
   }
 
-  /** Has SDL's own list of gamepads only; without another one it would complain on stderr. */
+  /** Has only SDL's own list of gamepads; with the default list it prints warnings to stderr. */
   private static final class Manager extends ControllerManager {
     Manager() {
       super(new Configuration());
@@ -67,7 +67,7 @@ public final class GamepadInput implements InputDevice {
 
     @Override
     public void addMappingsFromFile(String path) {
-      // see above
+      // see the stream above
     }
   }
 
@@ -76,10 +76,10 @@ public final class GamepadInput implements InputDevice {
   }
 
   /**
-   * Takes the first gamepad.
+   * Opens the first gamepad.
    *
-   * @return the device, which is to be closed
-   * @throws IOException if there is none, or the native library cannot be used
+   * @return the device; the caller must close it
+   * @throws IOException without a gamepad, or if the native library cannot be used
    */
   public static GamepadInput open() throws IOException {
     GamepadInput gamepad = new GamepadInput();
@@ -95,11 +95,11 @@ public final class GamepadInput implements InputDevice {
     } catch (InterruptedException e) {
       gamepad.closed = true;
       Thread.currentThread().interrupt();
-      throw new IOException("interrupted while a gamepad was looked for", e);
+      throw new IOException("interrupted while looking for a gamepad", e);
     }
   }
 
-  /** Does all that has to do with SDL, which wants to be used by one thread. */
+  /** Runs all SDL calls; SDL must be used by one thread. */
   private void run() {
     ControllerManager manager;
     try {
@@ -140,7 +140,7 @@ public final class GamepadInput implements InputDevice {
           }
         };
     while (!closed) {
-      // not update(), which would take another gamepad in its place
+      // not update(), which would replace it with another gamepad
       latest = input(pad, System.nanoTime());
       start.complete(null);
       java.util.concurrent.locks.LockSupport.parkNanos(POLL_MILLIS * 1_000_000);
@@ -152,7 +152,7 @@ public final class GamepadInput implements InputDevice {
     start.completeExceptionally(e);
   }
 
-  /** Makes an input of what a gamepad says. SDL counts down and right as positive. */
+  /** Converts the state of a gamepad to an input. In SDL, down and right are positive. */
   static Input input(Pad pad, long nanoTime) throws ControllerUnpluggedException {
     List<Double> axes =
         List.of(
@@ -176,7 +176,7 @@ public final class GamepadInput implements InputDevice {
     return new Input(axes, buttons, deadMan, nanoTime);
   }
 
-  /** Takes off the little that -32768 is beyond -32767. */
+  /** Limits -32768 to -32767. */
   private static double within(double axis) {
     return Math.max(-1, Math.min(1, axis));
   }

@@ -3,15 +3,15 @@ package no.hials.crosscom.control.input;
 import java.util.List;
 
 /**
- * What an input device said at one time.
+ * The state of an input device at one time.
  *
  * @param axes the deflections, -1 to 1
- * @param buttons which buttons are pressed
- * @param deadMan whether the person holds what allows motion
- * @param nanoTime when the device last heard of the person, as {@link System#nanoTime}
+ * @param buttons whether each button is pressed
+ * @param deadMan whether the person holds the dead-man, which allows motion
+ * @param nanoTime the time of the person's last input, as {@link System#nanoTime}
  */
 public record Input(List<Double> axes, List<Boolean> buttons, boolean deadMan, long nanoTime) {
-  /** Has no axes and no buttons, and allows no motion. */
+  /** No axes, no buttons and no motion. */
   public static final Input NONE = new Input(List.of(), List.of(), false, 0);
 
   /** Checks the range of the axes. */
@@ -19,7 +19,7 @@ public record Input(List<Double> axes, List<Boolean> buttons, boolean deadMan, l
     axes = List.copyOf(axes);
     buttons = List.copyOf(buttons);
     for (double axis : axes) {
-      // The negation refuses NaN as well.
+      // The negation also refuses NaN.
       if (!(axis >= -1 && axis <= 1)) {
         throw new IllegalArgumentException("an axis must be -1 to 1, is " + axis);
       }
@@ -27,32 +27,31 @@ public record Input(List<Double> axes, List<Boolean> buttons, boolean deadMan, l
   }
 
   /**
-   * Gives an axis.
+   * Returns the deflection of an axis.
    *
    * @param index from 0
-   * @return its deflection, -1 to 1; 0 if the device has no such axis
+   * @return -1 to 1; 0 for an axis that the device does not have
    */
   public double axis(int index) {
     return index < axes.size() ? axes.get(index) : 0;
   }
 
   /**
-   * Says whether a button is pressed.
+   * Returns whether a button is pressed.
    *
    * @param index from 0
-   * @return true if so; false if the device has no such button
+   * @return false for a button that the device does not have
    */
   public boolean button(int index) {
     return index < buttons.size() && buttons.get(index);
   }
 
   /**
-   * Takes a dead zone out of the axes, and scales what remains: from 0 at the edge of the zone to
-   * the scale at full deflection, without a jump.
+   * Returns this input with a dead zone and a scale: the axes go from 0 at the edge of the zone to
+   * the scale at full deflection, without a step.
    *
-   * @param deadZone how far from the centre an axis still is at 0; 0 to less than 1
-   * @param scale what full deflection gives; -1 to 1
-   * @return the shaped input
+   * @param deadZone the deflection up to which an axis is 0; 0 to less than 1
+   * @param scale the value at full deflection; -1 to 1
    */
   public Input shaped(double deadZone, double scale) {
     checkShape(deadZone, scale);

@@ -17,7 +17,7 @@ import org.jline.utils.NonBlockingReader;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes keys of the terminal. Its six axes are X, Y, Z and the rotations A, B, C, or A1 to A6:
+ * Reads keys of the terminal. Its six axes are X, Y, Z and the rotations A, B, C, or A1 to A6:
  *
  * <table>
  *   <caption>The keys</caption>
@@ -28,37 +28,40 @@ import org.jspecify.annotations.Nullable;
  *   <td>l</td></tr>
  * </table>
  *
- * <p>{@code +} and {@code -} change the deflection by a tenth, space lets go of everything, and
- * {@code q} does so for good ({@link #isEnded}). Capital letters are the same.
+ * <p>{@code +} and {@code -} change the deflection by a tenth, space releases all keys, and {@code
+ * q} ends the input ({@link #isEnded}). Capital letters work too.
  *
- * <p><b>The dead-man is the repeat of the key.</b> A terminal tells that a key is pressed, and
- * tells it again and again while it is held; it never tells that it is let go. So a key counts as
- * held for {@link #HOLD} after each time that it came. From this follows: the robot goes on for
- * that time after the key is let go; it stands between the first and the second time, since
- * keyboards wait 200 to 600 ms until they repeat; and of several keys only the last one counts, as
- * only that one repeats. A repeat slower than {@code HOLD} gives a motion with stops.
+ * <p><b>The dead-man is the repeat of the key.</b> A terminal reports a key when it is pressed and
+ * repeatedly while it is held; it never reports the release. So a key counts as held for {@link
+ * #HOLD} after each report. As a consequence, the robot moves on for that time after the key is
+ * released. It stops between the first and the second report, since keyboards wait 200 to 600 ms
+ * before they repeat. Of several keys only the last counts, since only that key repeats. A repeat
+ * slower than {@code HOLD} causes a motion with stops.
  *
- * <p>Keys come at once and are not shown, and Ctrl-Z and Ctrl-S do nothing, as a suspended program
- * could not stop a robot; Ctrl-C is the signal that it always is. Once this is closed, the terminal
- * is as it was before, also while the JVM ends, as after Ctrl-C. It needs JLine ({@code
- * org.jline:jline}), which this library does not bring along, and runs the daemon thread {@code
+ * <p>Keys are read at once and are not echoed. Ctrl-Z and Ctrl-S do nothing, since a suspended
+ * program could not stop a robot; Ctrl-C still sends its signal. {@link #close} restores the
+ * terminal, even while the JVM shuts down, as after Ctrl-C. The class needs JLine ({@code
+ * org.jline:jline}), which is not a dependency of this library. It runs the daemon thread {@code
  * crosscom-input-keyboard} until it is closed.
  */
 public final class KeyboardInput implements InputDevice {
-  /** How long a key counts as held after it came, in ms: longer than the repeat of keyboards. */
+  /**
+   * The time for which a key counts as held after a report, in ms; longer than the repeat of
+   * keyboards.
+   */
   public static final int HOLD = 150;
 
   private static final int AXES = 6;
   private static final int STEPS = 10;
   private static final long POLL_MILLIS = 50;
 
-  /** How long the parts of an escape sequence may be apart. */
+  /** The maximum time between the parts of an escape sequence. */
   private static final long SEQUENCE_MILLIS = 200;
 
-  /** The keys that move, + and - of each axis in turn. */
+  /** The keys of the axes, + and - of each axis in turn. */
   private static final String KEYS = "wsadrfujikol";
 
-  /** The ends of the sequences of arrows (ECMA-48), in the order of the keys that do the same. */
+  /** The final characters of the arrow sequences (ECMA-48), in the order of the equivalent keys. */
   private static final String ARROWS = "ABDC";
 
   private static final String PAGE_UP = "5";
@@ -67,7 +70,7 @@ public final class KeyboardInput implements InputDevice {
   private static final int FIRST_FINAL = 0x40;
   private static final int BELL = 7;
 
-  /** What follows the escape of a string that a terminal sends: DCS, OSC, SOS, PM, APC. */
+  /** The characters after the escape of a string from the terminal: DCS, OSC, SOS, PM, APC. */
   private static final String STRINGS = "P]X^_";
 
   private static final int STRING_END = '\\';
@@ -81,7 +84,7 @@ public final class KeyboardInput implements InputDevice {
   private volatile boolean closed;
   private volatile @Nullable IOException failure;
 
-  /** A key that moves; the direction is 0 for none. */
+  /** A key of an axis; the direction is 0 for no key. */
   private record Press(int axis, int direction, long nanos) {}
 
   private KeyboardInput(Terminal terminal, LongSupplier clock) {
@@ -99,10 +102,10 @@ public final class KeyboardInput implements InputDevice {
   }
 
   /**
-   * Takes the terminal of this process.
+   * Opens the terminal of this process.
    *
-   * @return the device, which is to be closed
-   * @throws IOException if there is none
+   * @return the device; the caller must close it
+   * @throws IOException without a terminal
    */
   public static KeyboardInput open() throws IOException {
     Terminal terminal;
@@ -110,19 +113,19 @@ public final class KeyboardInput implements InputDevice {
       terminal =
           TerminalBuilder.builder()
               .system(true)
-              // the native library is quicker, and stty is there where it cannot be loaded
+              // the native library is faster; stty works where it cannot be loaded
               .providers("jni,exec")
               .dumb(false)
               .nativeSignals(false)
-              // else JLine asks the terminal what it can, and a late answer looks like keys
+              // otherwise JLine queries the terminal, and a late answer looks like keys
               .graphemeCluster(false)
               .build();
     } catch (IOException | IllegalStateException e) {
       throw new IOException("the keyboard needs a terminal: " + e.getMessage(), e);
     }
-    if (terminal.getType().startsWith(Terminal.TYPE_DUMB)) { // it gives whole lines, not keys
+    if (terminal.getType().startsWith(Terminal.TYPE_DUMB)) { // sends whole lines, not single keys
       terminal.close();
-      throw new IOException("the keyboard needs a terminal that gives keys, TERM is dumb");
+      throw new IOException("the keyboard needs a terminal that sends single keys, TERM is dumb");
     }
     return on(terminal, System::nanoTime);
   }
@@ -133,7 +136,7 @@ public final class KeyboardInput implements InputDevice {
       keyboard = new KeyboardInput(terminal, clock);
     } catch (IllegalStateException e) {
       terminal.close();
-      throw new IOException("the terminal is closed already, as when the JVM ends", e);
+      throw new IOException("the terminal is already closed, as while the JVM shuts down", e);
     }
     keyboard.thread.start();
     return keyboard;
@@ -143,7 +146,7 @@ public final class KeyboardInput implements InputDevice {
     NonBlockingReader reader = terminal.reader();
     try {
       while (!closed) {
-        // in pieces, so that this ends soon after it was closed
+        // in pieces, so that this thread ends soon after close()
         int next = reader.read(POLL_MILLIS);
         if (next == ESCAPE) {
           sequence(reader);
@@ -154,17 +157,17 @@ public final class KeyboardInput implements InputDevice {
         }
       }
     } catch (ClosedException e) {
-      // by this, by its user, or by JLine since the JVM ends, as after Ctrl-C: that is no failure
+      // not a failure if it was closed by this class, by its user, or by JLine at JVM shutdown
       ended = true;
     } catch (IOException | RuntimeException | java.io.IOError e) {
       if (!closed) {
-        failure = e instanceof IOException io ? io : new IOException("no keys any more: " + e, e);
+        failure = e instanceof IOException io ? io : new IOException("no more keys: " + e, e);
       }
     }
   }
 
   /**
-   * Reads the rest of an escape sequence, be it a key or what the terminal has to say, so that no
+   * Reads the rest of an escape sequence, whether a key or a report of the terminal, so that no
    * part of it is taken for a key.
    */
   private void sequence(NonBlockingReader reader) throws IOException {
@@ -229,25 +232,23 @@ public final class KeyboardInput implements InputDevice {
   }
 
   /**
-   * Gives what a held key deflects its axis by, which {@code +} and {@code -} change.
+   * Returns the deflection of an axis by a held key, which {@code +} and {@code -} change.
    *
-   * @return 0.1 to 1, at first 1
+   * @return 0.1 to 1, initially 1
    */
   public double scale() {
     return (double) steps / STEPS;
   }
 
   /**
-   * Says whether the user has pressed {@code q}, or the terminal has gone, as when the JVM ends.
-   * From then on nothing moves.
-   *
-   * @return true if so
+   * Returns whether the user has pressed {@code q} or the terminal is closed. From then on nothing
+   * moves.
    */
   public boolean isEnded() {
     return ended;
   }
 
-  /** Gives the terminal back as it was. */
+  /** Restores the terminal. */
   @Override
   public void close() throws IOException {
     closed = true;
@@ -256,8 +257,8 @@ public final class KeyboardInput implements InputDevice {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    // this sets the attributes back whatever else goes on: as the JVM ends, JLine closes its
-    // terminals by itself; from then on setAttributes is refused, while close waits for that
+    // close() always restores the attributes. At JVM shutdown JLine closes its terminals itself,
+    // after which setAttributes() is refused; close() waits for that.
     terminal.close();
   }
 }

@@ -23,11 +23,11 @@ import org.slf4j.LoggerFactory;
  * {"axes": [0.5, -1, 0], "buttons": [true, false], "deadMan": true}
  * }</pre>
  *
- * <p>All fields may be left out; without {@code deadMan} nothing moves, and other fields are passed
- * over. The sender has to send again and again, several times in the greatest age of the input,
- * since the robot stands when it hears nothing. A datagram that is not as it must be changes
- * nothing and is counted. <b>Whoever reaches the port moves the robot</b>: it is bound to the
- * loopback address unless another one is given.
+ * <p>All fields are optional, but nothing moves without {@code deadMan}; other fields are ignored.
+ * The sender must send repeatedly, several times within the maximum age of the input, since the
+ * robot stands still without input. An invalid datagram changes nothing and is counted. <b>Everyone
+ * who can reach the port can move the robot</b>: it is bound to the loopback address unless another
+ * address is given.
  *
  * <p>It runs the daemon thread {@code crosscom-input-PORT} until it is closed.
  */
@@ -50,8 +50,8 @@ public final class UdpJsonInput implements InputDevice {
   /**
    * Listens on the loopback address.
    *
-   * @param port the UDP port; 0 for a free one
-   * @return the device, which is to be closed
+   * @param port the UDP port; 0 for a free port
+   * @return the device; the caller must close it
    * @throws IOException if the port cannot be used
    */
   public static UdpJsonInput listen(int port) throws IOException {
@@ -62,7 +62,7 @@ public final class UdpJsonInput implements InputDevice {
    * Listens on an address, for senders on other computers.
    *
    * @param address the address of this computer and the UDP port
-   * @return the device, which is to be closed
+   * @return the device; the caller must close it
    * @throws IOException if the address cannot be used
    */
   public static UdpJsonInput listen(InetSocketAddress address) throws IOException {
@@ -73,26 +73,18 @@ public final class UdpJsonInput implements InputDevice {
     return input;
   }
 
-  /**
-   * Gives the port.
-   *
-   * @return the UDP port that it listens on
-   */
+  /** Returns the UDP port that this device listens on. */
   public int port() {
     return socket.getLocalPort();
   }
 
-  /**
-   * Counts the datagrams that were not as they must be.
-   *
-   * @return how many
-   */
+  /** Returns the number of invalid datagrams. */
   public long refusedDatagrams() {
     return refused.get();
   }
 
   private void receive() {
-    // one byte more than allowed shows what was cut
+    // one byte more than allowed detects a truncated datagram
     DatagramPacket packet = new DatagramPacket(new byte[LONGEST + 1], LONGEST + 1);
     while (!socket.isClosed()) {
       try {
@@ -134,7 +126,7 @@ public final class UdpJsonInput implements InputDevice {
         }
       }
       if (json.nextToken() != null) {
-        throw new IOException("there must be one object, more follows");
+        throw new IOException("expected one object, found more text");
       }
     }
     return new Input(axes, buttons, deadMan, System.nanoTime());
@@ -158,7 +150,7 @@ public final class UdpJsonInput implements InputDevice {
 
   private static void atMost(List<?> values) throws IOException {
     if (values.size() > MOST_VALUES) {
-      throw new IOException("there must be at most " + MOST_VALUES + " values, are more");
+      throw new IOException("expected at most " + MOST_VALUES + " values, found more");
     }
   }
 

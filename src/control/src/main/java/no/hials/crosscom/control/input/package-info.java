@@ -1,8 +1,8 @@
 /**
- * What a person moves a robot with: devices that give axes from -1 to 1, buttons and a dead-man.
+ * Devices with which a person moves a robot: axes from -1 to 1, buttons and a dead-man.
  *
- * <p>A device is asked for what it says now and never blocks; how old that is says its time stamp,
- * so that a device that has gone silent lets the robot stand.
+ * <p>Reading a device returns its latest state and never blocks. The state has a time stamp, so
+ * that the robot stands still if a device sends nothing.
  */
 @NullMarked
 package no.hials.crosscom.control.input;

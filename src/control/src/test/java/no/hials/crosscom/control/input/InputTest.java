@@ -104,12 +104,12 @@ class InputTest {
         "time,axis1|0,2; t, line 2: an axis must be -1 to 1, is 2.0",
         "time,axis1|1,0|1,0; t, line 3: time must be more than before, 0 or more and less than"
             + " 1000000 s, is 1.0",
-        "time,axis1|1; t, line 2: there must be 2 values, are 1",
+        "time,axis1|1; t, line 2: expected 2 values, found 1",
         "time,dead_man|1,yes; t, line 2: dead_man must be 0 or 1, is 'yes'",
         "time,x|1,1; t, line 1: a column must be time, axis1 to axis99, button1 to button99 or"
             + " dead_man, is 'x'",
-        "axis1|1; t, line 1: there must be a column time, and none twice, are [axis1]",
-        "time; t: there must be a line of names and one of values, is none"
+        "axis1|1; t, line 1: there must be a column time and no column twice, are [axis1]",
+        "time; t: expected a line of names and a line of values, found none"
       })
   void aWrongLineOfAReplayIsNamed(String lines, String message) {
     assertThatExceptionOfType(IOException.class)

@@ -10,13 +10,17 @@ import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.Tail;
 
 /** Executes requests as C3 Bridge does, in one of its versions (c3-bridge.md, "Messages"). */
-final class C3Handler implements Handler {
-  private final BridgeVariables bridge;
-  private final C3Variables variables;
-  private final C3Control control;
-  private final FileMessages files;
+final class C3Handler implements RequestHandler {
+  private final C3ProxyVariables bridge;
+  private final C3VariableHandler variables;
+  private final C3ProgramHandler control;
+  private final C3FileHandler files;
 
-  C3Handler(BridgeVariables bridge, C3Variables variables, C3Control control, FileMessages files) {
+  C3Handler(
+      C3ProxyVariables bridge,
+      C3VariableHandler variables,
+      C3ProgramHandler control,
+      C3FileHandler files) {
     this.bridge = bridge;
     this.variables = variables;
     this.control = control;

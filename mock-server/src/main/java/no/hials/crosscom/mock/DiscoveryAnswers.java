@@ -19,14 +19,14 @@ final class DiscoveryAnswers {
   private static final int LONGEST = 32;
 
   private final VariableTable variables;
-  private final @Nullable BridgeVariables bridge;
+  private final @Nullable C3ProxyVariables bridge;
 
   /**
    * Makes the answers.
    *
    * @param bridge what C3 Bridge says of itself; null for a KUKAVARPROXY
    */
-  DiscoveryAnswers(VariableTable variables, @Nullable BridgeVariables bridge) {
+  DiscoveryAnswers(VariableTable variables, @Nullable C3ProxyVariables bridge) {
     this.variables = variables;
     this.bridge = bridge;
   }

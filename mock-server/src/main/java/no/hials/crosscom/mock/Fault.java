@@ -292,10 +292,10 @@ public sealed interface Fault {
     /** Checks that the value fits into an answer. */
     public Answer {
       Objects.requireNonNull(tail, "tail");
-      if (value.length() > RequestHandler.MAX_VALUE || value.chars().anyMatch(c -> c > 0xFF)) {
+      if (value.length() > KukavarproxyHandler.MAX_VALUE || value.chars().anyMatch(c -> c > 0xFF)) {
         throw new IllegalArgumentException(
             "value must be ISO 8859-1 and have at most "
-                + RequestHandler.MAX_VALUE
+                + KukavarproxyHandler.MAX_VALUE
                 + " characters, has "
                 + value.length());
       }

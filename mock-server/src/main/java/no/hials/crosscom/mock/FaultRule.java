@@ -110,7 +110,7 @@ public record FaultRule(
    *     expected and what was found
    */
   public static FaultRule parse(String text, long seed) {
-    return new FaultText(text, seed).parse();
+    return new FaultRuleParser(text, seed).parse();
   }
 
   /**

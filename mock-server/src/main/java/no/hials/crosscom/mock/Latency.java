@@ -74,7 +74,7 @@ public sealed interface Latency {
       case "krc4-2014" -> krc4In2014(seed);
       default ->
           fixed(
-              TimeText.parse(text)
+              DurationParser.parse(text)
                   .orElseThrow(
                       () ->
                           new IllegalArgumentException(

@@ -51,10 +51,10 @@ public final class MockServer implements AutoCloseable {
   private final FileTree files;
   private final FaultScript faults = new FaultScript();
   private final RequestLog requests;
-  private final Service service;
-  private final Clients clients;
-  private @Nullable Discovery discovery;
-  private final @Nullable Discovery standardDiscovery;
+  private final RequestDispatcher service;
+  private final ConnectionAcceptor clients;
+  private @Nullable DiscoveryResponder discovery;
+  private final @Nullable DiscoveryResponder standardDiscovery;
 
   /** Made when it is asked for; guarded by {@link #variables}. */
   private @Nullable Controller controller;
@@ -66,23 +66,23 @@ public final class MockServer implements AutoCloseable {
     this.config = config;
     requests = new RequestLog(config.recordedRequests());
     files = config.files().orElseGet(FileTree::inMemory);
-    BridgeVariables bridge = new BridgeVariables(config, this::address);
-    service = new Service(config, handlers(bridge), faults, requests);
-    clients = Clients.listen(config, service);
+    C3ProxyVariables bridge = new C3ProxyVariables(config, this::address);
+    service = new RequestDispatcher(config, handlers(bridge), faults, requests);
+    clients = ConnectionAcceptor.listen(config, service);
     boolean c3 = config.server() == ServerType.C3_BRIDGE;
     DiscoveryAnswers answers = new DiscoveryAnswers(variables, c3 ? bridge : null);
     discovery = openDiscovery(config.discoveryPort(), config.discoveryReplyPort(), answers);
     standardDiscovery = openDiscovery(config.standardDiscoveryPort(), 0, answers);
   }
 
-  private Supplier<Handler> handlers(BridgeVariables bridge) {
+  private Supplier<RequestHandler> handlers(C3ProxyVariables bridge) {
     if (config.server() == ServerType.KUKAVARPROXY) {
-      Handler handler = new RequestHandler(variables, config);
+      RequestHandler handler = new KukavarproxyHandler(variables, config);
       return () -> handler;
     }
-    C3Variables access = new C3Variables(variables, bridge, config);
-    C3Control control = new C3Control(this::controller);
-    return () -> new C3Handler(bridge, access, control, new FileMessages(files, this::isSelected));
+    C3VariableHandler access = new C3VariableHandler(variables, bridge, config);
+    C3ProgramHandler control = new C3ProgramHandler(this::controller);
+    return () -> new C3Handler(bridge, access, control, new C3FileHandler(files, this::isSelected));
   }
 
   /** Says whether one of the interpreters has a module selected. */
@@ -96,13 +96,13 @@ public final class MockServer implements AutoCloseable {
             .anyMatch(i -> i.program().filter(module::equalsIgnoreCase).isPresent());
   }
 
-  private @Nullable Discovery openDiscovery(
+  private @Nullable DiscoveryResponder openDiscovery(
       OptionalInt port, int replyPort, DiscoveryAnswers answers) throws IOException {
     if (port.isEmpty()) {
       return null;
     }
     try {
-      return Discovery.open(
+      return DiscoveryResponder.open(
           new InetSocketAddress(config.bindAddress(), port.getAsInt()), replyPort, answers);
     } catch (IOException e) {
       clients.close();

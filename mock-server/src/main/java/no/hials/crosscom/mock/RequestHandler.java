@@ -1,182 +1,38 @@
 package no.hials.crosscom.mock;
 
-import java.util.ArrayList;
-import java.util.List;
-import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.ReadArrayRequest;
-import no.hials.crosscom.protocol.ReadArrayResponse;
-import no.hials.crosscom.protocol.ReadRequest;
-import no.hials.crosscom.protocol.ReadResponse;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
-import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.protocol.Tail;
-import no.hials.crosscom.protocol.WriteArrayRequest;
-import no.hials.crosscom.protocol.WriteArrayResponse;
-import no.hials.crosscom.protocol.WriteRequest;
-import no.hials.crosscom.protocol.WriteResponse;
-import no.hials.crosscom.protocol.value.KrlArray;
-import no.hials.crosscom.protocol.value.KrlInt;
-import no.hials.crosscom.protocol.value.KrlSyntaxException;
-import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 
-/** Executes requests on a table of variables, as KUKAVARPROXY does on a controller. */
-final class RequestHandler implements Handler {
-  /** An answer's length field counts function, value length, value and tail. */
-  static final int MAX_VALUE = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 1 - 2 - 3;
-
-  private static final int WORD = 0xFFFF;
-
-  private final VariableTable variables;
-  private final MockServerConfig config;
-
-  RequestHandler(VariableTable variables, MockServerConfig config) {
-    this.variables = variables;
-    this.config = config;
-  }
-
-  @Override
-  public boolean knows(MessageType type) {
-    return type.isKnownTo(ServerType.KUKAVARPROXY);
-  }
-
-  /** Assumed: it gets no answer. */
-  @Override
-  public @Nullable Response malformed(MalformedRequestException request) {
-    return null;
-  }
-
-  @Override
-  public Outcome handle(Request request) {
-    if (request instanceof ReadRequest read) {
-      return read(read);
-    }
-    if (request instanceof WriteRequest write) {
-      return write(write);
-    }
-    if (request instanceof ReadArrayRequest read) {
-      return readArray(read);
-    }
-    if (request instanceof WriteArrayRequest write) {
-      return writeArray(write);
-    }
-    throw new IllegalArgumentException("no such request: " + request);
-  }
-
-  private Outcome read(ReadRequest request) {
-    if (isForServer(request)) {
-      return new Outcome(new ReadResponse(request.id(), "PONG", Tail.SUCCESS), null);
-    }
-    try {
-      String text = variables.read(request.name());
-      if (config.trimValues()) {
-        text = text.strip();
-      }
-      checkLength(text.length());
-      return new Outcome(new ReadResponse(request.id(), text, Tail.SUCCESS), null);
-    } catch (RefusedException e) {
-      return new Outcome(new ReadResponse(request.id(), "", config.failedRead().tail()), e);
-    }
-  }
-
-  /** The name is case-sensitive (krl.md 1.8). */
-  @Override
-  public boolean isForServer(Request request) {
-    return config.ping() && request instanceof ReadRequest read && read.name().equals("PING");
-  }
-
-  private static void checkLength(int bytes) throws RefusedException {
-    if (bytes > MAX_VALUE) {
-      throw new RefusedException(
-          Refusal.TOO_LONG, "an answer holds " + MAX_VALUE + " bytes, needs " + bytes);
-    }
-  }
-
-  private Outcome write(WriteRequest request) {
-    RefusedException refused = null;
-    String echo = request.value();
-    try {
-      if (echo.length() > MAX_VALUE) {
-        // only possible with a name that no variable has
-        echo = "";
-        throw new RefusedException(Refusal.TOO_LONG, "the value does not fit into the answer");
-      }
-      variables.write(request.name(), request.value(), config.maxAggregateLength());
-    } catch (RefusedException e) {
-      refused = e;
-    }
-    Tail tail = refused == null ? Tail.SUCCESS : config.failedWriteTail();
-    return new Outcome(new WriteResponse(request.id(), echo, tail), refused);
-  }
-
-  private Outcome readArray(ReadArrayRequest request) {
-    try {
-      List<Integer> words = words(variables.readValue(request.name()));
-      checkLength(2 * words.size());
-      return new Outcome(new ReadArrayResponse(request.id(), words, Tail.SUCCESS), null);
-    } catch (RefusedException e) {
-      // assumed to be as a failed read of text
-      return new Outcome(
-          new ReadArrayResponse(request.id(), List.of(), config.failedRead().tail()), e);
-    }
-  }
-
-  private static List<Integer> words(KrlValue value) throws RefusedException {
-    List<KrlValue> elements = value instanceof KrlArray array ? array.elements() : List.of(value);
-    List<Integer> words = new ArrayList<>(elements.size());
-    for (KrlValue element : elements) {
-      if (!(element instanceof KrlInt number)) {
-        throw new RefusedException(
-            Refusal.WRONG_TYPE, "only INT can be read as 16-bit numbers, is " + element);
-      }
-      // assumed: what 16 bits cannot hold is cut off
-      words.add(number.value() & WORD);
-    }
-    return words;
-  }
+/**
+ * Executes the requests of a connection as one of the servers does. Called by one thread at a time.
+ */
+interface RequestHandler extends AutoCloseable {
 
   /**
-   * Writes one element after the other. Assumed: the first that is refused ends it, and those
-   * before it stay written.
+   * What came of a request.
+   *
+   * @param response the answer; null if the server closes the connection instead
+   * @param refused why the controller refused the access, if it did
    */
-  private Outcome writeArray(WriteArrayRequest request) {
-    String name = request.name().strip();
-    if (name.endsWith("[]")) {
-      name = name.substring(0, name.length() - 2);
-    }
-    RefusedException refused = null;
-    try {
-      for (int i = 0; i < request.elements().size(); i++) {
-        String value = String.valueOf(request.elements().get(i));
-        variables.write(name + "[" + (i + 1) + "]", value, 0);
-      }
-    } catch (RefusedException e) {
-      refused = e;
-    }
-    Tail tail = refused == null ? Tail.SUCCESS : config.failedWriteTail();
-    return new Outcome(new WriteArrayResponse(request.id(), "", tail), refused);
-  }
+  record Outcome(@Nullable Response response, @Nullable RefusedException refused) {}
 
-  /** Makes an answer with a value and a tail of somebody's choice. */
-  static Response answer(Request request, String value, Tail tail) {
-    return switch (request.type()) {
-      case READ_ARRAY -> new ReadArrayResponse(request.id(), wordsOrNone(value), tail);
-      case WRITE_ARRAY -> new WriteArrayResponse(request.id(), value, tail);
-      default -> C3Answers.scripted(request, value, tail);
-    };
-  }
+  /** Says whether the server knows a type, so that a request of it can be executed at all. */
+  boolean knows(MessageType type);
 
-  private static List<Integer> wordsOrNone(String value) {
-    try {
-      return words(KrlValue.parse(value));
-    } catch (RefusedException | KrlSyntaxException e) {
-      return List.of();
-    }
-  }
+  /** Executes a request of a type that the server knows. */
+  Outcome handle(Request request);
+
+  /** Answers a request of a type that the server knows whose fields are malformed, or does not. */
+  @Nullable Response malformed(MalformedRequestException request);
+
+  /** Says whether the server answers a request without asking the controller, so in no time. */
+  boolean isForServer(Request request);
+
+  /** Ends the connection. */
+  @Override
+  default void close() {}
 }

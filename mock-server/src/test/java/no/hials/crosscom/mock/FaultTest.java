@@ -71,7 +71,7 @@ class FaultTest {
 
   @Test
   void sendsEachTextOfRawBytesByItself() {
-    assertThat(Delivery.of(Fault.raw("DE AD", "beef"), null, null).segments())
+    assertThat(ResponsePlan.of(Fault.raw("DE AD", "beef"), null, null).segments())
         .containsExactly(
             new byte[] {(byte) 0xDE, (byte) 0xAD}, new byte[] {(byte) 0xBE, (byte) 0xEF});
   }
@@ -188,10 +188,10 @@ class FaultTest {
     assertReceives(WRITTEN);
     assertExecuted(true);
     byte[] answer = HexFormat.ofDelimiter(" ").parseHex(WRITTEN);
-    assertThat(Delivery.of(Fault.split(1, 2, 3), null, answer).segments())
+    assertThat(ResponsePlan.of(Fault.split(1, 2, 3), null, answer).segments())
         .extracting(piece -> piece.length)
         .containsExactly(1, 2, 3, 5);
-    assertThat(Delivery.of(Fault.split(10, 20, 30), null, answer).segments())
+    assertThat(ResponsePlan.of(Fault.split(10, 20, 30), null, answer).segments())
         .extracting(piece -> piece.length)
         .containsExactly(10, 1);
   }
@@ -204,7 +204,7 @@ class FaultTest {
     assertExecuted(true);
     assertServesOn();
     byte[] answer = HexFormat.ofDelimiter(" ").parseHex(WRITTEN);
-    assertThat(Delivery.of(Fault.oneByteAtATime(), null, answer).segments())
+    assertThat(ResponsePlan.of(Fault.oneByteAtATime(), null, answer).segments())
         .hasSize(11)
         .allMatch(piece -> piece.length == 1);
   }
@@ -216,7 +216,7 @@ class FaultTest {
     assertReceives(WRITTEN + " " + WRITTEN);
     assertExecuted(true);
     byte[] answer = HexFormat.ofDelimiter(" ").parseHex(WRITTEN);
-    assertThat(Delivery.of(Fault.answerTwice(), null, answer).segments()).hasSize(1);
+    assertThat(ResponsePlan.of(Fault.answerTwice(), null, answer).segments()).hasSize(1);
   }
 
   @Test

@@ -127,12 +127,12 @@ final class FileTreeTest {
     @TempDir private Path folder;
     @TempDir private Path outside;
     private FileTree tree;
-    private FileMessages messages;
+    private C3FileHandler messages;
 
     @BeforeEach
     void start() throws IOException {
       tree = FileTree.over(folder, Clock.systemUTC(), 1 << 20);
-      messages = new FileMessages(tree, name -> false);
+      messages = new C3FileHandler(tree, name -> false);
     }
 
     private Path program(String name) {

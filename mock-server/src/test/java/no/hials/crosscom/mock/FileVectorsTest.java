@@ -84,7 +84,7 @@ final class FileVectorsTest {
       throw new AssertionError(e);
     }
     Flags<FileAttribute> readOnly = Flags.of(FileAttribute.READ_ONLY);
-    new FileMessages(tree, name -> false)
+    new C3FileHandler(tree, name -> false)
         .handle(new SetAttributesRequest(0, readOnly, readOnly, PROGRAM + "locked.txt"));
     return tree;
   }

@@ -17,7 +17,7 @@ class LatencyTest {
   private static final int DRAWN = 100_000;
 
   private static long[] draw(Latency latency) {
-    return LongStream.generate(ServiceTimes.of(latency)).limit(DRAWN).toArray();
+    return LongStream.generate(LatencySampler.of(latency)).limit(DRAWN).toArray();
   }
 
   private static void assertMillis(

@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * @param holdBack whether to send the segments in front of the next answer only
  * @param ending what becomes of the connection
  */
-record Delivery(
+record ResponsePlan(
     List<byte[]> segments,
     Duration pause,
     Duration delay,
@@ -32,7 +32,7 @@ record Delivery(
     boolean holdBack,
     Ending ending) {
 
-  static final Delivery NOTHING = of(List.of());
+  static final ResponsePlan NOTHING = of(List.of());
 
   private static final int LENGTH_FIELD = 2;
   private static final int FUNCTION_FIELD = 4;
@@ -45,29 +45,29 @@ record Delivery(
     RESET
   }
 
-  private static Delivery of(List<byte[]> segments) {
-    return new Delivery(segments, Duration.ZERO, Duration.ZERO, null, false, Ending.OPEN);
+  private static ResponsePlan of(List<byte[]> segments) {
+    return new ResponsePlan(segments, Duration.ZERO, Duration.ZERO, null, false, Ending.OPEN);
   }
 
   /** Sends an answer properly. */
-  static Delivery of(byte[] answer) {
+  static ResponsePlan of(byte[] answer) {
     return of(List.of(answer));
   }
 
-  private Delivery spacedBy(Duration newPause) {
-    return new Delivery(segments, newPause, delay, gate, holdBack, ending);
+  private ResponsePlan spacedBy(Duration newPause) {
+    return new ResponsePlan(segments, newPause, delay, gate, holdBack, ending);
   }
 
-  private Delivery after(Duration newDelay, @Nullable CountDownLatch newGate) {
-    return new Delivery(segments, pause, newDelay, newGate, holdBack, ending);
+  private ResponsePlan after(Duration newDelay, @Nullable CountDownLatch newGate) {
+    return new ResponsePlan(segments, pause, newDelay, newGate, holdBack, ending);
   }
 
-  private Delivery heldBack() {
-    return new Delivery(segments, pause, delay, gate, true, ending);
+  private ResponsePlan heldBack() {
+    return new ResponsePlan(segments, pause, delay, gate, true, ending);
   }
 
-  private Delivery then(Ending newEnding) {
-    return new Delivery(segments, pause, delay, gate, holdBack, newEnding);
+  private ResponsePlan then(Ending newEnding) {
+    return new ResponsePlan(segments, pause, delay, gate, holdBack, newEnding);
   }
 
   /**
@@ -77,7 +77,7 @@ record Delivery(
    * @param request the message, null if the bytes were none
    * @param answer the proper answer; null if the request was not executed, or has none
    */
-  static Delivery of(Fault fault, @Nullable Request request, byte @Nullable [] answer) {
+  static ResponsePlan of(Fault fault, @Nullable Request request, byte @Nullable [] answer) {
     if (fault instanceof Fault.Raw raw) {
       return of(raw.segments().stream().map(Fault.Raw::bytes).toList());
     }
@@ -90,7 +90,8 @@ record Delivery(
       return NOTHING.then(close.reset() ? Ending.RESET : Ending.CLOSE);
     }
     if (fault instanceof Fault.Answer scripted && request != null) {
-      return of(Codec.encode(RequestHandler.answer(request, scripted.value(), scripted.tail())));
+      return of(
+          Codec.encode(KukavarproxyHandler.answer(request, scripted.value(), scripted.tail())));
     }
     if (fault instanceof Fault.EmptyAnswer && request != null) {
       return of(Codec.encode(new EmptyResponse(request.id())));
@@ -105,7 +106,7 @@ record Delivery(
   }
 
   /** Applies a fault that needs the proper answer. */
-  private static Delivery cut(Fault fault, byte[] answer) {
+  private static ResponsePlan cut(Fault fault, byte[] answer) {
     if (fault instanceof Fault.Delay late) {
       return of(answer).after(late.time(), null);
     }

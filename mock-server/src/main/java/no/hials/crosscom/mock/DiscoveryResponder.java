@@ -9,8 +9,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Answers questions by UDP. What is none gets no answer. */
-final class Discovery implements Runnable, AutoCloseable {
-  private static final Logger log = LoggerFactory.getLogger(Discovery.class);
+final class DiscoveryResponder implements Runnable, AutoCloseable {
+  private static final Logger log = LoggerFactory.getLogger(DiscoveryResponder.class);
 
   /** One byte more than a question may have (c3-bridge.md), so that a longer one is seen. */
   private static final int BUFFER = 33;
@@ -19,7 +19,7 @@ final class Discovery implements Runnable, AutoCloseable {
   private final DiscoveryAnswers answers;
   private final int replyPort;
 
-  private Discovery(DatagramSocket socket, DiscoveryAnswers answers, int replyPort) {
+  private DiscoveryResponder(DatagramSocket socket, DiscoveryAnswers answers, int replyPort) {
     this.socket = socket;
     this.answers = answers;
     this.replyPort = replyPort;
@@ -30,10 +30,10 @@ final class Discovery implements Runnable, AutoCloseable {
    *
    * @param replyPort the port of the sender to answer to, 0 for the one it sent from
    */
-  static Discovery open(InetSocketAddress at, int replyPort, DiscoveryAnswers answers)
+  static DiscoveryResponder open(InetSocketAddress at, int replyPort, DiscoveryAnswers answers)
       throws IOException {
     try {
-      return new Discovery(new DatagramSocket(at), answers, replyPort);
+      return new DiscoveryResponder(new DatagramSocket(at), answers, replyPort);
     } catch (IOException e) {
       throw new IOException("cannot listen on UDP " + at + ": " + e.getMessage(), e);
     }

@@ -13,8 +13,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Listens for clients and keeps their connections. Safe for use by several threads. */
-final class Clients {
-  private static final Logger log = LoggerFactory.getLogger(Clients.class);
+final class ConnectionAcceptor {
+  private static final Logger log = LoggerFactory.getLogger(ConnectionAcceptor.class);
 
   /** Takes a thousand clients that all connect at once. */
   private static final int BACKLOG = 1024;
@@ -23,7 +23,7 @@ final class Clients {
   private static final Duration PAUSE_AFTER_FAILED_ACCEPT = Duration.ofMillis(50);
 
   private final MockServerConfig config;
-  private final Service service;
+  private final RequestDispatcher service;
   private final InetSocketAddress address;
   private final ServerThreads threads;
 
@@ -35,9 +35,10 @@ final class Clients {
   private boolean refusing;
   private boolean closed;
   private int accepted;
-  private final Set<Connection> connections = new HashSet<>();
+  private final Set<ClientConnection> connections = new HashSet<>();
 
-  private Clients(MockServerConfig config, Service service, ServerSocket listener) {
+  private ConnectionAcceptor(
+      MockServerConfig config, RequestDispatcher service, ServerSocket listener) {
     this.config = config;
     this.service = service;
     this.listener = listener;
@@ -46,9 +47,10 @@ final class Clients {
   }
 
   /** Listens; {@link #start} accepts. */
-  static Clients listen(MockServerConfig config, Service service) throws IOException {
+  static ConnectionAcceptor listen(MockServerConfig config, RequestDispatcher service)
+      throws IOException {
     ServerSocket listener = listen(new InetSocketAddress(config.bindAddress(), config.port()));
-    return new Clients(config, service, listener);
+    return new ConnectionAcceptor(config, service, listener);
   }
 
   private static ServerSocket listen(InetSocketAddress at) throws IOException {
@@ -105,7 +107,7 @@ final class Clients {
 
   void disconnect() {
     synchronized (state) {
-      connections.forEach(Connection::abort);
+      connections.forEach(ClientConnection::abort);
     }
   }
 
@@ -143,13 +145,13 @@ final class Clients {
         return;
       }
       accepted++;
-      Connection connection = new Connection(config, service, client, accepted);
+      ClientConnection connection = new ClientConnection(config, service, client, accepted);
       connections.add(connection);
       threads.start("client-" + accepted, () -> serve(connection));
     }
   }
 
-  private void serve(Connection connection) {
+  private void serve(ClientConnection connection) {
     try {
       connection.run();
     } finally {
@@ -165,7 +167,7 @@ final class Clients {
       if (!closed) {
         closed = true;
         closeListener();
-        connections.forEach(Connection::abort);
+        connections.forEach(ClientConnection::abort);
         threads.interrupt();
         log.debug("closed {}", address);
       }

@@ -43,8 +43,8 @@ import org.slf4j.LoggerFactory;
  * such as its mode, and {@code GENERAL} for a program that is not there or has errors and for a
  * position out of reach.
  */
-final class C3Control {
-  private static final Logger log = LoggerFactory.getLogger(C3Control.class);
+final class C3ProgramHandler {
+  private static final Logger log = LoggerFactory.getLogger(C3ProgramHandler.class);
 
   private static final int ROBOT_AXES = 6;
   private static final String[] MOUSE = {"X", "Y", "Z", "A", "B", "C"};
@@ -58,7 +58,7 @@ final class C3Control {
   private final Supplier<Controller> controller;
 
   /** Creates the handler of all connections. */
-  C3Control(Supplier<Controller> controller) {
+  C3ProgramHandler(Supplier<Controller> controller) {
     this.controller = controller;
   }
 

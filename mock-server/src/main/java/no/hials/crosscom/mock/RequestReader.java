@@ -9,7 +9,7 @@ import no.hials.crosscom.protocol.FrameReader;
 import org.jspecify.annotations.Nullable;
 
 /** Where the requests of a connection come from. For one thread. */
-interface Frames {
+interface RequestReader {
 
   /** Waits for the next request. Gives null if the client has closed the connection. */
   byte @Nullable [] next() throws IOException;
@@ -18,7 +18,7 @@ interface Frames {
   boolean holdsBytes();
 
   /** Puts together what arrives in pieces. */
-  static Frames joined(InputStream in) {
+  static RequestReader joined(InputStream in) {
     return joined(in, false);
   }
 
@@ -26,13 +26,13 @@ interface Frames {
    * Puts together what arrives in pieces, as C3 Bridge does: it closes the connection on the byte
    * that follows a message of length 0 (c3-bridge.md, "Common to all messages").
    */
-  static Frames joinedUntilEmpty(InputStream in) {
+  static RequestReader joinedUntilEmpty(InputStream in) {
     return joined(in, true);
   }
 
-  private static Frames joined(InputStream in, boolean untilEmpty) {
+  private static RequestReader joined(InputStream in, boolean untilEmpty) {
     FrameReader reader = new FrameReader(in);
-    return new Frames() {
+    return new RequestReader() {
       @Override
       public byte @Nullable [] next() throws IOException {
         int length = reader.next();
@@ -57,12 +57,12 @@ interface Frames {
    *
    * @param dropped is told how many bytes a read had that were no whole request
    */
-  static Frames ofSingleReads(InputStream in, IntConsumer dropped) {
+  static RequestReader ofSingleReads(InputStream in, IntConsumer dropped) {
     return new SingleReads(in, dropped);
   }
 
   /** Takes whole requests out of each read; the rest of a read is dropped. */
-  final class SingleReads implements Frames {
+  final class SingleReads implements RequestReader {
     /** What KUKAVARPROXY reads at a time (krl.md 1.7). */
     private static final int READ = 2048;
 

@@ -13,19 +13,19 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Serves one client, on a thread of its own, until one of both closes the connection. */
-final class Connection {
-  private static final Logger log = LoggerFactory.getLogger(Connection.class);
+final class ClientConnection {
+  private static final Logger log = LoggerFactory.getLogger(ClientConnection.class);
   private static final byte[] NOTHING = new byte[0];
 
   private final MockServerConfig config;
-  private final Service service;
+  private final RequestDispatcher service;
   private final Socket socket;
   private final int number;
 
   /** What goes out in front of the next answer. */
   private byte[] heldBack = NOTHING;
 
-  Connection(MockServerConfig config, Service service, Socket socket, int number) {
+  ClientConnection(MockServerConfig config, RequestDispatcher service, Socket socket, int number) {
     this.config = config;
     this.service = service;
     this.socket = socket;
@@ -44,7 +44,7 @@ final class Connection {
   void run() {
     log.debug("connection {} from {} opened", number, socket.getRemoteSocketAddress());
     String reason = "the client closed it";
-    try (Handler handler = service.open()) {
+    try (RequestHandler handler = service.open()) {
       socket.setTcpNoDelay(true);
       Duration idle = config.idleTimeout();
       // a positive time-out is never rounded down to 0, which would mean none
@@ -68,19 +68,19 @@ final class Connection {
     }
   }
 
-  private void serve(Handler handler) throws IOException, InterruptedException {
+  private void serve(RequestHandler handler) throws IOException, InterruptedException {
     InputStream in = socket.getInputStream();
     OutputStream out = socket.getOutputStream();
-    Frames frames = frames(in);
+    RequestReader frames = frames(in);
     byte[] frame = frames.next();
     while (frame != null) {
-      Delivery delivery = service.serve(handler, number, frame);
+      ResponsePlan delivery = service.serve(handler, number, frame);
       hold(delivery);
       if (config.pendingRequests() != PendingRequests.WAIT && !frames.holdsBytes()) {
         dropPending(in);
       }
       send(delivery, out);
-      if (delivery.ending() != Delivery.Ending.OPEN) {
+      if (delivery.ending() != ResponsePlan.Ending.OPEN) {
         end(delivery.ending());
         return;
       }
@@ -88,17 +88,17 @@ final class Connection {
     }
   }
 
-  private Frames frames(InputStream in) {
+  private RequestReader frames(InputStream in) {
     if (!config.joinSplitRequests()) {
-      return Frames.ofSingleReads(
+      return RequestReader.ofSingleReads(
           in, bytes -> service.drop(number, bytes, "not a whole request in one read"));
     }
     return config.server() == ServerType.C3_BRIDGE
-        ? Frames.joinedUntilEmpty(in)
-        : Frames.joined(in);
+        ? RequestReader.joinedUntilEmpty(in)
+        : RequestReader.joined(in);
   }
 
-  private static void hold(Delivery delivery) throws InterruptedException {
+  private static void hold(ResponsePlan delivery) throws InterruptedException {
     if (delivery.gate() != null) {
       delivery.gate().await();
     }
@@ -114,7 +114,8 @@ final class Connection {
     }
   }
 
-  private void send(Delivery delivery, OutputStream out) throws IOException, InterruptedException {
+  private void send(ResponsePlan delivery, OutputStream out)
+      throws IOException, InterruptedException {
     boolean first = true;
     for (byte[] segment : delivery.segments()) {
       byte[] bytes = segment;
@@ -139,8 +140,8 @@ final class Connection {
     }
   }
 
-  private void end(Delivery.Ending ending) throws IOException {
-    if (ending == Delivery.Ending.RESET) {
+  private void end(ResponsePlan.Ending ending) throws IOException {
+    if (ending == ResponsePlan.Ending.RESET) {
       socket.setSoLinger(true, 0);
     } else {
       socket.shutdownOutput();

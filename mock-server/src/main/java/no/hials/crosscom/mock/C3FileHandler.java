@@ -54,7 +54,7 @@ import no.hials.crosscom.simulator.files.Tree;
  *
  * <p>For one thread at a time; those of other connections may be at work on the same tree.
  */
-final class FileMessages implements AutoCloseable {
+final class C3FileHandler implements AutoCloseable {
   private final Tree tree;
   private final Predicate<String> selected;
   private final Transfer writing;
@@ -67,7 +67,7 @@ final class FileMessages implements AutoCloseable {
    * @param selected whether the module of a name in capital letters is selected, which is when its
    *     files cannot be changed (assumed)
    */
-  FileMessages(FileTree files, Predicate<String> selected) {
+  C3FileHandler(FileTree files, Predicate<String> selected) {
     tree = files.tree();
     this.selected = selected;
     writing = new Transfer(tree);

@@ -20,11 +20,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Serves the requests of all connections, one at a time. Safe for use by several threads. */
-final class Service {
-  private static final Logger log = LoggerFactory.getLogger(Service.class);
+final class RequestDispatcher {
+  private static final Logger log = LoggerFactory.getLogger(RequestDispatcher.class);
 
   private final MockServerConfig config;
-  private final Supplier<Handler> handlers;
+  private final Supplier<RequestHandler> handlers;
   private final FaultScript faults;
   private final RequestLog requests;
   private final LongSupplier times;
@@ -36,16 +36,16 @@ final class Service {
   /** The number of the last request; guarded by {@link #turn}. */
   private long served;
 
-  Service(
+  RequestDispatcher(
       MockServerConfig config,
-      Supplier<Handler> handlers,
+      Supplier<RequestHandler> handlers,
       FaultScript faults,
       RequestLog requests) {
     this.config = config;
     this.faults = faults;
     this.requests = requests;
     this.handlers = handlers;
-    times = ServiceTimes.of(config.latency());
+    times = LatencySampler.of(config.latency());
     // who waits for long must not be passed over; without latency that would only cost time
     turn = new ReentrantLock(!(config.latency() instanceof Latency.None));
   }
@@ -76,7 +76,7 @@ final class Service {
   private record Served(Fault fault, @Nullable Response response, long nanos) {}
 
   /** Makes what executes the requests of a connection; the connection has to close it. */
-  Handler open() {
+  RequestHandler open() {
     return handlers.get();
   }
 
@@ -88,7 +88,8 @@ final class Service {
    * @param frame the bytes
    * @return what goes out
    */
-  Delivery serve(Handler handler, int connection, byte[] frame) throws InterruptedException {
+  ResponsePlan serve(RequestHandler handler, int connection, byte[] frame)
+      throws InterruptedException {
     if (log.isTraceEnabled()) {
       log.trace("connection {} < {}", connection, hex(frame));
     }
@@ -97,7 +98,7 @@ final class Service {
       turn.lock();
     } else if (!turn.tryLock()) {
       drop(connection, frame.length, "another request is served");
-      return Delivery.NOTHING;
+      return ResponsePlan.NOTHING;
     }
     Served result;
     try {
@@ -115,7 +116,7 @@ final class Service {
   }
 
   /** Executes and records a request, in its turn. */
-  private Served execute(Handler handler, int connection, Decoded decoded) {
+  private Served execute(RequestHandler handler, int connection, Decoded decoded) {
     Request request = decoded.request();
     RecordedRequest recorded =
         new RecordedRequest(served + 1, connection, Instant.now(), request, decoded.hex(), null);
@@ -124,7 +125,7 @@ final class Service {
     Response response = decoded.response();
     long nanos = 0;
     if (fault.executes() && request != null) {
-      Handler.Outcome outcome = handler.handle(request);
+      RequestHandler.Outcome outcome = handler.handle(request);
       response = outcome.response();
       own = response == null ? Fault.closeBefore() : own;
       recorded = afterwards(recorded, outcome.refused());
@@ -137,7 +138,7 @@ final class Service {
     return new Served(fault instanceof Fault.None ? own : fault, response, nanos);
   }
 
-  private Decoded decode(Handler handler, int connection, byte[] frame) {
+  private Decoded decode(RequestHandler handler, int connection, byte[] frame) {
     try {
       Strictness strictness =
           config.server() == ServerType.C3_BRIDGE ? Strictness.LENIENT : Strictness.STRICT;
@@ -182,14 +183,14 @@ final class Service {
     return recorded.refusedFor(refused.reason());
   }
 
-  private static Delivery deliver(
+  private static ResponsePlan deliver(
       Fault fault, @Nullable Request request, @Nullable Response response) {
     byte[] answer = response == null ? null : Codec.encode(response);
     if (fault instanceof Fault.None) {
-      return answer == null ? Delivery.NOTHING : Delivery.of(answer);
+      return answer == null ? ResponsePlan.NOTHING : ResponsePlan.of(answer);
     }
     log.debug("fault: {}", fault);
-    return Delivery.of(fault, request, answer);
+    return ResponsePlan.of(fault, request, answer);
   }
 
   /** Notes that bytes were dropped without an answer. */

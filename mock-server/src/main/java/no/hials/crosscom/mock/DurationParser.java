@@ -8,11 +8,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Reads times such as {@code 5ms}. */
-final class TimeText {
+final class DurationParser {
   private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)(us|ms|s)");
   private static final Map<String, Integer> NANOS_EXPONENT = Map.of("us", 3, "ms", 6, "s", 9);
 
-  private TimeText() {}
+  private DurationParser() {}
 
   /** Gives nothing if the text is no time; what is below a nanosecond is cut off. */
   static Optional<Duration> parse(String text) {

@@ -15,7 +15,7 @@ import no.hials.crosscom.protocol.Tail;
 import org.jspecify.annotations.Nullable;
 
 /** Reads the text form of a {@link FaultRule}; for one text. */
-final class FaultText {
+final class FaultRuleParser {
   /** The faults without an argument; the others are in {@link #fault}. */
   private static final Map<String, Fault> PLAIN =
       Map.ofEntries(
@@ -46,7 +46,7 @@ final class FaultText {
   private final long seed;
   private int position;
 
-  FaultText(String text, long seed) {
+  FaultRuleParser(String text, long seed) {
     this.text = text;
     // so that two rules of one seed do not always hit the same requests
     this.seed = seed ^ text.hashCode();
@@ -194,7 +194,7 @@ final class FaultText {
     String[] items = argument.text().split(",", -1);
     int start = argument.start();
     for (int i = 0; i < items.length; i++) {
-      Optional<Duration> time = TimeText.parse(items[i]);
+      Optional<Duration> time = DurationParser.parse(items[i]);
       if (i > 0 && i == items.length - 1 && time.isPresent()) {
         pause = time.get();
       } else {
@@ -220,7 +220,7 @@ final class FaultText {
   }
 
   private Duration time(Argument argument) {
-    return TimeText.parse(argument.text())
+    return DurationParser.parse(argument.text())
         .orElseThrow(
             () -> error(argument.start(), "a time such as 200us, 1.5ms or 2s", argument.text()));
   }

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  * What C3 Bridge says of itself: its internal variables (c3-bridge.md, "Internal variables"), and
  * the answers to messages 13 and 14.
  */
-final class BridgeVariables {
+final class C3ProxyVariables {
   private static final String PREFIX = "@PROXY_";
   private static final int HIGHEST_SHOWN = 63;
 
@@ -33,7 +33,7 @@ final class BridgeVariables {
    *
    * @param address where the server listens
    */
-  BridgeVariables(MockServerConfig config, Supplier<InetSocketAddress> address) {
+  C3ProxyVariables(MockServerConfig config, Supplier<InetSocketAddress> address) {
     this.config = config;
     this.address = address;
   }

@@ -2,7 +2,7 @@ package no.hials.crosscom.mock;
 
 import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.mock.Handler.Outcome;
+import no.hials.crosscom.mock.RequestHandler.Outcome;
 import no.hials.crosscom.protocol.AccessResult;
 import no.hials.crosscom.protocol.Assignment;
 import no.hials.crosscom.protocol.BenchmarkReadRequest;
@@ -30,7 +30,7 @@ import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 
 /** Executes the requests of C3 Bridge for variables: types 0, 1, 4 to 7 and 17. */
-final class C3Variables {
+final class C3VariableHandler {
   /** c3-bridge.md, type 17: at most 10 are used. */
   private static final int BENCHMARKED = 10;
 
@@ -38,10 +38,10 @@ final class C3Variables {
   private static final int NANOS_PER_MILLI = 1_000_000;
 
   private final VariableTable variables;
-  private final BridgeVariables internal;
+  private final C3ProxyVariables internal;
   private final MockServerConfig config;
 
-  C3Variables(VariableTable variables, BridgeVariables internal, MockServerConfig config) {
+  C3VariableHandler(VariableTable variables, C3ProxyVariables internal, MockServerConfig config) {
     this.variables = variables;
     this.internal = internal;
     this.config = config;
@@ -140,7 +140,7 @@ final class C3Variables {
   private Outcome read(ReadRequest request) {
     Result result = read(request.name());
     String value = result.value();
-    if (value.length() > RequestHandler.MAX_VALUE) {
+    if (value.length() > KukavarproxyHandler.MAX_VALUE) {
       return tooLong();
     }
     Tail tail = result.refused() == null ? Tail.SUCCESS : config.failedRead().tail();

@@ -5,8 +5,8 @@ import java.util.Random;
 import java.util.function.LongSupplier;
 
 /** Draws the times of a {@link Latency}, in nanoseconds. For one thread at a time. */
-final class ServiceTimes {
-  private ServiceTimes() {}
+final class LatencySampler {
+  private LatencySampler() {}
 
   static LongSupplier of(Latency latency) {
     if (latency instanceof Latency.Fixed fixed) {

@@ -75,7 +75,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-final class FileMessagesTest {
+final class C3FileHandlerTest {
   private static final String PROGRAM = "KRC:\\R1\\Program\\";
   private static final long CAPACITY = 1 << 20;
   private static final Flags<CopyFlag> NONE = Flags.none(CopyFlag.class);
@@ -109,7 +109,7 @@ final class FileMessagesTest {
   private final Watch watch = new Watch();
   private final FileTree tree = FileTree.inMemory(watch, CAPACITY);
   private final Set<String> selected = new HashSet<>();
-  private final FileMessages messages = new FileMessages(tree, selected::contains);
+  private final C3FileHandler messages = new C3FileHandler(tree, selected::contains);
 
   private ErrorCode code(Request request) {
     TypedResponse response = messages.handle(request);
@@ -698,7 +698,7 @@ final class FileMessagesTest {
     @Test
     void ofEachConnectionAreItsOwn() {
       code(new BeginWriteRequest(1, 4));
-      FileMessages other = new FileMessages(tree, name -> false);
+      C3FileHandler other = new C3FileHandler(tree, name -> false);
 
       assertThat(((ContentSizeResponse) other.handle(size(MessageType.WRITE_CONTENT))).size())
           .isZero();
@@ -738,11 +738,11 @@ final class FileMessagesTest {
     @Test
     void takeNoMemoryForWhatIsOnlyAnnounced() {
       FileTree large = FileTree.inMemory(Clock.systemUTC(), 1L << 40);
-      FileMessages client = new FileMessages(large, name -> false);
+      C3FileHandler client = new C3FileHandler(large, name -> false);
 
       // more than the heap of any test could hold
       for (int i = 0; i < 100; i++) {
-        FileMessages other = new FileMessages(large, name -> false);
+        C3FileHandler other = new C3FileHandler(large, name -> false);
         assertThat(other.handle(new BeginWriteRequest(1, 2_000_000_000)).tail().success()).isTrue();
       }
       assertThat(client.handle(new BeginWriteRequest(1, 0xFFFF_FFFFL)).tail().code())
@@ -752,7 +752,7 @@ final class FileMessagesTest {
     @Test
     void holdForAllConnectionsTogetherUntilOneEnds() {
       assertThat(code(new BeginWriteRequest(1, CAPACITY))).isEqualTo(SUCCESS);
-      FileMessages other = new FileMessages(tree, name -> false);
+      C3FileHandler other = new C3FileHandler(tree, name -> false);
 
       assertThat(other.handle(new BeginReadRequest(1, NONE, "/R1/$CONFIG.DAT")).tail().code())
           .isEqualTo(MEMORY.code());

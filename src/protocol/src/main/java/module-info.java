@@ -4,5 +4,9 @@ module no.hials.crosscom.protocol {
 
   exports no.hials.crosscom.protocol;
   exports no.hials.crosscom.protocol.code;
+  exports no.hials.crosscom.protocol.file;
+  exports no.hials.crosscom.protocol.program;
+  exports no.hials.crosscom.protocol.server;
   exports no.hials.crosscom.protocol.value;
+  exports no.hials.crosscom.protocol.variable;
 }

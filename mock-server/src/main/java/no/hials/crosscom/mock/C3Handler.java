@@ -1,13 +1,13 @@
 package no.hials.crosscom.mock;
 
 import no.hials.crosscom.protocol.ErrorCode;
-import no.hials.crosscom.protocol.FeaturesResponse;
-import no.hials.crosscom.protocol.InformationResponse;
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.server.FeaturesResponse;
+import no.hials.crosscom.protocol.server.InformationResponse;
 
 /** Executes requests as C3 Bridge does, in one of its versions (c3-bridge.md, "Messages"). */
 final class C3Handler implements RequestHandler {

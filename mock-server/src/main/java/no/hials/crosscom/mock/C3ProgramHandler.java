@@ -5,15 +5,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.protocol.ErrorCode;
-import no.hials.crosscom.protocol.MotionRequest;
-import no.hials.crosscom.protocol.MotionResponse;
-import no.hials.crosscom.protocol.PendantKeyRequest;
-import no.hials.crosscom.protocol.PendantKeyResponse;
-import no.hials.crosscom.protocol.PlainRequest;
 import no.hials.crosscom.protocol.PlainResponse;
-import no.hials.crosscom.protocol.ProgramControlRequest;
-import no.hials.crosscom.protocol.ProgramControlResponse;
-import no.hials.crosscom.protocol.ProgramSelectRequest;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.Tail;
@@ -22,6 +14,14 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.program.MotionRequest;
+import no.hials.crosscom.protocol.program.MotionResponse;
+import no.hials.crosscom.protocol.program.PendantKeyRequest;
+import no.hials.crosscom.protocol.program.PendantKeyResponse;
+import no.hials.crosscom.protocol.program.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramSelectRequest;
+import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
@@ -88,7 +88,7 @@ final class C3ProgramHandler {
     if (request instanceof PendantKeyRequest key) {
       return new PendantKeyResponse(request.id(), key.key(), attempt(request, () -> press(key)));
     }
-    if (request instanceof PlainRequest plain) {
+    if (request instanceof ServerRequest plain) {
       controller.get().confirmAll();
       return new PlainResponse(request.id(), plain.type(), Tail.SUCCESS);
     }

@@ -7,14 +7,14 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
-import no.hials.crosscom.protocol.Features;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.ServerInformation;
 import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.protocol.SystemTime;
 import no.hials.crosscom.protocol.Version;
 import no.hials.crosscom.protocol.code.BuildType;
 import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.server.Features;
+import no.hials.crosscom.protocol.server.ServerInformation;
+import no.hials.crosscom.protocol.server.SystemTime;
 import org.jspecify.annotations.Nullable;
 
 /**

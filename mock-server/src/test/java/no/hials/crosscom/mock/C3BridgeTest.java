@@ -12,38 +12,10 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
-import no.hials.crosscom.protocol.AccessResult;
-import no.hials.crosscom.protocol.Assignment;
-import no.hials.crosscom.protocol.BeginReadRequest;
-import no.hials.crosscom.protocol.BeginWriteRequest;
-import no.hials.crosscom.protocol.BenchmarkReadRequest;
-import no.hials.crosscom.protocol.BenchmarkResponse;
-import no.hials.crosscom.protocol.BenchmarkWriteRequest;
-import no.hials.crosscom.protocol.Bytes;
 import no.hials.crosscom.protocol.Codec;
-import no.hials.crosscom.protocol.ContentRequest;
-import no.hials.crosscom.protocol.ContentSizeResponse;
 import no.hials.crosscom.protocol.ErrorCode;
-import no.hials.crosscom.protocol.FeaturesResponse;
-import no.hials.crosscom.protocol.FileNameRequest;
-import no.hials.crosscom.protocol.FilePropertiesRequest;
-import no.hials.crosscom.protocol.FilePropertiesResponse;
-import no.hials.crosscom.protocol.InformationResponse;
-import no.hials.crosscom.protocol.ListDirectoryRequest;
-import no.hials.crosscom.protocol.ListDirectoryResponse;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.MotionRequest;
-import no.hials.crosscom.protocol.MultipleResponse;
-import no.hials.crosscom.protocol.PendantKeyRequest;
-import no.hials.crosscom.protocol.PlainRequest;
 import no.hials.crosscom.protocol.PlainResponse;
-import no.hials.crosscom.protocol.ProgramControlRequest;
-import no.hials.crosscom.protocol.ReadDataRequest;
-import no.hials.crosscom.protocol.ReadDataResponse;
-import no.hials.crosscom.protocol.ReadMultipleRequest;
-import no.hials.crosscom.protocol.ReadRequest;
-import no.hials.crosscom.protocol.ReadResponse;
-import no.hials.crosscom.protocol.ReadUtf16Request;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.ServerType;
@@ -51,12 +23,6 @@ import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.TextResponse;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.Version;
-import no.hials.crosscom.protocol.WriteDataRequest;
-import no.hials.crosscom.protocol.WriteDataResponse;
-import no.hials.crosscom.protocol.WriteMultipleRequest;
-import no.hials.crosscom.protocol.WriteRequest;
-import no.hials.crosscom.protocol.WriteResponse;
-import no.hials.crosscom.protocol.WriteUtf16Request;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ContentOperation;
 import no.hials.crosscom.protocol.code.CopyFlag;
@@ -68,6 +34,40 @@ import no.hials.crosscom.protocol.code.ListFlag;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.file.BeginReadRequest;
+import no.hials.crosscom.protocol.file.BeginWriteRequest;
+import no.hials.crosscom.protocol.file.Bytes;
+import no.hials.crosscom.protocol.file.ContentRequest;
+import no.hials.crosscom.protocol.file.ContentSizeResponse;
+import no.hials.crosscom.protocol.file.FileNameRequest;
+import no.hials.crosscom.protocol.file.FilePropertiesRequest;
+import no.hials.crosscom.protocol.file.FilePropertiesResponse;
+import no.hials.crosscom.protocol.file.ListDirectoryRequest;
+import no.hials.crosscom.protocol.file.ListDirectoryResponse;
+import no.hials.crosscom.protocol.file.ReadDataRequest;
+import no.hials.crosscom.protocol.file.ReadDataResponse;
+import no.hials.crosscom.protocol.file.WriteDataRequest;
+import no.hials.crosscom.protocol.file.WriteDataResponse;
+import no.hials.crosscom.protocol.program.MotionRequest;
+import no.hials.crosscom.protocol.program.PendantKeyRequest;
+import no.hials.crosscom.protocol.program.ProgramControlRequest;
+import no.hials.crosscom.protocol.server.FeaturesResponse;
+import no.hials.crosscom.protocol.server.InformationResponse;
+import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.variable.AccessResult;
+import no.hials.crosscom.protocol.variable.Assignment;
+import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.variable.BenchmarkResponse;
+import no.hials.crosscom.protocol.variable.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.variable.MultipleResponse;
+import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
+import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.WriteResponse;
+import no.hials.crosscom.protocol.variable.WriteUtf16Request;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.files.FileTree;
 import org.junit.jupiter.api.AfterEach;
@@ -246,7 +246,7 @@ final class C3BridgeTest {
   @Test
   void givesItsVersionAndTheTime() throws IOException {
     InformationResponse answer =
-        (InformationResponse) client.exchange(new PlainRequest(1, MessageType.INFORMATION));
+        (InformationResponse) client.exchange(new ServerRequest(1, MessageType.INFORMATION));
     assertThat(answer.information().version()).isEqualTo(new Version(1, 4, 0));
     assertThat(answer.information().time().instant().orElseThrow())
         .isBetween(Instant.now().minusSeconds(60), Instant.now());
@@ -259,7 +259,7 @@ final class C3BridgeTest {
     restart(cfg -> cfg.version(new Version(1, 1, 0)));
     assertThat(client.read("@PROXY_VERSION").value()).isEqualTo("1.1 (OPEN SOURCE)");
     FeaturesResponse features =
-        (FeaturesResponse) client.exchange(new PlainRequest(1, MessageType.FEATURES));
+        (FeaturesResponse) client.exchange(new ServerRequest(1, MessageType.FEATURES));
     assertThat(features.features().types())
         .containsExactly(0, 1, 4, 5, 6, 7, 10, 11, 12, 13, 14, 63);
     assertThatThrownBy(() -> client.exchange(new BenchmarkReadRequest(2, 1, List.of("PING"))))
@@ -376,9 +376,9 @@ final class C3BridgeTest {
         new ProgramControlRequest(1, Code.of(ProgramCommand.START), Code.of(Interpreter.ROBOT)),
         new MotionRequest(1, Code.of(MotionType.LIN), "{X 1}"),
         new PendantKeyRequest(1, Code.of(PendantKey.STOP), 1, 0, false, false),
-        new PlainRequest(1, MessageType.INFORMATION),
-        new PlainRequest(1, MessageType.FEATURES),
-        new PlainRequest(1, MessageType.CONFIRM_ALL),
+        new ServerRequest(1, MessageType.INFORMATION),
+        new ServerRequest(1, MessageType.FEATURES),
+        new ServerRequest(1, MessageType.CONFIRM_ALL),
         new BenchmarkReadRequest(1, 5, List.of("A")),
         new BenchmarkWriteRequest(1, 5, List.of(new Assignment("A", "1"))),
         new ListDirectoryRequest(
@@ -420,10 +420,10 @@ final class C3BridgeTest {
         .isInstanceOfSatisfying(
             MultipleResponse.class,
             r -> assertThat(r.results()).containsOnly(result(ErrorCode.SUCCESS, "5")).hasSize(2));
-    assertThat(scripted(new PlainRequest(1, MessageType.FEATURES), "10001"))
+    assertThat(scripted(new ServerRequest(1, MessageType.FEATURES), "10001"))
         .isInstanceOfSatisfying(
             FeaturesResponse.class, r -> assertThat(r.features().types()).containsExactly(0, 4));
-    assertThat(scripted(new PlainRequest(1, MessageType.INFORMATION), "HOST"))
+    assertThat(scripted(new ServerRequest(1, MessageType.INFORMATION), "HOST"))
         .isInstanceOfSatisfying(
             InformationResponse.class,
             r -> assertThat(r.information().computerName()).isEqualTo("HOST"));
@@ -439,7 +439,7 @@ final class C3BridgeTest {
         .isEqualTo(new WriteDataResponse(1, 6, 0, Tail.SUCCESS));
     assertThat(scripted(new ReadDataRequest(1, 6, 3), ""))
         .isEqualTo(new ReadDataResponse(1, 6, Bytes.of(new byte[0]), Tail.SUCCESS));
-    assertThat(scripted(new PlainRequest(1, MessageType.CONFIRM_ALL), "x"))
+    assertThat(scripted(new ServerRequest(1, MessageType.CONFIRM_ALL), "x"))
         .isEqualTo(new PlainResponse(1, MessageType.CONFIRM_ALL, Tail.SUCCESS));
     assertThat(scripted(new FilePropertiesRequest(1, Flags.none(FileProperty.class), "X"), "x"))
         .isInstanceOf(FilePropertiesResponse.class);

@@ -6,18 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.kinematics.Axes;
-import no.hials.crosscom.protocol.DeleteFileRequest;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.MotionRequest;
-import no.hials.crosscom.protocol.MotionResponse;
-import no.hials.crosscom.protocol.PendantKeyRequest;
-import no.hials.crosscom.protocol.PendantKeyResponse;
-import no.hials.crosscom.protocol.PlainRequest;
 import no.hials.crosscom.protocol.PlainResponse;
-import no.hials.crosscom.protocol.ProgramControlRequest;
-import no.hials.crosscom.protocol.ProgramControlResponse;
-import no.hials.crosscom.protocol.ProgramSelectRequest;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
@@ -27,6 +18,15 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.file.DeleteFileRequest;
+import no.hials.crosscom.protocol.program.MotionRequest;
+import no.hials.crosscom.protocol.program.MotionResponse;
+import no.hials.crosscom.protocol.program.PendantKeyRequest;
+import no.hials.crosscom.protocol.program.PendantKeyResponse;
+import no.hials.crosscom.protocol.program.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramSelectRequest;
+import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.ProgramState;
@@ -229,7 +229,7 @@ final class C3ControlTest {
     controller.emergencyStop(true);
     controller.emergencyStop(false);
     assertThat(server.variables().get("$STOPMESS")).isEqualTo("TRUE");
-    assertThat(client.exchange(new PlainRequest(1, MessageType.CONFIRM_ALL)))
+    assertThat(client.exchange(new ServerRequest(1, MessageType.CONFIRM_ALL)))
         .isEqualTo(new PlainResponse(1, MessageType.CONFIRM_ALL, Tail.SUCCESS));
     assertThat(server.variables().get("$STOPMESS")).isEqualTo("FALSE");
   }

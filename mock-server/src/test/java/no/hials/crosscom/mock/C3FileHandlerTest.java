@@ -26,37 +26,16 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
-import no.hials.crosscom.protocol.BeginReadRequest;
-import no.hials.crosscom.protocol.BeginWriteRequest;
-import no.hials.crosscom.protocol.Bytes;
 import no.hials.crosscom.protocol.Codec;
-import no.hials.crosscom.protocol.ContentRequest;
-import no.hials.crosscom.protocol.ContentSizeResponse;
-import no.hials.crosscom.protocol.CopyFileRequest;
-import no.hials.crosscom.protocol.CreateFileRequest;
-import no.hials.crosscom.protocol.DeleteFileRequest;
-import no.hials.crosscom.protocol.EndWriteRequest;
 import no.hials.crosscom.protocol.ErrorCode;
-import no.hials.crosscom.protocol.FileNameRequest;
-import no.hials.crosscom.protocol.FileProperties;
-import no.hials.crosscom.protocol.FilePropertiesRequest;
-import no.hials.crosscom.protocol.FilePropertiesResponse;
-import no.hials.crosscom.protocol.ListDirectoryRequest;
-import no.hials.crosscom.protocol.ListDirectoryResponse;
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.PlainRequest;
-import no.hials.crosscom.protocol.ReadDataRequest;
-import no.hials.crosscom.protocol.ReadDataResponse;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.protocol.SetAttributesRequest;
 import no.hials.crosscom.protocol.Strictness;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.TextResponse;
 import no.hials.crosscom.protocol.TypedResponse;
-import no.hials.crosscom.protocol.WriteDataRequest;
-import no.hials.crosscom.protocol.WriteDataResponse;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ContentOperation;
 import no.hials.crosscom.protocol.code.CopyFlag;
@@ -67,6 +46,27 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
 import no.hials.crosscom.protocol.code.ModulePart;
+import no.hials.crosscom.protocol.file.BeginReadRequest;
+import no.hials.crosscom.protocol.file.BeginWriteRequest;
+import no.hials.crosscom.protocol.file.Bytes;
+import no.hials.crosscom.protocol.file.ContentRequest;
+import no.hials.crosscom.protocol.file.ContentSizeResponse;
+import no.hials.crosscom.protocol.file.CopyFileRequest;
+import no.hials.crosscom.protocol.file.CreateFileRequest;
+import no.hials.crosscom.protocol.file.DeleteFileRequest;
+import no.hials.crosscom.protocol.file.EndWriteRequest;
+import no.hials.crosscom.protocol.file.FileNameRequest;
+import no.hials.crosscom.protocol.file.FileProperties;
+import no.hials.crosscom.protocol.file.FilePropertiesRequest;
+import no.hials.crosscom.protocol.file.FilePropertiesResponse;
+import no.hials.crosscom.protocol.file.ListDirectoryRequest;
+import no.hials.crosscom.protocol.file.ListDirectoryResponse;
+import no.hials.crosscom.protocol.file.ReadDataRequest;
+import no.hials.crosscom.protocol.file.ReadDataResponse;
+import no.hials.crosscom.protocol.file.SetAttributesRequest;
+import no.hials.crosscom.protocol.file.WriteDataRequest;
+import no.hials.crosscom.protocol.file.WriteDataResponse;
+import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.files.FileTree;
 import org.junit.jupiter.api.Nested;
@@ -197,7 +197,7 @@ final class C3FileHandlerTest {
   @Test
   void refusesARequestThatIsNotAboutFiles() {
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> messages.handle(new PlainRequest(1, MessageType.CONFIRM_ALL)))
+        .isThrownBy(() -> messages.handle(new ServerRequest(1, MessageType.CONFIRM_ALL)))
         .withMessage("the type must be 20 to 30, is CONFIRM_ALL");
   }
 

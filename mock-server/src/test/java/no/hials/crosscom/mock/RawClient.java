@@ -7,13 +7,13 @@ import java.util.Arrays;
 import java.util.HexFormat;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.FrameReader;
-import no.hials.crosscom.protocol.ReadRequest;
-import no.hials.crosscom.protocol.ReadResponse;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.protocol.WriteRequest;
-import no.hials.crosscom.protocol.WriteResponse;
+import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.WriteResponse;
 import org.jspecify.annotations.Nullable;
 
 /** A socket that sends and receives bytes as they are. */

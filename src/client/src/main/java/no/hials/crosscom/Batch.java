@@ -5,16 +5,16 @@ import java.util.List;
 import no.hials.crosscom.CrossComAccessException.Operation;
 import no.hials.crosscom.KRL.KRLArray;
 import no.hials.crosscom.KRL.KRLVariable;
-import no.hials.crosscom.protocol.AccessResult;
-import no.hials.crosscom.protocol.Assignment;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.MultipleResponse;
-import no.hials.crosscom.protocol.ReadMultipleRequest;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Tail;
-import no.hials.crosscom.protocol.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.AccessResult;
+import no.hials.crosscom.protocol.variable.Assignment;
+import no.hials.crosscom.protocol.variable.MultipleResponse;
+import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
+import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,8 +1,8 @@
 package no.hials.crosscom;
 
-import no.hials.crosscom.protocol.BenchmarkReadRequest;
-import no.hials.crosscom.protocol.EndWriteRequest;
 import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.file.EndWriteRequest;
+import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
 
 /** What a request does to the controller, which decides what a lost connection means. */
 enum Repeatability {

@@ -1,8 +1,8 @@
 package no.hials.crosscom;
 
 import no.hials.crosscom.internal.BoxedFrame;
-import no.hials.crosscom.protocol.ReadRequest;
-import no.hials.crosscom.protocol.WriteRequest;
+import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.WriteRequest;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,9 +1,9 @@
 package no.hials.crosscom;
 
-import no.hials.crosscom.protocol.Features;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Version;
+import no.hials.crosscom.protocol.server.Features;
 import org.jspecify.annotations.Nullable;
 
 /**

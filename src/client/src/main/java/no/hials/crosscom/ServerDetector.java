@@ -4,14 +4,14 @@ import java.util.stream.Collectors;
 import no.hials.crosscom.internal.Versions;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
-import no.hials.crosscom.protocol.Features;
-import no.hials.crosscom.protocol.FeaturesResponse;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.PlainRequest;
-import no.hials.crosscom.protocol.ReadRequest;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.Version;
+import no.hials.crosscom.protocol.server.Features;
+import no.hials.crosscom.protocol.server.FeaturesResponse;
+import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.variable.ReadRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,7 +35,7 @@ final class ServerDetector {
   private final ReconnectingConnection link;
   private final byte[] askType = Codec.encode(new ReadRequest(0, "@PROXY_TYPE"));
   private final byte[] askVersion = Codec.encode(new ReadRequest(0, "@PROXY_VERSION"));
-  private final byte[] askFeatures = Codec.encode(new PlainRequest(0, MessageType.FEATURES));
+  private final byte[] askFeatures = Codec.encode(new ServerRequest(0, MessageType.FEATURES));
 
   /** The connection of which the rest is known. */
   private @Nullable Connection of;

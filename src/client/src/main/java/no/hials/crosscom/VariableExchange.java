@@ -12,15 +12,15 @@ import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.FrameWriter;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.ReadRequest;
-import no.hials.crosscom.protocol.ReadUtf16Request;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.TextResponse;
 import no.hials.crosscom.protocol.TypedResponse;
-import no.hials.crosscom.protocol.WriteUtf16Request;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.WriteUtf16Request;
 import org.jspecify.annotations.Nullable;
 
 /**

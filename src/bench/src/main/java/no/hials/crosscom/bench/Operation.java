@@ -4,11 +4,11 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.protocol.Codec;
-import no.hials.crosscom.protocol.ReadRequest;
-import no.hials.crosscom.protocol.ReadResponse;
 import no.hials.crosscom.protocol.Tail;
-import no.hials.crosscom.protocol.WriteRequest;
-import no.hials.crosscom.protocol.WriteResponse;
+import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.WriteResponse;
 import no.hials.crosscom.simulator.VariableTable;
 
 /** What is measured: the same access as bytes and through the client. */

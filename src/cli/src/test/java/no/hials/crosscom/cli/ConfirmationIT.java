@@ -10,7 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
-import no.hials.crosscom.protocol.ReadRequest;
+import no.hials.crosscom.protocol.variable.ReadRequest;
 import no.hials.crosscom.simulator.OperatingMode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

@@ -10,7 +10,7 @@ import java.time.Duration;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.protocol.WriteDataRequest;
+import no.hials.crosscom.protocol.file.WriteDataRequest;
 import no.hials.crosscom.simulator.OperatingMode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

@@ -8,9 +8,9 @@ import no.hials.crosscom.internal.BoxedFrame;
 import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.protocol.Codec;
-import no.hials.crosscom.protocol.ReadRequest;
-import no.hials.crosscom.protocol.WriteRequest;
 import no.hials.crosscom.protocol.value.KrlScanner;
+import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.WriteRequest;
 import org.jspecify.annotations.Nullable;
 
 /**

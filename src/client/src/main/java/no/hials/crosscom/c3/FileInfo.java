@@ -2,13 +2,13 @@ package no.hials.crosscom.c3;
 
 import java.time.Instant;
 import java.util.Optional;
-import no.hials.crosscom.protocol.FileProperties;
-import no.hials.crosscom.protocol.ItemTime;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.EditMode;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
+import no.hials.crosscom.protocol.file.FileProperties;
+import no.hials.crosscom.protocol.file.ItemTime;
 
 /**
  * The properties of a file or directory on the controller.

@@ -9,18 +9,18 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.internal.MessageChannel;
-import no.hials.crosscom.protocol.Assignment;
-import no.hials.crosscom.protocol.BenchmarkReadRequest;
-import no.hials.crosscom.protocol.BenchmarkResponse;
-import no.hials.crosscom.protocol.BenchmarkWriteRequest;
-import no.hials.crosscom.protocol.Features;
-import no.hials.crosscom.protocol.FeaturesResponse;
-import no.hials.crosscom.protocol.InformationResponse;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.PlainRequest;
 import no.hials.crosscom.protocol.PlainResponse;
 import no.hials.crosscom.protocol.Request;
-import no.hials.crosscom.protocol.ServerInformation;
+import no.hials.crosscom.protocol.server.Features;
+import no.hials.crosscom.protocol.server.FeaturesResponse;
+import no.hials.crosscom.protocol.server.InformationResponse;
+import no.hials.crosscom.protocol.server.ServerInformation;
+import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.variable.Assignment;
+import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.variable.BenchmarkResponse;
+import no.hials.crosscom.protocol.variable.BenchmarkWriteRequest;
 
 /**
  * Asks C3 Bridge Interface about itself, and confirms the messages of the controller (c3-bridge.md,
@@ -56,7 +56,7 @@ public final class Information {
   public BridgeInfo get() throws CrossComException {
     ServerInformation information =
         link.ask(
-                new PlainRequest(0, MessageType.INFORMATION),
+                new ServerRequest(0, MessageType.INFORMATION),
                 InformationResponse.class,
                 "request for the server's information")
             .information();
@@ -76,7 +76,7 @@ public final class Information {
    */
   public Features features() throws CrossComException {
     return link.ask(
-            new PlainRequest(0, MessageType.FEATURES),
+            new ServerRequest(0, MessageType.FEATURES),
             FeaturesResponse.class,
             "request for the server's features")
         .features();
@@ -89,7 +89,7 @@ public final class Information {
    */
   public void confirmAll() throws CrossComException {
     link.ask(
-        new PlainRequest(0, MessageType.CONFIRM_ALL),
+        new ServerRequest(0, MessageType.CONFIRM_ALL),
         PlainResponse.class,
         "confirmation of all messages");
   }

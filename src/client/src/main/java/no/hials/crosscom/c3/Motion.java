@@ -10,10 +10,10 @@ import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.KRL.structs.KRLStruct;
 import no.hials.crosscom.internal.MessageChannel;
-import no.hials.crosscom.protocol.MotionRequest;
-import no.hials.crosscom.protocol.MotionResponse;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.MotionType;
+import no.hials.crosscom.protocol.program.MotionRequest;
+import no.hials.crosscom.protocol.program.MotionResponse;
 
 /**
  * Moves the robot to a position (c3-bridge.md, type 11).

@@ -5,8 +5,8 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.internal.MessageChannel;
-import no.hials.crosscom.protocol.PendantKeyRequest;
-import no.hials.crosscom.protocol.PendantKeyResponse;
+import no.hials.crosscom.protocol.program.PendantKeyRequest;
+import no.hials.crosscom.protocol.program.PendantKeyResponse;
 
 /**
  * Presses and releases keys of the teach pendant (c3-bridge.md, type 12).

@@ -6,12 +6,12 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.internal.MessageChannel;
-import no.hials.crosscom.protocol.ProgramControlRequest;
-import no.hials.crosscom.protocol.ProgramControlResponse;
-import no.hials.crosscom.protocol.ProgramSelectRequest;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.program.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 
 /**
  * Selects, starts and stops the programs of the controller (c3-bridge.md, type 10).

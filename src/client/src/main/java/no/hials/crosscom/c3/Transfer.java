@@ -5,8 +5,8 @@ import java.security.NoSuchAlgorithmException;
 import no.hials.crosscom.CrossComTransferException;
 import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.MessageChannel;
-import no.hials.crosscom.protocol.ContentSizeResponse;
 import no.hials.crosscom.protocol.code.ContentOperation;
+import no.hials.crosscom.protocol.file.ContentSizeResponse;
 import org.jspecify.annotations.Nullable;
 
 /** What an upload and a download have in common: how far they are, and how they fail. */

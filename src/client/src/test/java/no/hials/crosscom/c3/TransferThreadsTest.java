@@ -16,10 +16,10 @@ import no.hials.crosscom.CrossComClosedException;
 import no.hials.crosscom.CrossComTransferException;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
-import no.hials.crosscom.protocol.BeginWriteRequest;
-import no.hials.crosscom.protocol.EndWriteRequest;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.file.BeginWriteRequest;
+import no.hials.crosscom.protocol.file.EndWriteRequest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -13,7 +13,7 @@ import no.hials.crosscom.control.StopReason.Kind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.protocol.WriteRequest;
+import no.hials.crosscom.protocol.variable.WriteRequest;
 import no.hials.crosscom.simulator.ProgramState;
 import org.junit.jupiter.api.Test;
 

@@ -12,9 +12,9 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.RecordedRequest;
-import no.hials.crosscom.protocol.ReadMultipleRequest;
 import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.protocol.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
+import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 

@@ -3,6 +3,7 @@ package no.hials.crosscom.protocol;
 import no.hials.crosscom.protocol.internal.FieldWriter;
 import no.hials.crosscom.protocol.internal.Ranges;
 import no.hials.crosscom.protocol.internal.VariableLayouts;
+import no.hials.crosscom.protocol.variable.WriteRequest;
 
 /**
  * A buffer for write requests that is used again and again, so that encoding one creates no

@@ -1,5 +1,23 @@
 package no.hials.crosscom.protocol;
 
+import no.hials.crosscom.protocol.file.ContentResponse;
+import no.hials.crosscom.protocol.file.ContentSizeResponse;
+import no.hials.crosscom.protocol.file.FilePropertiesResponse;
+import no.hials.crosscom.protocol.file.ListDirectoryResponse;
+import no.hials.crosscom.protocol.file.ReadDataResponse;
+import no.hials.crosscom.protocol.file.WriteDataResponse;
+import no.hials.crosscom.protocol.program.MotionResponse;
+import no.hials.crosscom.protocol.program.PendantKeyResponse;
+import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.server.FeaturesResponse;
+import no.hials.crosscom.protocol.server.InformationResponse;
+import no.hials.crosscom.protocol.variable.BenchmarkResponse;
+import no.hials.crosscom.protocol.variable.MultipleResponse;
+import no.hials.crosscom.protocol.variable.ReadArrayResponse;
+import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.WriteArrayResponse;
+import no.hials.crosscom.protocol.variable.WriteResponse;
+
 /** An answer that repeats the function of its request and says how the access ended. */
 public sealed interface TypedResponse extends Response
     permits ReadResponse,

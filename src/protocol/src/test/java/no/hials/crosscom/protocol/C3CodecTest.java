@@ -30,6 +30,51 @@ import no.hials.crosscom.protocol.code.ModulePart;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.file.BeginReadRequest;
+import no.hials.crosscom.protocol.file.BeginWriteRequest;
+import no.hials.crosscom.protocol.file.Bytes;
+import no.hials.crosscom.protocol.file.ContentRequest;
+import no.hials.crosscom.protocol.file.ContentResponse;
+import no.hials.crosscom.protocol.file.ContentSizeResponse;
+import no.hials.crosscom.protocol.file.CopyFileRequest;
+import no.hials.crosscom.protocol.file.CreateFileRequest;
+import no.hials.crosscom.protocol.file.DeleteFileRequest;
+import no.hials.crosscom.protocol.file.EndWriteRequest;
+import no.hials.crosscom.protocol.file.FileNameRequest;
+import no.hials.crosscom.protocol.file.FileProperties;
+import no.hials.crosscom.protocol.file.FilePropertiesRequest;
+import no.hials.crosscom.protocol.file.FilePropertiesResponse;
+import no.hials.crosscom.protocol.file.ItemTime;
+import no.hials.crosscom.protocol.file.ListDirectoryRequest;
+import no.hials.crosscom.protocol.file.ListDirectoryResponse;
+import no.hials.crosscom.protocol.file.ReadDataRequest;
+import no.hials.crosscom.protocol.file.ReadDataResponse;
+import no.hials.crosscom.protocol.file.SetAttributesRequest;
+import no.hials.crosscom.protocol.file.WriteDataRequest;
+import no.hials.crosscom.protocol.file.WriteDataResponse;
+import no.hials.crosscom.protocol.program.MotionRequest;
+import no.hials.crosscom.protocol.program.MotionResponse;
+import no.hials.crosscom.protocol.program.PendantKeyRequest;
+import no.hials.crosscom.protocol.program.PendantKeyResponse;
+import no.hials.crosscom.protocol.program.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramSelectRequest;
+import no.hials.crosscom.protocol.server.Features;
+import no.hials.crosscom.protocol.server.FeaturesResponse;
+import no.hials.crosscom.protocol.server.InformationResponse;
+import no.hials.crosscom.protocol.server.ServerInformation;
+import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.server.SystemTime;
+import no.hials.crosscom.protocol.variable.AccessResult;
+import no.hials.crosscom.protocol.variable.Assignment;
+import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.variable.BenchmarkResponse;
+import no.hials.crosscom.protocol.variable.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.variable.MultipleResponse;
+import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
+import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.WriteUtf16Request;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -142,15 +187,15 @@ final class C3CodecTest {
             // laid out by hand from c3-bridge.md, type 12
             "00 01  00 0C  0C  04  FF FF FF FE  12 34 56 78  00  01"),
         arguments(
-            new PlainRequest(0, MessageType.INFORMATION),
+            new ServerRequest(0, MessageType.INFORMATION),
             // c3-vectors.tsv: specification sample, 3.8.1
             "00 00  00 01  0D"),
         arguments(
-            new PlainRequest(0x01E6, MessageType.FEATURES),
+            new ServerRequest(0x01E6, MessageType.FEATURES),
             // c3-vectors.tsv: split, first part holds only the header of length 1 message
             "01 E6  00 01  0E"),
         arguments(
-            new PlainRequest(0x017E, MessageType.CONFIRM_ALL),
+            new ServerRequest(0x017E, MessageType.CONFIRM_ALL),
             // c3-vectors.tsv: confirm all
             "01 7E  00 01  3F"),
         arguments(
@@ -1013,7 +1058,7 @@ final class C3CodecTest {
     rows.add(
         refused(
             () -> new PendantKeyRequest(wrong, Code.of(PendantKey.STOP), 0, 0, true, true), id));
-    rows.add(refused(() -> new PlainRequest(wrong, MessageType.FEATURES), id));
+    rows.add(refused(() -> new ServerRequest(wrong, MessageType.FEATURES), id));
     rows.add(refused(() -> new BenchmarkReadRequest(wrong, 0, List.of()), id));
     rows.add(refused(() -> new BenchmarkWriteRequest(wrong, 0, List.of()), id));
     rows.add(refused(() -> new SetAttributesRequest(wrong, attributes, attributes, ""), id));
@@ -1152,7 +1197,7 @@ final class C3CodecTest {
     Flags<CopyFlag> copy = Flags.none(CopyFlag.class);
     return Stream.of(
         refused(
-            () -> new PlainRequest(0, MessageType.READ),
+            () -> new ServerRequest(0, MessageType.READ),
             "type must be one of [INFORMATION, FEATURES, CONFIRM_ALL], is READ"),
         refused(
             () -> new CopyFileRequest(0, MessageType.FULL_NAME, copy, "", ""),

@@ -24,7 +24,60 @@ import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
 import no.hials.crosscom.protocol.code.WireCode;
+import no.hials.crosscom.protocol.file.BeginReadRequest;
+import no.hials.crosscom.protocol.file.BeginWriteRequest;
+import no.hials.crosscom.protocol.file.Bytes;
+import no.hials.crosscom.protocol.file.ContentRequest;
+import no.hials.crosscom.protocol.file.ContentResponse;
+import no.hials.crosscom.protocol.file.ContentSizeResponse;
+import no.hials.crosscom.protocol.file.CopyFileRequest;
+import no.hials.crosscom.protocol.file.CreateFileRequest;
+import no.hials.crosscom.protocol.file.DeleteFileRequest;
+import no.hials.crosscom.protocol.file.EndWriteRequest;
+import no.hials.crosscom.protocol.file.FileNameRequest;
+import no.hials.crosscom.protocol.file.FileProperties;
+import no.hials.crosscom.protocol.file.FilePropertiesRequest;
+import no.hials.crosscom.protocol.file.FilePropertiesResponse;
+import no.hials.crosscom.protocol.file.ItemTime;
+import no.hials.crosscom.protocol.file.ListDirectoryRequest;
+import no.hials.crosscom.protocol.file.ListDirectoryResponse;
+import no.hials.crosscom.protocol.file.ReadDataRequest;
+import no.hials.crosscom.protocol.file.ReadDataResponse;
+import no.hials.crosscom.protocol.file.SetAttributesRequest;
+import no.hials.crosscom.protocol.file.WriteDataRequest;
+import no.hials.crosscom.protocol.file.WriteDataResponse;
 import no.hials.crosscom.protocol.internal.ProgramLayouts;
+import no.hials.crosscom.protocol.program.MotionRequest;
+import no.hials.crosscom.protocol.program.MotionResponse;
+import no.hials.crosscom.protocol.program.PendantKeyRequest;
+import no.hials.crosscom.protocol.program.PendantKeyResponse;
+import no.hials.crosscom.protocol.program.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramSelectRequest;
+import no.hials.crosscom.protocol.server.Features;
+import no.hials.crosscom.protocol.server.FeaturesResponse;
+import no.hials.crosscom.protocol.server.InformationResponse;
+import no.hials.crosscom.protocol.server.ServerInformation;
+import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.server.SystemTime;
+import no.hials.crosscom.protocol.variable.AccessResult;
+import no.hials.crosscom.protocol.variable.Assignment;
+import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.variable.BenchmarkResponse;
+import no.hials.crosscom.protocol.variable.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.variable.MultipleResponse;
+import no.hials.crosscom.protocol.variable.ReadArrayRequest;
+import no.hials.crosscom.protocol.variable.ReadArrayResponse;
+import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
+import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.WriteArrayRequest;
+import no.hials.crosscom.protocol.variable.WriteArrayResponse;
+import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.WriteResponse;
+import no.hials.crosscom.protocol.variable.WriteUtf16Request;
 
 /** Random messages of every type: those that KUKAVARPROXY knows, and those of C3 Bridge. */
 final class Messages {
@@ -81,7 +134,7 @@ final class Messages {
                 r.nextBoolean(),
                 r.nextBoolean()),
         () ->
-            new PlainRequest(
+            new ServerRequest(
                 u16(r),
                 anyOf(r, MessageType.INFORMATION, MessageType.FEATURES, MessageType.CONFIRM_ALL)),
         () -> new BenchmarkReadRequest(u16(r), u32(r), list(r, 0, 20, () -> wide(r))),

@@ -3,9 +3,9 @@ package no.hials.crosscom.protocol.internal;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.protocol.Bytes;
 import no.hials.crosscom.protocol.MalformedFrameException;
 import no.hials.crosscom.protocol.Strictness;
+import no.hials.crosscom.protocol.file.Bytes;
 
 /** Reads the fields that messages are made of from a part of a frame; numbers are big-endian. */
 public final class FieldReader {

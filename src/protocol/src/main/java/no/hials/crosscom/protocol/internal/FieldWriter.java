@@ -2,7 +2,7 @@ package no.hials.crosscom.protocol.internal;
 
 import java.util.Arrays;
 import java.util.List;
-import no.hials.crosscom.protocol.Bytes;
+import no.hials.crosscom.protocol.file.Bytes;
 
 /** Writes the fields that messages are made of; numbers are big-endian. */
 public final class FieldWriter {

@@ -2,19 +2,19 @@ package no.hials.crosscom.protocol.internal;
 
 import no.hials.crosscom.protocol.MalformedFrameException;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.MotionRequest;
-import no.hials.crosscom.protocol.MotionResponse;
-import no.hials.crosscom.protocol.PendantKeyRequest;
-import no.hials.crosscom.protocol.PendantKeyResponse;
-import no.hials.crosscom.protocol.ProgramControlRequest;
-import no.hials.crosscom.protocol.ProgramControlResponse;
-import no.hials.crosscom.protocol.ProgramSelectRequest;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.program.MotionRequest;
+import no.hials.crosscom.protocol.program.MotionResponse;
+import no.hials.crosscom.protocol.program.PendantKeyRequest;
+import no.hials.crosscom.protocol.program.PendantKeyResponse;
+import no.hials.crosscom.protocol.program.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 
 /** The layouts of the messages about programs, motions and keys: types 10 to 12. */
 public final class ProgramLayouts {

@@ -3,17 +3,17 @@ package no.hials.crosscom.protocol.internal;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import no.hials.crosscom.protocol.Bytes;
-import no.hials.crosscom.protocol.Features;
-import no.hials.crosscom.protocol.FeaturesResponse;
-import no.hials.crosscom.protocol.InformationResponse;
 import no.hials.crosscom.protocol.MalformedFrameException;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.PlainRequest;
-import no.hials.crosscom.protocol.ServerInformation;
-import no.hials.crosscom.protocol.SystemTime;
 import no.hials.crosscom.protocol.code.BuildType;
 import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.file.Bytes;
+import no.hials.crosscom.protocol.server.Features;
+import no.hials.crosscom.protocol.server.FeaturesResponse;
+import no.hials.crosscom.protocol.server.InformationResponse;
+import no.hials.crosscom.protocol.server.ServerInformation;
+import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.server.SystemTime;
 
 /** The layouts of the messages about the server: types 13, 14 and 63. */
 final class ServerLayouts {
@@ -23,10 +23,10 @@ final class ServerLayouts {
   private ServerLayouts() {}
 
   static void addTo(Layouts all) {
-    all.writer(PlainRequest.class, (m, out) -> {});
+    all.writer(ServerRequest.class, (m, out) -> {});
     for (MessageType type :
         List.of(MessageType.INFORMATION, MessageType.FEATURES, MessageType.CONFIRM_ALL)) {
-      all.request(type, (id, in) -> new PlainRequest(id, type));
+      all.request(type, (id, in) -> new ServerRequest(id, type));
     }
     all.answer(
         MessageType.INFORMATION,

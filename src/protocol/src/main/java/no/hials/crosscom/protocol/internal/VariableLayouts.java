@@ -2,29 +2,29 @@ package no.hials.crosscom.protocol.internal;
 
 import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.protocol.AccessResult;
-import no.hials.crosscom.protocol.Assignment;
-import no.hials.crosscom.protocol.BenchmarkReadRequest;
-import no.hials.crosscom.protocol.BenchmarkResponse;
-import no.hials.crosscom.protocol.BenchmarkWriteRequest;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MalformedFrameException;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.MultipleResponse;
-import no.hials.crosscom.protocol.ReadArrayRequest;
-import no.hials.crosscom.protocol.ReadArrayResponse;
-import no.hials.crosscom.protocol.ReadMultipleRequest;
-import no.hials.crosscom.protocol.ReadRequest;
-import no.hials.crosscom.protocol.ReadResponse;
-import no.hials.crosscom.protocol.ReadUtf16Request;
 import no.hials.crosscom.protocol.Request;
-import no.hials.crosscom.protocol.WriteArrayRequest;
-import no.hials.crosscom.protocol.WriteArrayResponse;
-import no.hials.crosscom.protocol.WriteMultipleRequest;
-import no.hials.crosscom.protocol.WriteRequest;
-import no.hials.crosscom.protocol.WriteResponse;
-import no.hials.crosscom.protocol.WriteUtf16Request;
 import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.variable.AccessResult;
+import no.hials.crosscom.protocol.variable.Assignment;
+import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.variable.BenchmarkResponse;
+import no.hials.crosscom.protocol.variable.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.variable.MultipleResponse;
+import no.hials.crosscom.protocol.variable.ReadArrayRequest;
+import no.hials.crosscom.protocol.variable.ReadArrayResponse;
+import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
+import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.WriteArrayRequest;
+import no.hials.crosscom.protocol.variable.WriteArrayResponse;
+import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.WriteResponse;
+import no.hials.crosscom.protocol.variable.WriteUtf16Request;
 
 /** The layouts of the messages about variables: types 0 to 7 and 17. */
 public final class VariableLayouts {

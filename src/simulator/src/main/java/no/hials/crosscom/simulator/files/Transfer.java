@@ -1,8 +1,8 @@
 package no.hials.crosscom.simulator.files;
 
 import java.util.Arrays;
-import no.hials.crosscom.protocol.Bytes;
 import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.file.Bytes;
 
 /**
  * A buffer for the content of one file on its way, in the server's memory. It takes the announced

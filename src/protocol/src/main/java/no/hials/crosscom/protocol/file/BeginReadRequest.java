@@ -1,0 +1,28 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.code.CopyFlag;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Asks for a file to be read in parts (c3-bridge.md, type 30): {@code 01, flags, name}. The length
+ * of the name is a u16, as the server reads it (note b).
+ *
+ * @param id u16, echoed in the answer
+ * @param flags i32
+ * @param name WSTRING; 32,763 characters at most
+ */
+public record BeginReadRequest(int id, Flags<CopyFlag> flags, String name) implements Request {
+  /** Checks the ranges. */
+  public BeginReadRequest {
+    Ranges.u16("id", id);
+    Ranges.frame("name", 1 + 1 + 4 + Ranges.wide(name));
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.READ_CONTENT;
+  }
+}

@@ -1,0 +1,24 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Announces a file (c3-bridge.md, type 29): {@code 01, size}.
+ *
+ * @param id u16, echoed in the answer
+ * @param size u32; of the whole file, in bytes
+ */
+public record BeginWriteRequest(int id, long size) implements Request {
+  /** Checks the ranges. */
+  public BeginWriteRequest {
+    Ranges.u16("id", id);
+    Ranges.u32("size", size);
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.WRITE_CONTENT;
+  }
+}

@@ -1,0 +1,25 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Asks to delete a file (c3-bridge.md, type 23): {@code always, name}.
+ *
+ * @param id u16, echoed in the answer
+ * @param always u8, 0 or 1; whether to delete it although it is read-only (c3-vectors.tsv)
+ * @param name WSTRING; 32,765 characters at most
+ */
+public record DeleteFileRequest(int id, boolean always, String name) implements Request {
+  /** Checks the ranges. */
+  public DeleteFileRequest {
+    Ranges.u16("id", id);
+    Ranges.frame("name", 1 + 1 + Ranges.wide(name));
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.DELETE_FILE;
+  }
+}

@@ -1,0 +1,27 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.code.CopyFlag;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Asks to store what was sent as a file (c3-bridge.md, type 29): {@code 04, flags, name}.
+ *
+ * @param id u16, echoed in the answer
+ * @param flags i32
+ * @param name WSTRING; 32,763 characters at most
+ */
+public record EndWriteRequest(int id, Flags<CopyFlag> flags, String name) implements Request {
+  /** Checks the ranges. */
+  public EndWriteRequest {
+    Ranges.u16("id", id);
+    Ranges.frame("name", 1 + 1 + 4 + Ranges.wide(name));
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.WRITE_CONTENT;
+  }
+}

@@ -1,0 +1,28 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.code.FileProperty;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Asks for a file's properties (c3-bridge.md, type 26): {@code properties, name}.
+ *
+ * @param id u16, echoed in the answer
+ * @param properties i32; those that are asked for
+ * @param name WSTRING; 32,764 characters at most
+ */
+public record FilePropertiesRequest(int id, Flags<FileProperty> properties, String name)
+    implements Request {
+  /** Checks the ranges. */
+  public FilePropertiesRequest {
+    Ranges.u16("id", id);
+    Ranges.frame("name", 1 + 4 + Ranges.wide(name));
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.FILE_PROPERTIES;
+  }
+}

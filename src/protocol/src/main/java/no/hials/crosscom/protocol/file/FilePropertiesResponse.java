@@ -1,0 +1,28 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TypedResponse;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Answers {@link FilePropertiesRequest} (c3-bridge.md, type 26).
+ *
+ * @param id u16, of the request
+ * @param properties 56 bytes and WSTRING; {@link FileProperties#NONE} if the access failed
+ * @param tail how the access ended
+ */
+public record FilePropertiesResponse(int id, FileProperties properties, Tail tail)
+    implements TypedResponse {
+  /** Checks the ranges. */
+  public FilePropertiesResponse {
+    Ranges.u16("id", id);
+    Ranges.frame(
+        "name", 1 + FileProperties.FIXED_LENGTH + Ranges.wide(properties.name()) + Tail.LENGTH);
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.FILE_PROPERTIES;
+  }
+}

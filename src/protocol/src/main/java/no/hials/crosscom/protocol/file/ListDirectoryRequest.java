@@ -1,0 +1,30 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.code.ItemType;
+import no.hials.crosscom.protocol.code.ListFlag;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Asks for the items of a directory (c3-bridge.md, type 21): {@code types, flags, path}.
+ *
+ * @param id u16, echoed in the answer
+ * @param types i32; the kinds of items that are asked for, none for all (c3-vectors.tsv)
+ * @param flags i32
+ * @param path WSTRING; 32,762 characters at most
+ */
+public record ListDirectoryRequest(
+    int id, Flags<ItemType> types, Flags<ListFlag> flags, String path) implements Request {
+  /** Checks the ranges. */
+  public ListDirectoryRequest {
+    Ranges.u16("id", id);
+    Ranges.frame("path", 1 + 4 + 4 + Ranges.wide(path));
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.LIST_DIRECTORY;
+  }
+}

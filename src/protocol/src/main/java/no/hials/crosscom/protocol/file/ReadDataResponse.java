@@ -1,0 +1,30 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TypedResponse;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Answers {@link ReadDataRequest} (c3-bridge.md, type 30): {@code 02, offset, size u32, data}.
+ *
+ * @param id u16, of the request
+ * @param offset u32, of the request
+ * @param data u32 count and bytes; 65,522 at most, of which a server uses 64,512 (c3-bridge.md,
+ *     "Common to all messages")
+ * @param tail how the access ended
+ */
+public record ReadDataResponse(int id, long offset, Bytes data, Tail tail)
+    implements TypedResponse {
+  /** Checks the ranges. */
+  public ReadDataResponse {
+    Ranges.u16("id", id);
+    Ranges.u32("offset", offset);
+    Ranges.frame("data", 1 + 1 + 4 + 4 + data.size() + Tail.LENGTH);
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.READ_CONTENT;
+  }
+}

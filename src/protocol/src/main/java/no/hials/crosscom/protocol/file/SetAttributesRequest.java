@@ -1,0 +1,30 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.code.FileAttribute;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Asks to change a file's attributes (c3-bridge.md, type 20): {@code attributes, mask, name}.
+ *
+ * @param id u16, echoed in the answer
+ * @param attributes i32; those that are to be set
+ * @param mask i32; those that are to be changed
+ * @param name WSTRING; 32,762 characters at most
+ */
+public record SetAttributesRequest(
+    int id, Flags<FileAttribute> attributes, Flags<FileAttribute> mask, String name)
+    implements Request {
+  /** Checks the ranges. */
+  public SetAttributesRequest {
+    Ranges.u16("id", id);
+    Ranges.frame("name", 1 + 4 + 4 + Ranges.wide(name));
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.SET_ATTRIBUTES;
+  }
+}

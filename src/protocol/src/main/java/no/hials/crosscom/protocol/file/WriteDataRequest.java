@@ -1,0 +1,26 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Sends a part of a file (c3-bridge.md, type 29): {@code 02, offset, size u32, data}.
+ *
+ * @param id u16, echoed in the answer
+ * @param offset u32; where in the file the data begins
+ * @param data u32 count and bytes; 65,525 at most
+ */
+public record WriteDataRequest(int id, long offset, Bytes data) implements Request {
+  /** Checks the ranges. */
+  public WriteDataRequest {
+    Ranges.u16("id", id);
+    Ranges.u32("offset", offset);
+    Ranges.frame("data", 1 + 1 + 4 + 4 + data.size());
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.WRITE_CONTENT;
+  }
+}

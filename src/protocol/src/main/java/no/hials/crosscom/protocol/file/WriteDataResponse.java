@@ -1,0 +1,29 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TypedResponse;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Answers {@link WriteDataRequest} (c3-bridge.md, type 29): {@code 02, offset, written}.
+ *
+ * @param id u16, of the request
+ * @param offset u32, of the request
+ * @param written u32; how many bytes were taken: those within the announced size
+ * @param tail how the access ended
+ */
+public record WriteDataResponse(int id, long offset, long written, Tail tail)
+    implements TypedResponse {
+  /** Checks the ranges. */
+  public WriteDataResponse {
+    Ranges.u16("id", id);
+    Ranges.u32("offset", offset);
+    Ranges.u32("written", written);
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.WRITE_CONTENT;
+  }
+}

@@ -1,0 +1,28 @@
+package no.hials.crosscom.protocol.program;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.MotionType;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Asks to move the robot (c3-bridge.md, type 11): {@code motion, position}.
+ *
+ * @param id u16, echoed in the answer
+ * @param motion u8
+ * @param position WSTRING, the KRL text of a position; 32,765 characters at most
+ */
+public record MotionRequest(int id, Code<MotionType> motion, String position) implements Request {
+  /** Checks the ranges. */
+  public MotionRequest {
+    Ranges.u16("id", id);
+    Ranges.u8("motion", motion.number());
+    Ranges.frame("position", 1 + 1 + Ranges.wide(position));
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.MOTION;
+  }
+}

@@ -1,0 +1,34 @@
+package no.hials.crosscom.protocol.program;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.PendantKey;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Asks to press or release a key of the pendant (c3-bridge.md, type 12): {@code key, number,
+ * keyCode, direction, released}.
+ *
+ * @param id u16, echoed in the answer
+ * @param key u8
+ * @param number i32; the interpreter, or the number of the axis for {@link PendantKey#JOG}
+ * @param keyCode i32; 2 in the one example, a jog (c3-vectors.tsv)
+ * @param direction u8, 0 or 1; 0 in the example of a start forward, 1 in that of a jog in plus
+ *     direction (c3-vectors.tsv)
+ * @param released u8, 0 for pressed or 1 for released
+ */
+public record PendantKeyRequest(
+    int id, Code<PendantKey> key, int number, int keyCode, boolean direction, boolean released)
+    implements Request {
+  /** Checks the ranges. */
+  public PendantKeyRequest {
+    Ranges.u16("id", id);
+    Ranges.u8("key", key.number());
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.PENDANT_KEY;
+  }
+}

@@ -1,0 +1,31 @@
+package no.hials.crosscom.protocol.server;
+
+import java.util.Collections;
+import java.util.Set;
+import java.util.TreeSet;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * The types of message that a server knows (c3-bridge.md, type 14).
+ *
+ * @param types one bit each in 32 bytes, of which the first has 255 to 248 and the last 7 to 0; 0
+ *     to 255
+ */
+public record Features(Set<Integer> types) {
+  /** Checks the ranges. */
+  public Features {
+    types.forEach(type -> Ranges.u8("type", type));
+    types = Collections.unmodifiableSet(new TreeSet<>(types));
+  }
+
+  /**
+   * Says whether the server knows a type.
+   *
+   * @param type any
+   * @return true if so
+   */
+  public boolean has(MessageType type) {
+    return types.contains(type.code());
+  }
+}

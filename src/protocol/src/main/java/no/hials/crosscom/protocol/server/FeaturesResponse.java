@@ -1,0 +1,26 @@
+package no.hials.crosscom.protocol.server;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TypedResponse;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Answers a {@link ServerRequest} of type {@link MessageType#FEATURES} (c3-bridge.md, type 14): 32
+ * bytes.
+ *
+ * @param id u16, of the request
+ * @param features 32 bytes, a bit for each type
+ * @param tail how the access ended
+ */
+public record FeaturesResponse(int id, Features features, Tail tail) implements TypedResponse {
+  /** Checks the ranges. */
+  public FeaturesResponse {
+    Ranges.u16("id", id);
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.FEATURES;
+  }
+}

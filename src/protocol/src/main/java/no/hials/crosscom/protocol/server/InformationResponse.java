@@ -1,0 +1,29 @@
+package no.hials.crosscom.protocol.server;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TypedResponse;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Answers a {@link ServerRequest} of type {@link MessageType#INFORMATION} (c3-bridge.md, type 13):
+ * {@code major, minor, build, time, computer name}.
+ *
+ * @param id u16, of the request
+ * @param information u8 three times, u16 eight times, WSTRING
+ * @param tail how the access ended
+ */
+public record InformationResponse(int id, ServerInformation information, Tail tail)
+    implements TypedResponse {
+  /** Checks the ranges. */
+  public InformationResponse {
+    Ranges.u16("id", id);
+    Ranges.frame(
+        "computer name", 1 + 3 + 8 * 2 + Ranges.wide(information.computerName()) + Tail.LENGTH);
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.INFORMATION;
+  }
+}

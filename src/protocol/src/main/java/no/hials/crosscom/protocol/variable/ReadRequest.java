@@ -1,0 +1,25 @@
+package no.hials.crosscom.protocol.variable;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Asks for the text of a variable: {@code id, length, 00, name length, name}.
+ *
+ * @param id u16, echoed in the answer
+ * @param name u16 byte count and ISO 8859-1 bytes; 65,532 at most
+ */
+public record ReadRequest(int id, String name) implements Request {
+  /** Checks the ranges. */
+  public ReadRequest {
+    Ranges.u16("id", id);
+    Ranges.latin1("name", name);
+    Ranges.frame("name", 1 + 2 + name.length());
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.READ;
+  }
+}

@@ -1,0 +1,31 @@
+package no.hials.crosscom.protocol.variable;
+
+import java.util.List;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Sets the elements of an array from 16-bit numbers: {@code id, length, 03, name length, name,
+ * value length, numbers}. That the value length counts bytes, not numbers, is assumed:
+ * kukavarproxy.md does not say, and it counts bytes in every other message.
+ *
+ * @param id u16, echoed in the answer
+ * @param name u16 byte count and ISO 8859-1 bytes
+ * @param elements u16 each, for {@code NAME[1]}, {@code NAME[2]}, ...
+ */
+public record WriteArrayRequest(int id, String name, List<Integer> elements) implements Request {
+  /** Checks the ranges. */
+  public WriteArrayRequest {
+    elements = List.copyOf(elements);
+    Ranges.u16("id", id);
+    Ranges.latin1("name", name);
+    Ranges.words("element", elements);
+    Ranges.frame("name and elements", 1 + 2 + name.length() + 2 + 2 * elements.size());
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.WRITE_ARRAY;
+  }
+}

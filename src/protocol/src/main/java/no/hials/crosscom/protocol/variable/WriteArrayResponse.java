@@ -1,0 +1,27 @@
+package no.hials.crosscom.protocol.variable;
+
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TypedResponse;
+import no.hials.crosscom.protocol.internal.Ranges;
+
+/**
+ * Answers {@link WriteArrayRequest}: {@code id, length, 03, value length, value, tail}.
+ *
+ * @param id u16, of the request
+ * @param value u16 byte count and ISO 8859-1 bytes; empty (kukavarproxy.md)
+ * @param tail how the access ended
+ */
+public record WriteArrayResponse(int id, String value, Tail tail) implements TypedResponse {
+  /** Checks the ranges. */
+  public WriteArrayResponse {
+    Ranges.u16("id", id);
+    Ranges.latin1("value", value);
+    Ranges.frame("value", 1 + 2 + value.length() + Tail.LENGTH);
+  }
+
+  @Override
+  public MessageType type() {
+    return MessageType.WRITE_ARRAY;
+  }
+}

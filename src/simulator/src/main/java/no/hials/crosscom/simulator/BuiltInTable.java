@@ -13,7 +13,7 @@ final class BuiltInTable {
 
   private static VariableTable krc4() {
     VariableTable table = load(BuiltInDataLists.NAMES);
-    Ranges.guard(table.scope());
+    SystemVariableRanges.guard(table.scope());
     return table;
   }
 

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.core.Kernel;
-import no.hials.crosscom.simulator.internal.program.Interpreter;
+import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import no.hials.crosscom.simulator.internal.program.LinkException;
 
 /**
@@ -13,9 +13,9 @@ import no.hials.crosscom.simulator.internal.program.LinkException;
  */
 public final class ProgramControl {
   private final Kernel kernel;
-  private final Interpreter.Kind kind;
+  private final KrlInterpreter.Kind kind;
 
-  ProgramControl(Kernel kernel, Interpreter.Kind kind) {
+  ProgramControl(Kernel kernel, KrlInterpreter.Kind kind) {
     this.kernel = kernel;
     this.kind = kind;
   }
@@ -91,7 +91,7 @@ public final class ProgramControl {
    * @return the line in the file of the innermost routine; 0 if no program is selected
    */
   public int line() {
-    List<Interpreter.Level> levels = kernel.levels(kind);
+    List<KrlInterpreter.Level> levels = kernel.levels(kind);
     return levels.isEmpty() ? 0 : levels.get(0).position().line();
   }
 

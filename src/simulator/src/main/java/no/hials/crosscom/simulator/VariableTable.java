@@ -20,10 +20,10 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.data.DataListWriter;
 import no.hials.crosscom.simulator.internal.data.DataLists;
-import no.hials.crosscom.simulator.internal.data.Declared;
-import no.hials.crosscom.simulator.internal.data.Note;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.VariableDeclaration;
+import no.hials.crosscom.simulator.internal.data.VariableNote;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -42,7 +42,7 @@ public final class VariableTable {
   private final Scope scope = new Scope();
 
   /** What is known of the variables, by their names in upper case; replaced, never changed. */
-  private volatile Map<String, Note> notes = Map.of();
+  private volatile Map<String, VariableNote> notes = Map.of();
 
   private VariableTable() {}
 
@@ -123,7 +123,7 @@ public final class VariableTable {
     if (!errors.isEmpty()) {
       return false;
     }
-    Map<String, Note> all = new HashMap<>(notes);
+    Map<String, VariableNote> all = new HashMap<>(notes);
     all.putAll(DataLists.notes(list));
     notes = Map.copyOf(all);
     return true;
@@ -191,7 +191,7 @@ public final class VariableTable {
    * @return type, access, unit, meaning; nothing if there is no such variable
    */
   public Optional<VariableInfo> describe(String name) {
-    return Declared.find(scope, name).map(this::describe);
+    return VariableDeclaration.find(scope, name).map(this::describe);
   }
 
   /**
@@ -207,8 +207,8 @@ public final class VariableTable {
     return all;
   }
 
-  private VariableInfo describe(Declared declared) {
-    Note note = notes.getOrDefault(Scope.key(declared.name()), Note.NONE);
+  private VariableInfo describe(VariableDeclaration declared) {
+    VariableNote note = notes.getOrDefault(Scope.key(declared.name()), VariableNote.NONE);
     return new VariableInfo(
         declared.name(),
         declared.type(),
@@ -225,7 +225,7 @@ public final class VariableTable {
     String key = Scope.key(bracket < 0 ? declarator : declarator.substring(0, bracket));
     synchronized (scope) {
       if (notes.containsKey(key)) {
-        Map<String, Note> rest = new HashMap<>(notes);
+        Map<String, VariableNote> rest = new HashMap<>(notes);
         rest.remove(key);
         notes = Map.copyOf(rest);
       }
@@ -399,7 +399,7 @@ public final class VariableTable {
    */
   public void set(String name, KrlValue value) {
     try {
-      scope.write(Path.parse(name), value, Scope.Writer.SYSTEM);
+      scope.write(VariablePath.parse(name), value, Scope.Writer.SYSTEM);
     } catch (RefusedException e) {
       throw refusedToJava(name, e);
     }
@@ -419,7 +419,7 @@ public final class VariableTable {
    * @throws RefusedException if the controller refuses the access
    */
   public String read(String name) throws RefusedException {
-    return scope.print(Path.parse(name));
+    return scope.print(VariablePath.parse(name));
   }
 
   /**
@@ -430,7 +430,7 @@ public final class VariableTable {
    * @throws RefusedException if the controller refuses the access
    */
   public KrlValue readValue(String name) throws RefusedException {
-    return scope.read(Path.parse(name));
+    return scope.read(VariablePath.parse(name));
   }
 
   /** Gives the scope of the global variables. */
@@ -447,7 +447,7 @@ public final class VariableTable {
    * @throws RefusedException if the controller refuses the access
    */
   public void write(String name, String text, int maxAggregateLength) throws RefusedException {
-    Path path = Path.parse(name);
+    VariablePath path = VariablePath.parse(name);
     KrlValue value = parse(text);
     // kukavarproxy.md: at most 255 bytes for a written aggregate; text is one byte a character
     if (value instanceof KrlStruct

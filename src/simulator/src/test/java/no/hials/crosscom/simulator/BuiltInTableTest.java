@@ -20,8 +20,8 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.data.BuiltInDataLists;
 import no.hials.crosscom.simulator.internal.data.ConstantExpressions;
 import no.hials.crosscom.simulator.internal.data.KrlErrorException;
-import no.hials.crosscom.simulator.internal.data.Note;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.VariableNote;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -32,7 +32,8 @@ class BuiltInTableTest {
   private final VariableTable table = VariableTable.krc4();
 
   /** A declaration of a variable. */
-  private record Row(String name, String type, int dimensions, @Nullable String value, Note note) {
+  private record Row(
+      String name, String type, int dimensions, @Nullable String value, VariableNote note) {
 
     /** Gives a name under which the row's value, or the first element of it, can be read. */
     String readName(boolean isStruc) {
@@ -75,9 +76,9 @@ class BuiltInTableTest {
     List<Row> rows = new ArrayList<>();
     for (Declaration declaration : declarations) {
       if (declaration instanceof Declaration.Signal signal) {
-        rows.add(new Row(signal.name(), "SIGNAL", 0, "", Note.of(signal.comment())));
+        rows.add(new Row(signal.name(), "SIGNAL", 0, "", VariableNote.of(signal.comment())));
       } else if (declaration instanceof Declaration.Variables group) {
-        Note note = Note.of(group.comment());
+        VariableNote note = VariableNote.of(group.comment());
         for (Declaration.Declarator variable : group.variables()) {
           String value = withElements.contains(variable.name()) ? "" : text(variable.initial());
           rows.add(

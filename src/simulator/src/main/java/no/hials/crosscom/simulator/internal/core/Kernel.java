@@ -23,15 +23,15 @@ import no.hials.crosscom.simulator.Message;
 import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.ProgramState;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.motion.MotionSystem;
 import no.hials.crosscom.simulator.internal.motion.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
-import no.hials.crosscom.simulator.internal.program.Environment;
-import no.hials.crosscom.simulator.internal.program.Interpreter;
+import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import no.hials.crosscom.simulator.internal.program.LinkException;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
+import no.hials.crosscom.simulator.internal.program.ProgramEnvironment;
 import no.hials.crosscom.simulator.internal.program.ProgramLibrary;
 import org.jspecify.annotations.Nullable;
 
@@ -55,15 +55,15 @@ public final class Kernel {
   private static final int SUBMIT_INSTRUCTIONS = 500;
 
   private static final double PERCENT = 100;
-  private static final Path OV_PRO = Machine.path("$OV_PRO");
-  private static final Path OV_JOG = Machine.path("$OV_JOG");
-  private static final Path ADVANCE = Machine.path("$ADVANCE");
-  private static final Path RED_T1 = Machine.path("$RED_T1");
-  private static final Path VEL_CP_T1 = Machine.path("$VEL_CP_T1");
+  private static final VariablePath OV_PRO = Machine.path("$OV_PRO");
+  private static final VariablePath OV_JOG = Machine.path("$OV_JOG");
+  private static final VariablePath ADVANCE = Machine.path("$ADVANCE");
+  private static final VariablePath RED_T1 = Machine.path("$RED_T1");
+  private static final VariablePath VEL_CP_T1 = Machine.path("$VEL_CP_T1");
   private static final int MAX_ADVANCE = 5;
 
-  private static final Path VEL_LIMIT_T1 = Machine.path("$SPEED_LIMIT_TEACH_MODE");
-  private static final Path T2_OV_REDUCE = Machine.path("$T2_OV_REDUCE");
+  private static final VariablePath VEL_LIMIT_T1 = Machine.path("$SPEED_LIMIT_TEACH_MODE");
+  private static final VariablePath T2_OV_REDUCE = Machine.path("$T2_OV_REDUCE");
 
   /** krl.md 2.2: the override falls to 10 % on entry to T2. */
   private static final int OVERRIDE_IN_T2 = 10;
@@ -73,8 +73,8 @@ public final class Kernel {
 
   private final Machine machine;
   private final ProgramLibrary library;
-  private final Interpreter robot;
-  private final Interpreter submit;
+  private final KrlInterpreter robot;
+  private final KrlInterpreter submit;
   private final Messages messages = new Messages();
   private final Timers timers;
   private final Motions motions;
@@ -107,8 +107,8 @@ public final class Kernel {
   public Kernel(Scope globals, RobotModel model, LocalDateTime begin) {
     machine = new Machine(globals);
     library = new ProgramLibrary(globals, SystemVariables::stopsAdvanceRun);
-    robot = new Interpreter(Interpreter.Kind.ROBOT, new RobotEnvironment());
-    submit = new Interpreter(Interpreter.Kind.SUBMIT, new SubmitEnvironment());
+    robot = new KrlInterpreter(KrlInterpreter.Kind.ROBOT, new RobotEnvironment());
+    submit = new KrlInterpreter(KrlInterpreter.Kind.SUBMIT, new SubmitEnvironment());
     timers = new Timers(machine);
     Triggers triggers = new Triggers(robot::fire);
     motions = new Motions(machine, model, triggers, new MotionListener());
@@ -159,14 +159,14 @@ public final class Kernel {
    * @throws LinkException if there is no such program or something is wrong with it
    * @throws ProgramFault if the arguments do not suit it
    */
-  public void select(Interpreter.Kind kind, String name, List<KrlValue> arguments)
+  public void select(KrlInterpreter.Kind kind, String name, List<KrlValue> arguments)
       throws LinkException, ProgramFault {
     lock.lock();
     try {
-      Interpreter interpreter = interpreter(kind);
+      KrlInterpreter interpreter = interpreter(kind);
       requireIdle(interpreter, "select");
       interpreter.select(library.program(name), arguments);
-      if (kind == Interpreter.Kind.ROBOT) {
+      if (kind == KrlInterpreter.Kind.ROBOT) {
         motions.discardAll();
       }
       publish();
@@ -175,14 +175,14 @@ public final class Kernel {
     }
   }
 
-  private static void requireIdle(Interpreter interpreter, String what) {
+  private static void requireIdle(KrlInterpreter interpreter, String what) {
     if (interpreter.state() == ProgramState.ACTIVE) {
       throw new IllegalStateException(what + ": a program is active, stop it first");
     }
   }
 
-  private Interpreter interpreter(Interpreter.Kind kind) {
-    return kind == Interpreter.Kind.ROBOT ? robot : submit;
+  private KrlInterpreter interpreter(KrlInterpreter.Kind kind) {
+    return kind == KrlInterpreter.Kind.ROBOT ? robot : submit;
   }
 
   /**
@@ -191,20 +191,20 @@ public final class Kernel {
    * @param kind which interpreter
    * @param external whether the higher-level controller starts it and not the pendant
    */
-  public void start(Interpreter.Kind kind, boolean external) {
+  public void start(KrlInterpreter.Kind kind, boolean external) {
     change(() -> startLocked(kind, external));
   }
 
-  private void startLocked(Interpreter.Kind kind, boolean external) {
+  private void startLocked(KrlInterpreter.Kind kind, boolean external) {
     if (failure != null) {
       throw new IllegalStateException("start: the simulation has failed: " + failure, failure);
     }
-    Interpreter interpreter = interpreter(kind);
+    KrlInterpreter interpreter = interpreter(kind);
     if (interpreter.state() == ProgramState.FREE) {
       throw new IllegalStateException("start: no program is selected");
     }
     requireIdle(interpreter, "start");
-    if (kind == Interpreter.Kind.ROBOT) {
+    if (kind == KrlInterpreter.Kind.ROBOT) {
       if (external != (mode == OperatingMode.EXT)) {
         throw new IllegalStateException(
             external
@@ -229,11 +229,11 @@ public final class Kernel {
    *
    * @param kind which interpreter
    */
-  public void stop(Interpreter.Kind kind) {
+  public void stop(KrlInterpreter.Kind kind) {
     change(
         () -> {
           interpreter(kind).stop();
-          if (kind == Interpreter.Kind.ROBOT) {
+          if (kind == KrlInterpreter.Kind.ROBOT) {
             endManual();
           }
         });
@@ -244,15 +244,15 @@ public final class Kernel {
    *
    * @param kind which interpreter
    */
-  public void reset(Interpreter.Kind kind) {
+  public void reset(KrlInterpreter.Kind kind) {
     change(
         () -> {
-          Interpreter interpreter = interpreter(kind);
+          KrlInterpreter interpreter = interpreter(kind);
           interpreter.stop();
           if (!interpreter.reset()) {
             throw new IllegalStateException("reset: no program is selected");
           }
-          if (kind == Interpreter.Kind.ROBOT) {
+          if (kind == KrlInterpreter.Kind.ROBOT) {
             motions.discardAll();
           }
         });
@@ -263,13 +263,13 @@ public final class Kernel {
    *
    * @param kind which interpreter
    */
-  public void cancel(Interpreter.Kind kind) {
+  public void cancel(KrlInterpreter.Kind kind) {
     change(
         () -> {
-          Interpreter interpreter = interpreter(kind);
+          KrlInterpreter interpreter = interpreter(kind);
           interpreter.stop();
           interpreter.cancel();
-          if (kind == Interpreter.Kind.ROBOT) {
+          if (kind == KrlInterpreter.Kind.ROBOT) {
             motions.discardAll();
           }
         });
@@ -281,7 +281,7 @@ public final class Kernel {
    * @param kind which
    * @return what {@code $PRO_STATE} tells
    */
-  public ProgramState state(Interpreter.Kind kind) {
+  public ProgramState state(KrlInterpreter.Kind kind) {
     return locked(() -> interpreter(kind).state());
   }
 
@@ -291,7 +291,7 @@ public final class Kernel {
    * @param kind which interpreter
    * @return the name of its module; nothing if none is selected
    */
-  public Optional<String> program(Interpreter.Kind kind) {
+  public Optional<String> program(KrlInterpreter.Kind kind) {
     return locked(() -> interpreter(kind).program().map(program -> program.name()));
   }
 
@@ -301,7 +301,7 @@ public final class Kernel {
    * @param kind which interpreter
    * @return the innermost call first
    */
-  public List<Interpreter.Level> levels(Interpreter.Kind kind) {
+  public List<KrlInterpreter.Level> levels(KrlInterpreter.Kind kind) {
     return locked(() -> interpreter(kind).levels());
   }
 
@@ -628,7 +628,7 @@ public final class Kernel {
   }
 
   private double override() {
-    Path set = manual == Manual.JOG ? OV_JOG : OV_PRO;
+    VariablePath set = manual == Manual.JOG ? OV_JOG : OV_PRO;
     double program = Math.max(0, Math.min(1, machine.number(set, PERCENT) / PERCENT));
     boolean reduced = mode == OperatingMode.T1 && isPointToPoint();
     // krl.md 2.2: the reduction of PTP motions in T1
@@ -655,7 +655,7 @@ public final class Kernel {
   private void stopFor(int number, String text) {
     robot.stop();
     messages.add(Message.Kind.ACKNOWLEDGEMENT, number, text, time);
-    variables.error(number, Interpreter.Kind.ROBOT);
+    variables.error(number, KrlInterpreter.Kind.ROBOT);
   }
 
   private void publish() {
@@ -703,13 +703,13 @@ public final class Kernel {
   // what the interpreters ask for
 
   /** What both interpreters ask for. */
-  private abstract class CommonEnvironment implements Environment {
+  private abstract class CommonEnvironment implements ProgramEnvironment {
     @Override
     public long time() {
       return time;
     }
 
-    abstract Interpreter.Kind kind();
+    abstract KrlInterpreter.Kind kind();
 
     @Override
     public void pulse(int output, boolean level, double seconds) throws ProgramFault {
@@ -765,8 +765,8 @@ public final class Kernel {
     }
 
     @Override
-    Interpreter.Kind kind() {
-      return Interpreter.Kind.ROBOT;
+    KrlInterpreter.Kind kind() {
+      return KrlInterpreter.Kind.ROBOT;
     }
 
     @Override
@@ -803,8 +803,8 @@ public final class Kernel {
   /** The submit interpreter's, which moves nothing. */
   private final class SubmitEnvironment extends CommonEnvironment {
     @Override
-    Interpreter.Kind kind() {
-      return Interpreter.Kind.SUBMIT;
+    KrlInterpreter.Kind kind() {
+      return KrlInterpreter.Kind.SUBMIT;
     }
 
     @Override

@@ -7,9 +7,9 @@ import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.internal.data.Node;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.Storage;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -27,15 +27,15 @@ final class Machine {
     this.globals = globals;
   }
 
-  static Path path(String name) {
+  static VariablePath path(String name) {
     try {
-      return Path.parse(name);
+      return VariablePath.parse(name);
     } catch (RefusedException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }
   }
 
-  private @Nullable KrlValue read(Path path) {
+  private @Nullable KrlValue read(VariablePath path) {
     try {
       return globals.read(path);
     } catch (RefusedException e) {
@@ -47,7 +47,7 @@ final class Machine {
    * Gives the contents of a variable, which are another object after each write; null if there is
    * none.
    */
-  @Nullable Node contents(String name) {
+  @Nullable Storage contents(String name) {
     try {
       return globals.contents(name);
     } catch (RefusedException e) {
@@ -55,7 +55,7 @@ final class Machine {
     }
   }
 
-  double number(Path path, double otherwise) {
+  double number(VariablePath path, double otherwise) {
     KrlValue value = read(path);
     try {
       return value == null ? otherwise : Values.number(value);
@@ -64,15 +64,15 @@ final class Machine {
     }
   }
 
-  boolean bool(Path path, boolean otherwise) {
+  boolean bool(VariablePath path, boolean otherwise) {
     return read(path) instanceof KrlBool value ? value.value() : otherwise;
   }
 
-  String constant(Path path, String otherwise) {
+  String constant(VariablePath path, String otherwise) {
     return read(path) instanceof KrlEnum value ? value.name() : otherwise;
   }
 
-  Frame frame(Path path) {
+  Frame frame(VariablePath path) {
     return read(path) instanceof KrlStruct struct
         ? Values.toFrame(struct, Frame.IDENTITY)
         : Frame.IDENTITY;
@@ -82,18 +82,18 @@ final class Machine {
   Axes axes(String array, double otherwise) {
     double[] numbers = new double[Values.ROBOT_AXES];
     for (int i = 0; i < numbers.length; i++) {
-      numbers[i] = number(Path.element(array, i + 1), otherwise);
+      numbers[i] = number(VariablePath.element(array, i + 1), otherwise);
     }
     return Axes.of(numbers);
   }
 
   /** Reads the aggregate of an axis position. */
-  Axes position(Path path, Axes otherwise) {
+  Axes position(VariablePath path, Axes otherwise) {
     return read(path) instanceof KrlStruct struct ? Values.toAxes(struct, otherwise) : otherwise;
   }
 
   /** Writes a value; says whether that was possible. */
-  boolean write(Path path, KrlValue value) {
+  boolean write(VariablePath path, KrlValue value) {
     try {
       globals.write(path, value, Scope.Writer.SYSTEM);
       return true;

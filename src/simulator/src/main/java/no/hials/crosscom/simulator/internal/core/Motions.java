@@ -11,7 +11,7 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.ProgramFault;
-import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.motion.Motion;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent;
 import no.hials.crosscom.simulator.internal.motion.MotionRefusedException;
@@ -102,8 +102,10 @@ final class Motions {
     Axes low = robot.home();
     Axes high = robot.home();
     for (int i = 0; i < Values.ROBOT_AXES; i++) {
-      low = low.with(i, machine.number(Path.element("$SOFTN_END", i + 1), robot.minimum(i)));
-      high = high.with(i, machine.number(Path.element("$SOFTP_END", i + 1), robot.maximum(i)));
+      low =
+          low.with(i, machine.number(VariablePath.element("$SOFTN_END", i + 1), robot.minimum(i)));
+      high =
+          high.with(i, machine.number(VariablePath.element("$SOFTP_END", i + 1), robot.maximum(i)));
     }
     if (isOf(model, low, high)) {
       return;

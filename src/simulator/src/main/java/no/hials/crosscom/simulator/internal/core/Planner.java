@@ -9,7 +9,7 @@ import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Statement;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.ProgramFault;
-import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.motion.Approximation;
 import no.hials.crosscom.simulator.internal.motion.AxisRates;
 import no.hials.crosscom.simulator.internal.motion.Circular;
@@ -26,22 +26,22 @@ import no.hials.crosscom.simulator.internal.program.MotionOrder;
  * are when the advance run comes by.
  */
 final class Planner {
-  private static final Path BASE = Machine.path("$BASE");
-  private static final Path TOOL = Machine.path("$TOOL");
-  private static final Path ROBROOT = Machine.path("$ROBROOT");
-  private static final Path ORI_TYPE = Machine.path("$ORI_TYPE");
-  private static final Path VEL_CP = Machine.path("$VEL.CP");
-  private static final Path VEL_ORI = Machine.path("$VEL.ORI1");
-  private static final Path ACC_CP = Machine.path("$ACC.CP");
-  private static final Path ACC_ORI = Machine.path("$ACC.ORI1");
-  private static final Path VEL_MAX = Machine.path("$VEL_MA.CP");
-  private static final Path VEL_ORI_MAX = Machine.path("$VEL_MA.ORI1");
-  private static final Path ACC_MAX = Machine.path("$ACC_MA.CP");
-  private static final Path ACC_ORI_MAX = Machine.path("$ACC_MA.ORI1");
-  private static final Path APO_CPTP = Machine.path("$APO.CPTP");
-  private static final Path APO_CDIS = Machine.path("$APO.CDIS");
-  private static final Path APO_CVEL = Machine.path("$APO.CVEL");
-  private static final Path APO_CORI = Machine.path("$APO.CORI");
+  private static final VariablePath BASE = Machine.path("$BASE");
+  private static final VariablePath TOOL = Machine.path("$TOOL");
+  private static final VariablePath ROBROOT = Machine.path("$ROBROOT");
+  private static final VariablePath ORI_TYPE = Machine.path("$ORI_TYPE");
+  private static final VariablePath VEL_CP = Machine.path("$VEL.CP");
+  private static final VariablePath VEL_ORI = Machine.path("$VEL.ORI1");
+  private static final VariablePath ACC_CP = Machine.path("$ACC.CP");
+  private static final VariablePath ACC_ORI = Machine.path("$ACC.ORI1");
+  private static final VariablePath VEL_MAX = Machine.path("$VEL_MA.CP");
+  private static final VariablePath VEL_ORI_MAX = Machine.path("$VEL_MA.ORI1");
+  private static final VariablePath ACC_MAX = Machine.path("$ACC_MA.CP");
+  private static final VariablePath ACC_ORI_MAX = Machine.path("$ACC_MA.ORI1");
+  private static final VariablePath APO_CPTP = Machine.path("$APO.CPTP");
+  private static final VariablePath APO_CDIS = Machine.path("$APO.CDIS");
+  private static final VariablePath APO_CVEL = Machine.path("$APO.CVEL");
+  private static final VariablePath APO_CORI = Machine.path("$APO.CORI");
 
   /** What INITMOV sets (krl.md 2.7), for a controller without these variables. */
   private static final double DEFAULT_VELOCITY = 2;
@@ -219,7 +219,7 @@ final class Planner {
         rate(ACC_ORI, DEFAULT_TURN_ACCELERATION, ACC_ORI_MAX));
   }
 
-  private double rate(Path path, double otherwise, Path limit) {
+  private double rate(VariablePath path, double otherwise, VariablePath limit) {
     double value = Math.min(machine.number(path, otherwise), machine.number(limit, otherwise));
     return Math.max(LEAST_RATE, value);
   }

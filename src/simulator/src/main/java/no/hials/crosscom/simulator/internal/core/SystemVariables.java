@@ -20,9 +20,9 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.ProgramState;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
-import no.hials.crosscom.simulator.internal.program.Interpreter;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
+import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -60,19 +60,19 @@ final class SystemVariables {
   /** The brakes of A1 to A6, open (krl.md 2.1). */
   private static final int BRAKES_OPEN = 63;
 
-  private static final Path ROB_STOPPED = Machine.path("$ROB_STOPPED");
-  private static final Path PRO_ACT = Machine.path("$PRO_ACT");
-  private static final Path PRO_MOVE = Machine.path("$PRO_MOVE");
-  private static final Path STOPMESS = Machine.path("$STOPMESS");
-  private static final Path ALARM_STOP = Machine.path("$ALARM_STOP");
-  private static final Path PERI_RDY = Machine.path("$PERI_RDY");
-  private static final Path IN_HOME = Machine.path("$IN_HOME");
-  private static final Path T1 = Machine.path("$T1");
-  private static final Path T2 = Machine.path("$T2");
-  private static final Path AUT = Machine.path("$AUT");
-  private static final Path EXT = Machine.path("$EXT");
-  private static final Path H_POS = Machine.path("$H_POS");
-  private static final Path H_POS_TOL = Machine.path("$H_POS_TOL");
+  private static final VariablePath ROB_STOPPED = Machine.path("$ROB_STOPPED");
+  private static final VariablePath PRO_ACT = Machine.path("$PRO_ACT");
+  private static final VariablePath PRO_MOVE = Machine.path("$PRO_MOVE");
+  private static final VariablePath STOPMESS = Machine.path("$STOPMESS");
+  private static final VariablePath ALARM_STOP = Machine.path("$ALARM_STOP");
+  private static final VariablePath PERI_RDY = Machine.path("$PERI_RDY");
+  private static final VariablePath IN_HOME = Machine.path("$IN_HOME");
+  private static final VariablePath T1 = Machine.path("$T1");
+  private static final VariablePath T2 = Machine.path("$T2");
+  private static final VariablePath AUT = Machine.path("$AUT");
+  private static final VariablePath EXT = Machine.path("$EXT");
+  private static final VariablePath H_POS = Machine.path("$H_POS");
+  private static final VariablePath H_POS_TOL = Machine.path("$H_POS_TOL");
 
   private static final double PERCENT = 100;
   private static final int SHOWN_LEVELS = 10;
@@ -105,18 +105,18 @@ final class SystemVariables {
       boolean idle) {}
 
   /** What an interpreter shows. */
-  private record Pointer(ProgramState state, String program, List<Interpreter.Level> levels) {}
+  private record Pointer(ProgramState state, String program, List<KrlInterpreter.Level> levels) {}
 
   private static final Pointer NO_POINTER = new Pointer(ProgramState.FREE, " ", List.of());
 
   private final Scope globals;
   private final Machine machine;
   private final RobotModel robot;
-  private final Interpreter robotInterpreter;
-  private final Interpreter submitInterpreter;
-  private final Path base = Machine.path("$BASE");
-  private final Path tool = Machine.path("$TOOL");
-  private final Path robroot = Machine.path("$ROBROOT");
+  private final KrlInterpreter robotInterpreter;
+  private final KrlInterpreter submitInterpreter;
+  private final VariablePath base = Machine.path("$BASE");
+  private final VariablePath tool = Machine.path("$TOOL");
+  private final VariablePath robroot = Machine.path("$ROBROOT");
 
   private volatile State state;
   private volatile Pointer robotPointer = NO_POINTER;
@@ -142,8 +142,8 @@ final class SystemVariables {
       Scope globals,
       Machine machine,
       RobotModel robot,
-      Interpreter robotInterpreter,
-      Interpreter submitInterpreter,
+      KrlInterpreter robotInterpreter,
+      KrlInterpreter submitInterpreter,
       State state) {
     this.globals = globals;
     this.machine = machine;
@@ -273,7 +273,7 @@ final class SystemVariables {
   }
 
   /** krl.md 1.3 (OSV): {@code /R1/XXX.SRC}. */
-  private static String moduleName(Interpreter.Level level) {
+  private static String moduleName(KrlInterpreter.Level level) {
     String file = level.position().file().toUpperCase(Locale.ROOT);
     String module = level.module().toUpperCase(Locale.ROOT);
     return "/R1/" + module + (file.endsWith(".SUB") ? ".SUB" : ".SRC");
@@ -281,7 +281,7 @@ final class SystemVariables {
 
   /** The main run's pointer is the advance run's: assumed, the reference has no rule. */
   private static KrlStruct programPointer(Pointer pointer) {
-    List<Interpreter.Level> levels = pointer.levels();
+    List<KrlInterpreter.Level> levels = pointer.levels();
     String name = levels.isEmpty() ? " " : moduleName(levels.get(0));
     int line = levels.isEmpty() ? 0 : levels.get(0).position().line();
     List<KrlStruct.Field> fields = new ArrayList<>();
@@ -292,7 +292,7 @@ final class SystemVariables {
     fields.add(new KrlStruct.Field("I_EXECUTED", new KrlBool(false)));
     fields.add(integer("P_ARRIVED", 0));
     for (int i = 0; i < Math.min(SHOWN_LEVELS, levels.size()); i++) {
-      Interpreter.Level level = levels.get(i);
+      KrlInterpreter.Level level = levels.get(i);
       fields.add(
           new KrlStruct.Field(
               String.format(Locale.ROOT, "SI%02d", i + 1),
@@ -319,9 +319,9 @@ final class SystemVariables {
   }
 
   /** Puts the number of an error into $ERR. */
-  void error(int number, Interpreter.Kind kind) {
-    boolean ofRobot = kind == Interpreter.Kind.ROBOT;
-    List<Interpreter.Level> levels = (ofRobot ? robotInterpreter : submitInterpreter).levels();
+  void error(int number, KrlInterpreter.Kind kind) {
+    boolean ofRobot = kind == KrlInterpreter.Kind.ROBOT;
+    List<KrlInterpreter.Level> levels = (ofRobot ? robotInterpreter : submitInterpreter).levels();
     int line = levels.isEmpty() ? 0 : levels.get(0).position().line();
     String module = levels.isEmpty() ? " " : moduleName(levels.get(0));
     String routine = levels.isEmpty() ? " " : levels.get(0).routine();
@@ -365,8 +365,8 @@ final class SystemVariables {
     signal(EXT, newState.mode() == OperatingMode.EXT);
   }
 
-  private static Pointer pointer(Interpreter interpreter, Pointer old) {
-    List<Interpreter.Level> levels = interpreter.levels();
+  private static Pointer pointer(KrlInterpreter interpreter, Pointer old) {
+    List<KrlInterpreter.Level> levels = interpreter.levels();
     if (old.state() == interpreter.state() && old.levels().equals(levels)) {
       return old;
     }
@@ -374,7 +374,7 @@ final class SystemVariables {
     return new Pointer(interpreter.state(), program, levels);
   }
 
-  private void signal(Path path, boolean value) {
+  private void signal(VariablePath path, boolean value) {
     // looked at each time: a data list or Java code may have changed the output
     if (machine.bool(path, !value) != value) {
       machine.write(path, new KrlBool(value));

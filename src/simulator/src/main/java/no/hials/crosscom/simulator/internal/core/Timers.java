@@ -6,8 +6,8 @@ import java.util.Iterator;
 import java.util.List;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
-import no.hials.crosscom.simulator.internal.data.Node;
-import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Storage;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /** Counts the timers up and ends the pulses of outputs, in simulated time. */
@@ -18,28 +18,28 @@ final class Timers {
   private record Pulse(int output, boolean level, long end) {}
 
   private final Machine machine;
-  private final List<Path> timers = new ArrayList<>();
-  private final List<Path> stops = new ArrayList<>();
-  private final List<Path> flags = new ArrayList<>();
+  private final List<VariablePath> timers = new ArrayList<>();
+  private final List<VariablePath> stops = new ArrayList<>();
+  private final List<VariablePath> flags = new ArrayList<>();
   private final List<Pulse> pulses = new ArrayList<>();
 
   /** Whether a timer counts. */
   private boolean running;
 
   /** The contents of the variables at the last look: as long as they stay nothing is to do. */
-  private List<@Nullable Node> seen = List.of();
+  private List<@Nullable Storage> seen = List.of();
 
   Timers(Machine machine) {
     this.machine = machine;
     for (int i = 1; i <= COUNT; i++) {
-      timers.add(Path.element("$TIMER", i));
-      stops.add(Path.element("$TIMER_STOP", i));
-      flags.add(Path.element("$TIMER_FLAG", i));
+      timers.add(VariablePath.element("$TIMER", i));
+      stops.add(VariablePath.element("$TIMER_STOP", i));
+      flags.add(VariablePath.element("$TIMER_FLAG", i));
     }
   }
 
   void advance(long now, int millis) {
-    List<@Nullable Node> contents = contents();
+    List<@Nullable Storage> contents = contents();
     if (running || !contents.equals(seen)) {
       count(millis);
       // those of before: what a client has written meanwhile is looked at the next time
@@ -49,12 +49,12 @@ final class Timers {
       Pulse pulse = it.next();
       if (pulse.end() <= now) {
         it.remove();
-        machine.write(Path.element("$OUT", pulse.output()), new KrlBool(!pulse.level()));
+        machine.write(VariablePath.element("$OUT", pulse.output()), new KrlBool(!pulse.level()));
       }
     }
   }
 
-  private List<@Nullable Node> contents() {
+  private List<@Nullable Storage> contents() {
     return Arrays.asList(
         machine.contents("$TIMER"),
         machine.contents("$TIMER_STOP"),
@@ -89,7 +89,7 @@ final class Timers {
   boolean pulse(int output, boolean level, long end) {
     // a new pulse takes the place of an old one at the same output (assumed)
     pulses.removeIf(pulse -> pulse.output() == output);
-    boolean there = machine.write(Path.element("$OUT", output), new KrlBool(level));
+    boolean there = machine.write(VariablePath.element("$OUT", output), new KrlBool(level));
     if (there) {
       pulses.add(new Pulse(output, level, end));
     }

@@ -71,7 +71,8 @@ public final class ConstantExpressions {
   private static KrlErrorException notConstant(Position position, String found) {
     return new KrlErrorException(
         position,
-        "a value here is made of literals, CONST variables and + - * /, expected one of them, found "
+        "a value here is made of literals, CONST variables and + - * /, expected one of them, found"
+            + " "
             + found);
   }
 
@@ -91,8 +92,8 @@ public final class ConstantExpressions {
 
   private static KrlValue constant(Expression.Variable expression, Scope scope)
       throws KrlErrorException {
-    Path path = path(expression, scope);
-    Variable variable = scope.lookup(path.first().name());
+    VariablePath path = path(expression, scope);
+    VariableEntry variable = scope.lookup(path.first().name());
     if (variable == null) {
       throw new KrlErrorException(
           expression.position(), "no variable " + expression.name() + " is declared");
@@ -117,8 +118,8 @@ public final class ConstantExpressions {
    *
    * @throws KrlErrorException if an index is not a constant INT
    */
-  static Path path(Expression.Variable variable, Scope scope) throws KrlErrorException {
-    List<Path.Step> steps = new ArrayList<>(variable.steps().size());
+  static VariablePath path(Expression.Variable variable, Scope scope) throws KrlErrorException {
+    List<VariablePath.Step> steps = new ArrayList<>(variable.steps().size());
     for (Expression.Step step : variable.steps()) {
       Index index = Index.NONE;
       if (step.brackets()) {
@@ -128,9 +129,9 @@ public final class ConstantExpressions {
         }
         index = new Index(numbers, step.open());
       }
-      steps.add(new Path.Step(Scope.key(step.name()), index));
+      steps.add(new VariablePath.Step(Scope.key(step.name()), index));
     }
-    return new Path(steps);
+    return new VariablePath(steps);
   }
 
   /**

@@ -231,20 +231,20 @@ public final class DataListLoader {
       throw new KrlErrorException(source.position(), String.valueOf(e.getMessage()));
     }
     Expression initial = source.initial();
-    Node contents = declarator.uninitialised();
+    Storage contents = declarator.uninitialised();
     if (initial != null) {
       contents =
-          contents instanceof Node.ArrayNode
+          contents instanceof Storage.Array
               ? filled(contents, source, initial)
               : assigned(contents, source.name(), source.position(), initial);
     }
-    Variable old = own(target, source.name());
+    VariableEntry old = own(target, source.name());
     if (old != null && old.source() != null) {
       checkBound(old, contents, source.position());
       target.put(old.with(contents));
     } else {
       Access access = access(old, source.name(), group.constant(), group.comment());
-      target.put(new Variable(source.name(), access, contents, null, null));
+      target.put(new VariableEntry(source.name(), access, contents, null, null));
     }
   }
 
@@ -283,7 +283,7 @@ public final class DataListLoader {
   }
 
   /** Gives an array with one value in every element. */
-  private Node filled(Node array, Declaration.Declarator source, Expression initial)
+  private Storage filled(Storage array, Declaration.Declarator source, Expression initial)
       throws KrlErrorException {
     if (!source.name().startsWith("$")) {
       throw byElement(initial.position(), source.name());
@@ -303,31 +303,32 @@ public final class DataListLoader {
             + "[1]=..., found a value for the whole array");
   }
 
-  private static @Nullable Variable own(Scope scope, String name) {
+  private static @Nullable VariableEntry own(Scope scope, String name) {
     return scope.contains(name) ? scope.lookup(Scope.key(name)) : null;
   }
 
   private static Access access(
-      @Nullable Variable old, String name, boolean constant, String comment) {
+      @Nullable VariableEntry old, String name, boolean constant, String comment) {
     if (old != null && name.startsWith("$")) {
       return old.access();
     }
-    Access noted = constant ? Access.READ_ONLY : Note.of(comment).access();
+    Access noted = constant ? Access.READ_ONLY : VariableNote.of(comment).access();
     return noted == null ? Access.READ_WRITE : noted;
   }
 
-  private static void checkBound(Variable old, @Nullable Node contents, Position position)
+  private static void checkBound(VariableEntry old, @Nullable Storage contents, Position position)
       throws KrlErrorException {
-    Node kept = old.contents();
-    if (kept != null && (contents == null || !Shape.of(kept).equals(Shape.of(contents)))) {
+    Storage kept = old.contents();
+    if (kept != null
+        && (contents == null || !DeclaredType.of(kept).equals(DeclaredType.of(contents)))) {
       throw new KrlErrorException(
           position,
           "the controller keeps "
               + old.name()
               + " itself, expected "
-              + Shape.of(kept)
+              + DeclaredType.of(kept)
               + ", found "
-              + (contents == null ? "SIGNAL" : Shape.of(contents)));
+              + (contents == null ? "SIGNAL" : DeclaredType.of(contents)));
     }
   }
 
@@ -336,7 +337,7 @@ public final class DataListLoader {
   private void declareSignal(Declaration.Signal signal) throws KrlErrorException {
     Scope target = checkNew(signal.name(), signal.global(), signal.position());
     try {
-      Variable old = own(target, signal.name());
+      VariableEntry old = own(target, signal.name());
       if (old != null && old.source() != null) {
         checkBound(old, null, signal.position());
       }
@@ -361,12 +362,12 @@ public final class DataListLoader {
   }
 
   private String terminal(Expression.Variable expression) throws KrlErrorException {
-    Path path = ConstantExpressions.path(expression, module);
+    VariablePath path = ConstantExpressions.path(expression, module);
     try {
       boolean isElement =
           path.isLast(0)
               && path.first().index().count() == 1
-              && module.node(path) instanceof Node.ScalarNode;
+              && module.storage(path) instanceof Storage.Scalar;
       if (isElement) {
         return path.first().name() + path.first().index();
       }
@@ -397,19 +398,19 @@ public final class DataListLoader {
       }
       owner = globals;
     }
-    Variable variable = owner.lookup(key);
+    VariableEntry variable = owner.lookup(key);
     if (variable == null) {
       throw new KrlErrorException(declaration.position(), "no variable " + name + " is declared");
     }
-    Node contents = variable.contents();
+    Storage contents = variable.contents();
     if (contents == null) {
       throw new KrlErrorException(
           declaration.position(), "a SIGNAL has no initial value, " + name + " is one");
     }
-    Path path = ConstantExpressions.path(declaration.target(), module);
+    VariablePath path = ConstantExpressions.path(declaration.target(), module);
     try {
-      Node part = contents.read(path);
-      Node changed = assigned(part, print(path), declaration.position(), declaration.value());
+      Storage part = contents.read(path);
+      Storage changed = assigned(part, print(path), declaration.position(), declaration.value());
       owner.put(variable.with(contents.change(path, old -> changed)));
     } catch (RefusedException e) {
       throw refused(declaration.position(), print(path), e);
@@ -421,23 +422,23 @@ public final class DataListLoader {
   }
 
   /** Gives contents with a value assigned; of an aggregate with every field that is right. */
-  private Node assigned(Node node, String name, Position where, Expression value)
+  private Storage assigned(Storage storage, String name, Position where, Expression value)
       throws KrlErrorException {
-    if (node instanceof Node.ArrayNode) {
+    if (storage instanceof Storage.Array) {
       throw byElement(where, name);
     }
-    if (value instanceof Expression.Aggregate aggregate && node instanceof Node.StrucNode struc) {
+    if (value instanceof Expression.Aggregate aggregate && storage instanceof Storage.Struc struc) {
       return withFields(struc, name, aggregate);
     }
     KrlValue evaluated = ConstantExpressions.evaluate(value, module);
     try {
-      return node.assign(evaluated);
+      return storage.assign(evaluated);
     } catch (RefusedException e) {
       throw refused(value.position(), name, e);
     }
   }
 
-  private Node withFields(Node.StrucNode struc, String name, Expression.Aggregate aggregate)
+  private Storage withFields(Storage.Struc struc, String name, Expression.Aggregate aggregate)
       throws KrlErrorException {
     String typeName = aggregate.type();
     if (typeName != null && !typeName.equalsIgnoreCase(struc.type().name())) {
@@ -445,7 +446,7 @@ public final class DataListLoader {
           aggregate.position(),
           name + ": needs " + struc.type().name() + ", was given an aggregate of " + typeName);
     }
-    Node result = struc;
+    Storage result = struc;
     Set<String> names = new HashSet<>();
     for (Expression.Field field : aggregate.fields()) {
       try {
@@ -462,22 +463,22 @@ public final class DataListLoader {
     return result;
   }
 
-  private Node withField(Node struc, Expression.Field field) throws KrlErrorException {
+  private Storage withField(Storage struc, Expression.Field field) throws KrlErrorException {
     try {
-      Path path = Path.parse(field.name());
+      VariablePath path = VariablePath.parse(field.name());
       String component = path.first().name();
-      Node contents = struc.component(component);
-      Node part = contents.read(path);
-      Node changed = assigned(part, field.name(), field.position(), field.value());
+      Storage contents = struc.component(component);
+      Storage part = contents.read(path);
+      Storage changed = assigned(part, field.name(), field.position(), field.value());
       return struc.changeComponent(component, old -> contents.change(path, same -> changed));
     } catch (RefusedException e) {
       throw refused(field.position(), field.name(), e);
     }
   }
 
-  private static String print(Path path) {
+  private static String print(VariablePath path) {
     StringBuilder out = new StringBuilder();
-    for (Path.Step step : path.steps()) {
+    for (VariablePath.Step step : path.steps()) {
       out.append(out.length() > 0 ? "." : "").append(step.name()).append(step.index());
     }
     return out.toString();

@@ -23,9 +23,9 @@ public final class DataListWriter {
   private static final String LINE_END = "\r\n";
 
   private final StringBuilder out = new StringBuilder();
-  private final Map<String, Note> notes;
+  private final Map<String, VariableNote> notes;
 
-  private DataListWriter(Map<String, Note> notes) {
+  private DataListWriter(Map<String, VariableNote> notes) {
     this.notes = notes;
   }
 
@@ -41,7 +41,10 @@ public final class DataListWriter {
    * @throws IllegalStateException if it cannot be written as a data list
    */
   public static String write(
-      String name, Scope scope, @Nullable Collection<String> chosen, Map<String, Note> notes) {
+      String name,
+      Scope scope,
+      @Nullable Collection<String> chosen,
+      Map<String, VariableNote> notes) {
     DataListWriter writer = new DataListWriter(notes);
     synchronized (scope) {
       writer.list(name, scope, chosen);
@@ -50,24 +53,24 @@ public final class DataListWriter {
   }
 
   private void list(String name, Scope scope, @Nullable Collection<String> chosen) {
-    List<Variable> variables = new ArrayList<>(scope.variables());
+    List<VariableEntry> variables = new ArrayList<>(scope.variables());
     variables.removeIf(v -> chosen != null && !chosen.contains(Scope.key(v.name())));
-    variables.sort(Comparator.comparing(Variable::name));
-    Map<Variable, Node> contents = new LinkedHashMap<>();
-    List<Variable> signals = new ArrayList<>();
+    variables.sort(Comparator.comparing(VariableEntry::name));
+    Map<VariableEntry, Storage> contents = new LinkedHashMap<>();
+    List<VariableEntry> signals = new ArrayList<>();
     Map<String, Type> types = new LinkedHashMap<>();
     if (chosen == null) {
       List<Type> all = new ArrayList<>(scope.types());
       all.sort(Comparator.comparing(Type::name));
       all.forEach(type -> collect(type, types));
     }
-    for (Variable variable : variables) {
-      Node node = current(variable);
-      if (node == null) {
+    for (VariableEntry variable : variables) {
+      Storage storage = current(variable);
+      if (storage == null) {
         signals.add(variable);
       } else {
-        contents.put(variable, node);
-        collect(Shape.of(node).type(), types);
+        contents.put(variable, storage);
+        collect(DeclaredType.of(storage).type(), types);
       }
     }
 
@@ -79,7 +82,7 @@ public final class DataListWriter {
     line("ENDDAT");
   }
 
-  private static @Nullable Node current(Variable variable) {
+  private static @Nullable Storage current(VariableEntry variable) {
     try {
       return Scope.current(variable);
     } catch (RefusedException e) {
@@ -98,8 +101,8 @@ public final class DataListWriter {
     line(";ENDFOLD (" + title + ")");
   }
 
-  private String comment(Variable variable, Access access) {
-    String text = notes.getOrDefault(Scope.key(variable.name()), Note.NONE).comment(access);
+  private String comment(VariableEntry variable, Access access) {
+    String text = notes.getOrDefault(Scope.key(variable.name()), VariableNote.NONE).comment(access);
     return text.isEmpty() ? "" : " ;" + text;
   }
 
@@ -146,22 +149,22 @@ public final class DataListWriter {
 
   // variables
 
-  private void declareSignal(Variable variable) {
-    Signal signal = variable.signal();
+  private void declareSignal(VariableEntry variable) {
+    SignalWiring signal = variable.signal();
     if (signal != null) {
       line("SIGNAL " + variable.name() + " " + signal + comment(variable, variable.access()));
     }
   }
 
-  private void declareVariable(Variable variable, Node contents) {
-    Shape shape = Shape.of(contents);
+  private void declareVariable(VariableEntry variable, Storage contents) {
+    DeclaredType shape = DeclaredType.of(contents);
     String name = variable.name();
-    Node.ArrayNode array = contents instanceof Node.ArrayNode elements ? elements : null;
+    Storage.Array array = contents instanceof Storage.Array elements ? elements : null;
     String value = array == null ? inline(name, contents) : null;
-    boolean isText = contents instanceof Node.TextNode;
+    boolean isText = contents instanceof Storage.Text;
     boolean constant =
         variable.access() == Access.READ_ONLY
-            && contents instanceof Node.ScalarNode
+            && contents instanceof Storage.Scalar
             && value != null
             && !name.startsWith("$");
     String filling = array != null && name.startsWith("$") ? filling(name, array) : null;
@@ -187,30 +190,30 @@ public final class DataListWriter {
    * Gives what can stand behind an equals sign: everything but the elements of arrays; null if
    * nothing of that has a value.
    */
-  private static @Nullable String inline(String path, Node node) {
-    if (node instanceof Node.StrucNode struc) {
+  private static @Nullable String inline(String path, Storage storage) {
+    if (storage instanceof Storage.Struc struc) {
       StringBuilder text = new StringBuilder();
-      List<Node> parts = struc.parts();
+      List<Storage> parts = struc.parts();
       for (int i = 0; i < parts.size(); i++) {
-        Node part = parts.get(i);
+        Storage part = parts.get(i);
         String name = struc.type().components().get(i).name();
         String value = inline(path + "." + name, part);
         if (value != null) {
           text.append(text.length() == 0 ? "{" : ",").append(name);
-          text.append(part instanceof Node.TextNode ? "[] " : " ").append(value);
+          text.append(part instanceof Storage.Text ? "[] " : " ").append(value);
         }
       }
       return text.length() == 0 ? null : text.append('}').toString();
     }
-    if (node instanceof Node.ArrayNode || !node.initialised()) {
+    if (storage instanceof Storage.Array || !storage.initialised()) {
       return null;
     }
-    return scalar(path, value(node));
+    return scalar(path, value(storage));
   }
 
-  private static KrlValue value(Node node) {
+  private static KrlValue value(Storage storage) {
     try {
-      return node.value();
+      return storage.value();
     } catch (RefusedException e) {
       throw new IllegalStateException("it is initialised: " + e.getMessage(), e);
     }
@@ -227,15 +230,15 @@ public final class DataListWriter {
   }
 
   /** Writes the elements of the arrays that a structure has inside. */
-  private void arraysIn(String path, Node node) {
-    if (!(node instanceof Node.StrucNode struc)) {
+  private void arraysIn(String path, Storage storage) {
+    if (!(storage instanceof Storage.Struc struc)) {
       return;
     }
-    List<Node> parts = struc.parts();
+    List<Storage> parts = struc.parts();
     for (int i = 0; i < parts.size(); i++) {
-      Node part = parts.get(i);
+      Storage part = parts.get(i);
       String name = path + "." + struc.type().components().get(i).name();
-      if (part instanceof Node.ArrayNode array) {
+      if (part instanceof Storage.Array array) {
         elements(name, array, null);
       } else {
         arraysIn(name, part);
@@ -243,11 +246,11 @@ public final class DataListWriter {
     }
   }
 
-  private void elements(String path, Node.ArrayNode array, @Nullable String filling) {
-    List<Node> elements = array.elements();
+  private void elements(String path, Storage.Array array, @Nullable String filling) {
+    List<Storage> elements = array.elements();
     for (int i = 0; i < elements.size(); i++) {
-      Node element = elements.get(i);
-      String name = path + new Index(array.indicesOf(i), element instanceof Node.TextNode);
+      Storage element = elements.get(i);
+      String name = path + new Index(array.indicesOf(i), element instanceof Storage.Text);
       String value = inline(name, element);
       if (value != null && !value.equals(filling)) {
         line(name + "=" + value);
@@ -260,17 +263,17 @@ public final class DataListWriter {
    * Gives the value that may stand for all elements of an array, as most of them have it; null if
    * there is none. Only for what has no parts: an element cannot lose a component again.
    */
-  private static @Nullable String filling(String path, Node.ArrayNode array) {
+  private static @Nullable String filling(String path, Storage.Array array) {
     Map<String, Integer> counts = new HashMap<>();
-    List<Node> elements = array.elements();
-    for (Node element : elements) {
+    List<Storage> elements = array.elements();
+    for (Storage element : elements) {
       String value = inline(path, element);
       if (value == null) {
         return null;
       }
       counts.merge(value, 1, Integer::sum);
     }
-    boolean mayDiffer = !(elements.get(0) instanceof Node.StrucNode);
+    boolean mayDiffer = !(elements.get(0) instanceof Storage.Struc);
     int needed = mayDiffer ? elements.size() / 2 + 1 : elements.size();
     for (Map.Entry<String, Integer> entry : counts.entrySet()) {
       if (entry.getValue() >= needed) {

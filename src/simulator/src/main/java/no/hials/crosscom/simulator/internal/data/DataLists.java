@@ -106,15 +106,15 @@ public final class DataLists {
    * @param list the data list
    * @return the notes by the names of the variables in upper case
    */
-  public static Map<String, Note> notes(DataList list) {
-    Map<String, Note> notes = new HashMap<>();
+  public static Map<String, VariableNote> notes(DataList list) {
+    Map<String, VariableNote> notes = new HashMap<>();
     for (Declaration declaration : list.declarations()) {
       if (declaration instanceof Declaration.Variables group && isGlobal(list, group.global())) {
-        Note note = Note.of(group.comment());
+        VariableNote note = VariableNote.of(group.comment());
         group.variables().forEach(variable -> notes.put(Scope.key(variable.name()), note));
       } else if (declaration instanceof Declaration.Signal signal
           && isGlobal(list, signal.global())) {
-        notes.put(Scope.key(signal.name()), Note.of(signal.comment()));
+        notes.put(Scope.key(signal.name()), VariableNote.of(signal.comment()));
       }
     }
     return notes;

@@ -25,7 +25,7 @@ record Declarator(Type type, String name, List<Integer> dimensions) {
   /** Takes a declared name apart, such as {@code TOOL_NAME[16,24]}. */
   static Declarator parse(Type type, String text) {
     Matcher matcher = FORM.matcher(text.strip().replaceAll("\\s*([\\[\\],])\\s*", "$1"));
-    if (!matcher.matches() || !Path.isName(matcher.group(1))) {
+    if (!matcher.matches() || !VariablePath.isName(matcher.group(1))) {
       throw new IllegalArgumentException(
           "a declaration is a name with or without [dimensions], is '" + text + "'");
     }
@@ -57,12 +57,12 @@ record Declarator(Type type, String name, List<Integer> dimensions) {
     return new Declarator(type, name, List.copyOf(dimensions));
   }
 
-  Node uninitialised() {
+  Storage uninitialised() {
     int depth = dimensions.size();
-    Node element = type.uninitialised();
+    Storage element = type.uninitialised();
     if (type == Type.Base.CHAR && depth > 0) {
       depth--;
-      element = new Node.TextNode(dimensions.get(depth), null);
+      element = new Storage.Text(dimensions.get(depth), null);
     }
     if (depth == 0) {
       return element;
@@ -73,8 +73,8 @@ record Declarator(Type type, String name, List<Integer> dimensions) {
       lengths[i] = dimensions.get(i);
       count *= lengths[i];
     }
-    Node[] elements = new Node[count];
+    Storage[] elements = new Storage[count];
     Arrays.fill(elements, element);
-    return new Node.ArrayNode(lengths, elements);
+    return new Storage.Array(lengths, elements);
   }
 }

@@ -50,7 +50,7 @@ public final class Scope {
      * @param value the value
      * @throws RefusedException if it is not possible
      */
-    void check(Path path, KrlValue value) throws RefusedException;
+    void check(VariablePath path, KrlValue value) throws RefusedException;
   }
 
   /**
@@ -63,7 +63,7 @@ public final class Scope {
 
   private final @Nullable Scope parent;
   private final Map<String, Type> types = new HashMap<>();
-  private final Map<String, Variable> variables = new HashMap<>();
+  private final Map<String, VariableEntry> variables = new HashMap<>();
   private final Map<String, Guard> guards = new HashMap<>();
 
   /** The outputs that system signals are wired to; null if that has to be found out again. */
@@ -94,7 +94,7 @@ public final class Scope {
    */
   public void copyFrom(Scope other) {
     Map<String, Type> otherTypes;
-    Map<String, Variable> otherVariables;
+    Map<String, VariableEntry> otherVariables;
     Map<String, Guard> otherGuards;
     synchronized (other) {
       otherTypes = Map.copyOf(other.types);
@@ -122,7 +122,7 @@ public final class Scope {
   }
 
   private static void checkTypeName(String name) {
-    if (!Path.isName(name)) {
+    if (!VariablePath.isName(name)) {
       throw new IllegalArgumentException("a type's name is a KRL name, is '" + name + "'");
     }
     for (Type.Base type : Type.Base.values()) {
@@ -194,11 +194,11 @@ public final class Scope {
       String declarator, String type, Access access, @Nullable KrlValue value)
       throws RefusedException {
     Declarator parsed = Declarator.parse(type(type), declarator);
-    Node contents = parsed.uninitialised();
+    Storage contents = parsed.uninitialised();
     if (value != null) {
       contents = contents.assign(value);
     }
-    put(new Variable(parsed.name(), access, contents, null, null));
+    put(new VariableEntry(parsed.name(), access, contents, null, null));
   }
 
   /**
@@ -213,11 +213,11 @@ public final class Scope {
     if (!parsed.dimensions().isEmpty()) {
       throw new IllegalArgumentException("SIGNAL " + name + " must have no dimensions");
     }
-    put(new Variable(parsed.name(), access, null, Signal.parse(wiring), null));
+    put(new VariableEntry(parsed.name(), access, null, SignalWiring.parse(wiring), null));
   }
 
   /** Takes a variable in place of one of the same name in this scope. */
-  synchronized void put(Variable variable) {
+  synchronized void put(VariableEntry variable) {
     variables.put(key(variable.name()), variable);
     systemOutputs = null;
   }
@@ -254,7 +254,7 @@ public final class Scope {
   }
 
   /** Gives the variables of this scope itself, in any order; a copy. */
-  synchronized List<Variable> variables() {
+  synchronized List<VariableEntry> variables() {
     return List.copyOf(variables.values());
   }
 
@@ -264,8 +264,8 @@ public final class Scope {
   }
 
   /** Gives a variable of this scope or of one around it by its key; null if none has it. */
-  synchronized @Nullable Variable lookup(String key) {
-    Variable variable = variables.get(key);
+  synchronized @Nullable VariableEntry lookup(String key) {
+    VariableEntry variable = variables.get(key);
     return variable != null || parent == null ? variable : parent.lookup(key);
   }
 
@@ -276,7 +276,7 @@ public final class Scope {
    */
   public synchronized SortedSet<String> names() {
     SortedSet<String> names = new TreeSet<>();
-    for (Variable variable : variables.values()) {
+    for (VariableEntry variable : variables.values()) {
       names.add(variable.name());
     }
     return names;
@@ -290,7 +290,7 @@ public final class Scope {
    *     quick and must not wait
    */
   public synchronized void bind(String name, Supplier<KrlValue> value) {
-    Variable variable = variables.get(key(name));
+    VariableEntry variable = variables.get(key(name));
     if (variable == null || variable.contents() == null) {
       throw new IllegalArgumentException(name + " is no variable that could be bound");
     }
@@ -315,7 +315,7 @@ public final class Scope {
    */
   public synchronized boolean attempt(BooleanSupplier change) {
     Map<String, Type> oldTypes = Map.copyOf(types);
-    Map<String, Variable> oldVariables = Map.copyOf(variables);
+    Map<String, VariableEntry> oldVariables = Map.copyOf(variables);
     boolean done = false;
     try {
       done = change.getAsBoolean();
@@ -340,12 +340,12 @@ public final class Scope {
    * @return the value
    * @throws RefusedException if there is no such variable, or it has no value
    */
-  public synchronized KrlValue read(Path path) throws RefusedException {
-    Variable variable = variables.get(path.first().name());
+  public synchronized KrlValue read(VariablePath path) throws RefusedException {
+    VariableEntry variable = variables.get(path.first().name());
     if (variable == null) {
       return around(path).read(path);
     }
-    Node contents = current(variable);
+    Storage contents = current(variable);
     return contents == null ? signalValue(path, variable) : contents.read(path).value();
   }
 
@@ -356,12 +356,12 @@ public final class Scope {
    * @return the text
    * @throws RefusedException if there is no such variable, or it has no value
    */
-  public synchronized String print(Path path) throws RefusedException {
-    Variable variable = variables.get(path.first().name());
+  public synchronized String print(VariablePath path) throws RefusedException {
+    VariableEntry variable = variables.get(path.first().name());
     if (variable == null) {
       return around(path).print(path);
     }
-    Node contents = current(variable);
+    Storage contents = current(variable);
     return contents == null ? signalValue(path, variable).print() : contents.read(path).text();
   }
 
@@ -372,12 +372,12 @@ public final class Scope {
    * @return the contents
    * @throws RefusedException if there is no such variable
    */
-  public synchronized Node node(Path path) throws RefusedException {
-    Variable variable = variables.get(path.first().name());
+  public synchronized Storage storage(VariablePath path) throws RefusedException {
+    VariableEntry variable = variables.get(path.first().name());
     if (variable == null) {
-      return around(path).node(path);
+      return around(path).storage(path);
     }
-    Node contents = current(variable);
+    Storage contents = current(variable);
     if (contents == null) {
       throw new RefusedException(Refusal.UNKNOWN_VARIABLE, variable.name() + " is a SIGNAL");
     }
@@ -391,8 +391,8 @@ public final class Scope {
    * @return the contents
    * @throws RefusedException if there is no such variable
    */
-  public synchronized Node contents(String name) throws RefusedException {
-    Node contents = current(find(key(name)));
+  public synchronized Storage contents(String name) throws RefusedException {
+    Storage contents = current(find(key(name)));
     if (contents == null) {
       throw new RefusedException(Refusal.UNKNOWN_VARIABLE, name + " is a SIGNAL");
     }
@@ -400,21 +400,21 @@ public final class Scope {
   }
 
   /** Gives what a variable holds now; null for a SIGNAL. */
-  static @Nullable Node current(Variable variable) throws RefusedException {
-    Node contents = variable.contents();
+  static @Nullable Storage current(VariableEntry variable) throws RefusedException {
+    Storage contents = variable.contents();
     Supplier<KrlValue> source = variable.source();
     return contents == null || source == null ? contents : contents.assign(source.get());
   }
 
-  private Scope around(Path path) throws RefusedException {
+  private Scope around(VariablePath path) throws RefusedException {
     if (parent == null) {
       throw new RefusedException(Refusal.UNKNOWN_VARIABLE, "no variable " + path.first().name());
     }
     return parent;
   }
 
-  private Variable find(String key) throws RefusedException {
-    Variable variable = variables.get(key);
+  private VariableEntry find(String key) throws RefusedException {
+    VariableEntry variable = variables.get(key);
     if (variable == null) {
       throw new RefusedException(Refusal.UNKNOWN_VARIABLE, "no variable " + key);
     }
@@ -431,8 +431,9 @@ public final class Scope {
    * @throws RefusedException if there is no such variable, it must not be written, or the value is
    *     not of its type; then nothing has changed
    */
-  public synchronized void write(Path path, KrlValue value, Writer writer) throws RefusedException {
-    Variable variable = variables.get(path.first().name());
+  public synchronized void write(VariablePath path, KrlValue value, Writer writer)
+      throws RefusedException {
+    VariableEntry variable = variables.get(path.first().name());
     if (variable == null) {
       around(path).write(path, value, writer);
       return;
@@ -449,16 +450,16 @@ public final class Scope {
     assign(path, variable, value, writer);
   }
 
-  private void assign(Path path, Variable variable, KrlValue value, Writer writer)
+  private void assign(VariablePath path, VariableEntry variable, KrlValue value, Writer writer)
       throws RefusedException {
-    Node contents = variable.contents();
+    Storage contents = variable.contents();
     if (contents == null) {
       assignSignal(path, variable, value, writer);
       return;
     }
     String key = path.first().name();
     if (writer == Writer.CLIENT) {
-      if (contents.read(path) instanceof Node.ArrayNode) {
+      if (contents.read(path) instanceof Storage.Array) {
         // assumed: there is no way to set an array as a whole before KSS 8 (krl.md 1.4, ISS #14),
         // and none is documented for later
         throw new RefusedException(Refusal.WHOLE_ARRAY, "an array is written by element");
@@ -487,7 +488,7 @@ public final class Scope {
    * @return whether it is one
    */
   public synchronized boolean isSignal(String name) {
-    Variable variable = variables.get(key(name));
+    VariableEntry variable = variables.get(key(name));
     return variable != null && variable.signal() != null;
   }
 
@@ -499,11 +500,11 @@ public final class Scope {
    *     SIGNAL or not wired
    */
   public synchronized Optional<String> wiredArray(String name) {
-    Variable variable = variables.get(key(name));
+    VariableEntry variable = variables.get(key(name));
     if (variable == null) {
       return parent == null ? Optional.empty() : parent.wiredArray(name);
     }
-    Signal signal = variable.signal();
+    SignalWiring signal = variable.signal();
     return signal == null ? Optional.empty() : Optional.ofNullable(signal.array());
   }
 
@@ -514,23 +515,24 @@ public final class Scope {
    * @return its number; nothing if the variable is no SIGNAL, is not wired or stands for several
    */
   public synchronized OptionalInt wiredElement(String name) {
-    Variable variable = variables.get(key(name));
+    VariableEntry variable = variables.get(key(name));
     if (variable == null) {
       return parent == null ? OptionalInt.empty() : parent.wiredElement(name);
     }
-    Signal signal = variable.signal();
+    SignalWiring signal = variable.signal();
     return signal == null || signal.array() == null || !signal.isSingle()
         ? OptionalInt.empty()
         : OptionalInt.of(signal.first());
   }
 
-  private static Signal checkedSignal(Path path, Variable variable) throws RefusedException {
-    Signal signal = variable.signal();
+  private static SignalWiring checkedSignal(VariablePath path, VariableEntry variable)
+      throws RefusedException {
+    SignalWiring signal = variable.signal();
     if (signal == null) {
       throw new IllegalStateException(variable.name() + " has neither contents nor wiring");
     }
     if (!path.first().index().isNone()) {
-      throw Node.badIndex("a SIGNAL is no array");
+      throw Storage.badIndex("a SIGNAL is no array");
     }
     if (!path.isLast(0)) {
       throw new RefusedException(Refusal.UNKNOWN_COMPONENT, "a SIGNAL has no components");
@@ -538,8 +540,8 @@ public final class Scope {
     return signal;
   }
 
-  private KrlValue signalValue(Path path, Variable variable) throws RefusedException {
-    Signal signal = checkedSignal(path, variable);
+  private KrlValue signalValue(VariablePath path, VariableEntry variable) throws RefusedException {
+    SignalWiring signal = checkedSignal(path, variable);
     String array = signal.array();
     if (array == null) {
       return new KrlBool(false);
@@ -558,12 +560,13 @@ public final class Scope {
   }
 
   private KrlValue elementValue(String array, int index) throws RefusedException {
-    return node(Path.element(array, index)).value();
+    return storage(VariablePath.element(array, index)).value();
   }
 
-  private void assignSignal(Path path, Variable variable, KrlValue value, Writer writer)
+  private void assignSignal(
+      VariablePath path, VariableEntry variable, KrlValue value, Writer writer)
       throws RefusedException {
-    Signal signal = checkedSignal(path, variable);
+    SignalWiring signal = checkedSignal(path, variable);
     String array = signal.array();
     if (array == null) {
       throw new RefusedException(Refusal.READ_ONLY, "is not wired");
@@ -571,19 +574,19 @@ public final class Scope {
     assignWired(signal, value, writer);
   }
 
-  private synchronized void assignWired(Signal signal, KrlValue value, Writer writer)
+  private synchronized void assignWired(SignalWiring signal, KrlValue value, Writer writer)
       throws RefusedException {
     String array = String.valueOf(signal.array());
     if (parent != null && !variables.containsKey(array)) {
       parent.assignWired(signal, value, writer);
       return;
     }
-    Variable target = find(array);
+    VariableEntry target = find(array);
     if (writer != Writer.SYSTEM && target.access() == Access.READ_ONLY) {
       throw new RefusedException(Refusal.READ_ONLY, array + " may only be read");
     }
     if (signal.isSingle()) {
-      assign(Path.element(array, signal.first()), target, value, writer);
+      assign(VariablePath.element(array, signal.first()), target, value, writer);
       return;
     }
     if (!(value instanceof KrlInt number)) {
@@ -597,7 +600,7 @@ public final class Scope {
     for (int i = 0; i < width; i++) {
       KrlBool bit = new KrlBool((number.value() >>> i & 1) != 0);
       try {
-        assign(Path.element(array, signal.first() + i), find(array), bit, writer);
+        assign(VariablePath.element(array, signal.first() + i), find(array), bit, writer);
       } catch (RefusedException e) {
         variables.put(array, target); // all bits or none
         throw e;
@@ -609,8 +612,8 @@ public final class Scope {
     BitSet known = systemOutputs;
     if (known == null) {
       known = new BitSet();
-      for (Variable variable : variables.values()) {
-        Signal signal = variable.signal();
+      for (VariableEntry variable : variables.values()) {
+        SignalWiring signal = variable.signal();
         if (signal != null && variable.name().startsWith("$") && OUTPUTS.equals(signal.array())) {
           known.set(signal.first(), signal.last() + 1);
         }

@@ -22,7 +22,7 @@ sealed interface Type {
   String name();
 
   /** Gives a variable of this type without a value. */
-  Node uninitialised();
+  Storage uninitialised();
 
   /** A type whose values have no parts. */
   sealed interface Scalar extends Type {
@@ -35,8 +35,8 @@ sealed interface Type {
     KrlValue convert(KrlValue value) throws RefusedException;
 
     @Override
-    default Node uninitialised() {
-      return new Node.ScalarNode(this, null);
+    default Storage uninitialised() {
+      return new Storage.Scalar(this, null);
     }
   }
 
@@ -96,7 +96,7 @@ sealed interface Type {
             throw new RefusedException(
                 Refusal.OUT_OF_RANGE, "needs one character, was given " + value);
           }
-          Node.checkLatin1(string);
+          Storage.checkLatin1(string);
           return value;
         }
         throw wrongType(this, value);
@@ -177,12 +177,12 @@ sealed interface Type {
     }
 
     @Override
-    public Node uninitialised() {
-      Node[] parts = new Node[components.size()];
+    public Storage uninitialised() {
+      Storage[] parts = new Storage[components.size()];
       for (int i = 0; i < parts.length; i++) {
         parts[i] = components.get(i).uninitialised();
       }
-      return new Node.StrucNode(this, parts);
+      return new Storage.Struc(this, parts);
     }
 
     /**

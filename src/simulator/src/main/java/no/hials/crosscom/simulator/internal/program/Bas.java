@@ -8,8 +8,8 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,11 +26,12 @@ final class Bas {
     this.scope = scope;
   }
 
-  static @Nullable KrlValue call(Machine machine, Names names, @Nullable Object[] arguments)
+  static @Nullable KrlValue call(
+      KrlVirtualMachine machine, SymbolTable names, @Nullable Object[] arguments)
       throws ProgramFault {
     KrlValue command = Builtins.value(arguments, 0);
     if (!(command instanceof KrlEnum constant)) {
-      throw Machine.wrongType("a command of BAS", command);
+      throw KrlVirtualMachine.wrongType("a command of BAS", command);
     }
     KrlValue argument = arguments[1] instanceof KrlValue given ? given : new KrlInt(0);
     new Bas(names.scope()).execute(constant.name().toUpperCase(Locale.ROOT), argument);
@@ -115,8 +116,8 @@ final class Bas {
     }
     KrlValue percent = find("LDAT_ACT.ACC");
     if (percent != null) {
-      double full = Machine.number(get("DEF_ACC_CP"));
-      set("$ACC.CP", KrlReal.of(full * Machine.number(percent) / 100));
+      double full = KrlVirtualMachine.number(get("DEF_ACC_CP"));
+      set("$ACC.CP", KrlReal.of(full * KrlVirtualMachine.number(percent) / 100));
     }
     setIfGiven("$APO.CDIS", "LDAT_ACT.APO_DIST");
     setIfGiven("$ORI_TYPE", "LDAT_ACT.ORI_TYP");
@@ -138,7 +139,7 @@ final class Bas {
   }
 
   private static int number(KrlValue value) throws ProgramFault {
-    return (int) Math.rint(Machine.number(value));
+    return (int) Math.rint(KrlVirtualMachine.number(value));
   }
 
   private void setAxes(String array, KrlValue percent) throws ProgramFault {
@@ -149,7 +150,7 @@ final class Bas {
 
   private KrlValue get(String name) throws ProgramFault {
     try {
-      return scope.read(Path.parse(name));
+      return scope.read(VariablePath.parse(name));
     } catch (RefusedException e) {
       throw ProgramFault.of("BAS: " + name, e);
     }
@@ -158,7 +159,7 @@ final class Bas {
   /** Gives the value of what there has to be, or null if it has none. */
   private @Nullable KrlValue find(String name) throws ProgramFault {
     try {
-      return scope.read(Path.parse(name));
+      return scope.read(VariablePath.parse(name));
     } catch (RefusedException e) {
       if (e.reason() == Refusal.NOT_INITIALISED) {
         return null;
@@ -169,7 +170,7 @@ final class Bas {
 
   private void set(String name, KrlValue value) throws ProgramFault {
     try {
-      scope.write(Path.parse(name), value, Scope.Writer.PROGRAM);
+      scope.write(VariablePath.parse(name), value, Scope.Writer.PROGRAM);
     } catch (RefusedException e) {
       throw ProgramFault.of("BAS: " + name, e);
     }

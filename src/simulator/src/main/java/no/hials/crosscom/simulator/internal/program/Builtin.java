@@ -36,7 +36,8 @@ record Builtin(String name, boolean function, List<Kind> parameters, int optiona
      * @param arguments one for each parameter; null for one that is left out
      * @return the value of a function
      */
-    @Nullable KrlValue call(Machine machine, Names names, @Nullable Object[] arguments)
+    @Nullable KrlValue call(
+        KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
         throws ProgramFault;
   }
 }

@@ -16,8 +16,8 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.internal.data.Node;
-import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Storage;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.program.Builtin.Kind;
 import org.jspecify.annotations.Nullable;
 
@@ -32,7 +32,7 @@ final class Builtins {
   private static final Set<String> UNSUPPORTED =
       Set.of("SWRITE", "SREAD", "CWRITE", "CREAD", "COPEN", "CCLOSE");
 
-  private static final Path WHOLE = path("VALUE");
+  private static final VariablePath WHOLE = path("VALUE");
   private static final KrlInt DONE = new KrlInt(0);
   private static final KrlInt FAILED = new KrlInt(-1);
   private static final KrlInt NOT_FOUND = new KrlInt(-1);
@@ -45,12 +45,16 @@ final class Builtins {
     function("SQRT", List.of(Kind.VALUE), Builtins::squareRoot);
     function("ACOS", List.of(Kind.VALUE), Builtins::arcCosine);
     function("ATAN2", List.of(Kind.VALUE, Kind.VALUE), Builtins::arcTangent);
-    function("INV_POS", List.of(Kind.VALUE), (machine, names, a) -> Frames.inverse(value(a, 0)));
+    function(
+        "INV_POS",
+        List.of(Kind.VALUE),
+        (machine, symbols, a) -> FrameArithmetic.inverse(value(a, 0)));
     function("FORWARD", List.of(Kind.VALUE, Kind.OUT), Builtins::forward);
     function("INVERSE", List.of(Kind.VALUE, Kind.VALUE, Kind.OUT), Builtins::inverse);
     function("VARSTATE", List.of(Kind.TEXT), Builtins::varState);
-    function("STRLEN", List.of(Kind.TEXT), (machine, names, a) -> new KrlInt(text(a, 0).length()));
-    function("STRDECLLEN", List.of(Kind.OUT), (machine, names, a) -> new KrlInt(capacity(a, 0)));
+    function(
+        "STRLEN", List.of(Kind.TEXT), (machine, symbols, a) -> new KrlInt(text(a, 0).length()));
+    function("STRDECLLEN", List.of(Kind.OUT), (machine, symbols, a) -> new KrlInt(capacity(a, 0)));
     function("STRCLEAR", List.of(Kind.OUT), Builtins::clear);
     function("STRCOPY", List.of(Kind.OUT, Kind.TEXT), Builtins::copy);
     function("STRADD", List.of(Kind.OUT, Kind.TEXT), Builtins::add);
@@ -60,7 +64,7 @@ final class Builtins {
             true,
             List.of(Kind.TEXT, Kind.TEXT, Kind.VALUE),
             1,
-            (machine, names, a) -> new KrlBool(folded(a, 0, 2).equals(folded(a, 1, 2)))));
+            (machine, symbols, a) -> new KrlBool(folded(a, 0, 2).equals(folded(a, 1, 2)))));
     add(
         new Builtin(
             "STRFIND",
@@ -68,7 +72,7 @@ final class Builtins {
             List.of(Kind.VALUE, Kind.TEXT, Kind.TEXT, Kind.VALUE),
             1,
             Builtins::find));
-    add(new Builtin("IR_STOPM", false, List.of(), 0, (machine, names, a) -> null));
+    add(new Builtin("IR_STOPM", false, List.of(), 0, (machine, symbols, a) -> null));
     add(new Builtin("BAS", false, List.of(Kind.VALUE, Kind.VALUE), 1, Bas::call));
   }
 
@@ -96,13 +100,13 @@ final class Builtins {
     function(
         name,
         List.of(Kind.VALUE),
-        (machine, names, arguments) ->
+        (machine, symbols, arguments) ->
             Operators.real(operator.applyAsDouble(number(arguments, 0))));
   }
 
-  private static Path path(String name) {
+  private static VariablePath path(String name) {
     try {
-      return Path.parse(name);
+      return VariablePath.parse(name);
     } catch (RefusedException e) {
       throw new IllegalArgumentException(e);
     }
@@ -115,16 +119,16 @@ final class Builtins {
   }
 
   private static double number(@Nullable Object[] arguments, int at) throws ProgramFault {
-    return Machine.number(value(arguments, at));
+    return KrlVirtualMachine.number(value(arguments, at));
   }
 
   private static Reference reference(@Nullable Object[] arguments, int at) {
     return (Reference) Objects.requireNonNull(arguments[at]);
   }
 
-  private static Node node(Reference reference) throws ProgramFault {
+  private static Storage storage(Reference reference) throws ProgramFault {
     try {
-      return reference.node(WHOLE);
+      return reference.storage(WHOLE);
     } catch (RefusedException e) {
       throw ProgramFault.of(reference.name(WHOLE), e);
     }
@@ -135,7 +139,7 @@ final class Builtins {
       return string.text();
     }
     Reference reference = reference(arguments, at);
-    Optional<String> characters = node(reference).characters();
+    Optional<String> characters = storage(reference).characters();
     if (characters.isEmpty()) {
       throw new ProgramFault(
           ProgramFault.NOT_INITIALISED,
@@ -146,7 +150,7 @@ final class Builtins {
 
   private static int capacity(@Nullable Object[] arguments, int at) throws ProgramFault {
     Reference reference = reference(arguments, at);
-    int capacity = node(reference).capacity();
+    int capacity = storage(reference).capacity();
     if (capacity == 0) {
       throw new ProgramFault(
           ProgramFault.WRONG_TYPE, reference.name(WHOLE) + ": needs a CHAR array");
@@ -156,7 +160,8 @@ final class Builtins {
 
   // numbers
 
-  private static KrlValue squareRoot(Machine machine, Names names, @Nullable Object[] arguments)
+  private static KrlValue squareRoot(
+      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
       throws ProgramFault {
     double number = number(arguments, 0);
     if (number < 0) {
@@ -166,7 +171,8 @@ final class Builtins {
     return Operators.real(Math.sqrt(number));
   }
 
-  private static KrlValue arcCosine(Machine machine, Names names, @Nullable Object[] arguments)
+  private static KrlValue arcCosine(
+      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
       throws ProgramFault {
     double number = number(arguments, 0);
     if (Math.abs(number) > 1) {
@@ -176,7 +182,8 @@ final class Builtins {
     return Operators.real(Math.toDegrees(Math.acos(number)));
   }
 
-  private static KrlValue arcTangent(Machine machine, Names names, @Nullable Object[] arguments)
+  private static KrlValue arcTangent(
+      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
       throws ProgramFault {
     double y = number(arguments, 0);
     double x = number(arguments, 1);
@@ -194,10 +201,11 @@ final class Builtins {
     if (value instanceof KrlStruct struct) {
       return struct;
     }
-    throw Machine.wrongType("a position", value);
+    throw KrlVirtualMachine.wrongType("a position", value);
   }
 
-  private static KrlValue forward(Machine machine, Names names, @Nullable Object[] arguments)
+  private static KrlValue forward(
+      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
       throws ProgramFault {
     Optional<KrlStruct> result = machine.environment().forward(struct(arguments, 0));
     reference(arguments, 1).write(result.isPresent() ? DONE : FAILED);
@@ -205,7 +213,8 @@ final class Builtins {
     return result.orElse(new KrlStruct("E6POS", List.of()));
   }
 
-  private static KrlValue inverse(Machine machine, Names names, @Nullable Object[] arguments)
+  private static KrlValue inverse(
+      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
       throws ProgramFault {
     Optional<KrlStruct> result =
         machine.environment().inverse(struct(arguments, 0), struct(arguments, 1));
@@ -213,18 +222,20 @@ final class Builtins {
     return result.orElse(new KrlStruct("E6AXIS", List.of()));
   }
 
-  private static KrlValue varState(Machine machine, Names names, @Nullable Object[] arguments)
+  private static KrlValue varState(
+      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
       throws ProgramFault {
     String name = text(arguments, 0).strip().toUpperCase(Locale.ROOT);
     try {
-      Path path = Path.parse(name);
-      Place place = names.find(path.first().name());
-      if (place == null) {
+      VariablePath path = VariablePath.parse(name);
+      StorageLocation location = symbols.find(path.first().name());
+      if (location == null) {
         return new KrlEnum("UNKNOWN");
       }
       boolean signal =
-          place instanceof Place.Shared shared && shared.scope().isSignal(path.first().name());
-      boolean initialised = signal || place.node(machine.frame(), path).initialised();
+          location instanceof StorageLocation.Shared shared
+              && shared.scope().isSignal(path.first().name());
+      boolean initialised = signal || location.storage(machine.frame(), path).initialised();
       return new KrlEnum(initialised ? "INITIALIZED" : "DECLARED");
     } catch (RefusedException e) {
       return new KrlEnum("UNKNOWN");
@@ -233,14 +244,16 @@ final class Builtins {
 
   // texts
 
-  private static KrlValue clear(Machine machine, Names names, @Nullable Object[] arguments)
+  private static KrlValue clear(
+      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
       throws ProgramFault {
     capacity(arguments, 0);
     reference(arguments, 0).write(new KrlString(""));
     return new KrlBool(true);
   }
 
-  private static KrlValue copy(Machine machine, Names names, @Nullable Object[] arguments)
+  private static KrlValue copy(
+      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
       throws ProgramFault {
     String text = text(arguments, 1);
     boolean fits = text.length() <= capacity(arguments, 0);
@@ -250,7 +263,8 @@ final class Builtins {
     return new KrlBool(fits);
   }
 
-  private static KrlValue add(Machine machine, Names names, @Nullable Object[] arguments)
+  private static KrlValue add(
+      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
       throws ProgramFault {
     String all = text(arguments, 0) + text(arguments, 1);
     String fitting = all.substring(0, Math.min(all.length(), capacity(arguments, 0)));
@@ -268,11 +282,12 @@ final class Builtins {
     return sensitive ? text : text.toUpperCase(Locale.ROOT);
   }
 
-  private static KrlValue find(Machine machine, Names names, @Nullable Object[] arguments)
+  private static KrlValue find(
+      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
       throws ProgramFault {
     KrlValue start = value(arguments, 0);
     if (!(start instanceof KrlInt from)) {
-      throw Machine.wrongType("INT", start);
+      throw KrlVirtualMachine.wrongType("INT", start);
     }
     int at = folded(arguments, 1, 3).indexOf(folded(arguments, 2, 3), from.value() - 1);
     return at < 0 ? NOT_FOUND : new KrlInt(at + 1);

@@ -7,7 +7,7 @@ import no.hials.crosscom.protocol.value.KrlValue;
 
 /** Collects instructions. */
 final class CodeBuilder {
-  private final List<Operation> operations = new ArrayList<>();
+  private final List<Instruction> operations = new ArrayList<>();
   private final List<Position> positions = new ArrayList<>();
   private final List<Integer> statements = new ArrayList<>();
   private int statement;
@@ -22,7 +22,7 @@ final class CodeBuilder {
     statement = operations.size();
   }
 
-  void emit(Position position, Operation operation) {
+  void emit(Position position, Instruction operation) {
     operations.add(operation);
     positions.add(position);
     statements.add(statement);
@@ -62,9 +62,9 @@ final class CodeBuilder {
         });
   }
 
-  Code build() {
-    return new Code(
-        operations.toArray(new Operation[0]),
+  CompiledCode build() {
+    return new CompiledCode(
+        operations.toArray(new Instruction[0]),
         positions.toArray(new Position[0]),
         statements.stream().mapToInt(Integer::intValue).toArray());
   }

@@ -2,8 +2,8 @@ package no.hials.crosscom.simulator.internal.program;
 
 import java.util.List;
 import no.hials.crosscom.lang.Position;
-import no.hials.crosscom.simulator.internal.data.Node;
-import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Storage;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,7 +24,7 @@ final class CompiledRoutine {
    * @param array whether it is an array
    * @param out whether it is handed over by reference
    */
-  record Parameter(Path path, boolean array, boolean out) {}
+  record Parameter(VariablePath path, boolean array, boolean out) {}
 
   /**
    * What a routine consists of.
@@ -35,7 +35,7 @@ final class CompiledRoutine {
    * @param result a variable of the type of a function's value; null for a subprogram
    * @param temporaries how many values loops and branches keep
    */
-  record Body(Code code, List<Node> locals, @Nullable Node result, int temporaries) {}
+  record Body(CompiledCode code, List<Storage> locals, @Nullable Storage result, int temporaries) {}
 
   CompiledRoutine(String module, String name, boolean function, List<Parameter> parameters) {
     this.module = module;

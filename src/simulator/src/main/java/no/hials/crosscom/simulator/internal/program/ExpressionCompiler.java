@@ -13,8 +13,8 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Index;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /** Compiles expressions: their instructions leave the value on the stack. */
@@ -37,7 +37,7 @@ final class ExpressionCompiler {
   /** Gives the path of a variable's part; its indices are on the stack. */
   @FunctionalInterface
   interface PathSource {
-    Path take(Machine machine) throws ProgramFault;
+    VariablePath take(KrlVirtualMachine machine) throws ProgramFault;
   }
 
   void compile(Expression expression) {
@@ -106,8 +106,8 @@ final class ExpressionCompiler {
         aggregate.position(), machine -> machine.push(struct(aggregate.type(), names, machine)));
   }
 
-  private static KrlStruct struct(@Nullable String type, List<String> names, Machine machine)
-      throws ProgramFault {
+  private static KrlStruct struct(
+      @Nullable String type, List<String> names, KrlVirtualMachine machine) throws ProgramFault {
     KrlValue[] values = new KrlValue[names.size()];
     for (int i = values.length - 1; i >= 0; i--) {
       values[i] = machine.pop();
@@ -126,12 +126,12 @@ final class ExpressionCompiler {
   // variables
 
   private void read(Expression.Variable variable) {
-    Place place = context.names().resolve(variable);
-    if (place != null) {
+    StorageLocation location = context.symbols().resolve(variable);
+    if (location != null) {
       PathSource source = path(variable);
       code.emit(
           variable.position(),
-          machine -> machine.push(place.read(machine.frame(), source.take(machine))));
+          machine -> machine.push(location.read(machine.frame(), source.take(machine))));
     }
   }
 
@@ -141,22 +141,22 @@ final class ExpressionCompiler {
    * @param value compiles the value, which comes behind the indices of the target
    */
   void write(Expression.Variable target, Runnable value) {
-    Place place = context.names().resolve(target);
+    StorageLocation location = context.symbols().resolve(target);
     PathSource source = path(target);
     value.run();
-    if (place != null) {
+    if (location != null) {
       code.emit(
           target.position(),
           machine -> {
             KrlValue assigned = machine.pop();
-            place.write(machine.frame(), source.take(machine), assigned);
+            location.write(machine.frame(), source.take(machine), assigned);
           });
     }
   }
 
   /** Compiles the indices of a variable. */
   PathSource path(Expression.Variable variable) {
-    List<Path.Step> fixed = new ArrayList<>();
+    List<VariablePath.Step> fixed = new ArrayList<>();
     boolean constant = true;
     for (Expression.Step step : variable.steps()) {
       int[] numbers = new int[step.indices().size()];
@@ -167,20 +167,21 @@ final class ExpressionCompiler {
           constant = false;
         }
       }
-      fixed.add(new Path.Step(Scope.key(step.name()), new Index(numbers, step.open())));
+      fixed.add(new VariablePath.Step(Scope.key(step.name()), new Index(numbers, step.open())));
     }
     if (constant) {
-      Path path = new Path(List.copyOf(fixed));
+      VariablePath path = new VariablePath(List.copyOf(fixed));
       return machine -> path;
     }
     variable.steps().forEach(step -> step.indices().forEach(this::compile));
     return machine -> indexed(fixed, machine);
   }
 
-  private static Path indexed(List<Path.Step> steps, Machine machine) throws ProgramFault {
-    Path.Step[] result = new Path.Step[steps.size()];
+  private static VariablePath indexed(List<VariablePath.Step> steps, KrlVirtualMachine machine)
+      throws ProgramFault {
+    VariablePath.Step[] result = new VariablePath.Step[steps.size()];
     for (int i = result.length - 1; i >= 0; i--) {
-      Path.Step step = steps.get(i);
+      VariablePath.Step step = steps.get(i);
       int[] numbers = new int[step.index().count()];
       if (numbers.length == 0) {
         result[i] = step;
@@ -189,9 +190,9 @@ final class ExpressionCompiler {
       for (int n = numbers.length - 1; n >= 0; n--) {
         numbers[n] = machine.popInt();
       }
-      result[i] = new Path.Step(step.name(), new Index(numbers, step.index().isOpen()));
+      result[i] = new VariablePath.Step(step.name(), new Index(numbers, step.index().isOpen()));
     }
-    return new Path(List.of(result));
+    return new VariablePath(List.of(result));
   }
 
   // calls
@@ -266,14 +267,14 @@ final class ExpressionCompiler {
       context.error(argument.position(), "an argument for an :OUT parameter is a variable");
       return;
     }
-    Place place = context.names().resolve(variable);
-    if (place != null) {
+    StorageLocation location = context.symbols().resolve(variable);
+    if (location != null) {
       PathSource source = path(variable);
       code.emit(
           variable.position(),
           machine -> {
-            Path path = source.take(machine);
-            machine.push(new Reference(place, machine.frame(), path));
+            VariablePath path = source.take(machine);
+            machine.push(new Reference(location, machine.frame(), path));
           });
     }
   }
@@ -284,21 +285,22 @@ final class ExpressionCompiler {
     if (argument instanceof Expression.TextLiteral) {
       compile(argument);
     } else if (argument instanceof Expression.Variable variable) {
-      Place place = context.names().resolve(variable);
-      if (place != null) {
+      StorageLocation location = context.symbols().resolve(variable);
+      if (location != null) {
         PathSource source = path(variable);
-        code.emit(position, machine -> pushContents(machine, place, source.take(machine)));
+        code.emit(position, machine -> pushContents(machine, location, source.take(machine)));
       }
     } else {
       context.error(position, "an argument for an array is a variable or a text");
     }
   }
 
-  private static void pushContents(Machine machine, Place place, Path path) throws ProgramFault {
+  private static void pushContents(
+      KrlVirtualMachine machine, StorageLocation location, VariablePath path) throws ProgramFault {
     try {
-      machine.push(place.node(machine.frame(), path));
+      machine.push(location.storage(machine.frame(), path));
     } catch (RefusedException e) {
-      throw ProgramFault.of(place.name(machine.frame(), path), e);
+      throw ProgramFault.of(location.name(machine.frame(), path), e);
     }
   }
 
@@ -342,12 +344,13 @@ final class ExpressionCompiler {
     }
   }
 
-  private void execute(Machine machine, Builtin builtin, boolean valueWanted) throws ProgramFault {
+  private void execute(KrlVirtualMachine machine, Builtin builtin, boolean valueWanted)
+      throws ProgramFault {
     @Nullable Object[] arguments = new Object[builtin.parameters().size()];
     for (int i = arguments.length - 1; i >= 0; i--) {
       arguments[i] = machine.popArgument();
     }
-    KrlValue value = builtin.body().call(machine, context.names(), arguments);
+    KrlValue value = builtin.body().call(machine, context.symbols(), arguments);
     if (valueWanted) {
       machine.push(value);
     }

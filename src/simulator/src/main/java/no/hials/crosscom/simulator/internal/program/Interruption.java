@@ -3,8 +3,8 @@ package no.hials.crosscom.simulator.internal.program;
 /** Why and with what right a program is interrupted: an interrupt or a trigger that has come. */
 final class Interruption {
   private final int priority;
-  private final Frame owner;
-  private final Code action;
+  private final CallFrame owner;
+  private final CompiledCode action;
   private final boolean trigger;
   private boolean holding;
 
@@ -14,7 +14,7 @@ final class Interruption {
    * @param action what is executed
    * @param trigger whether it is a trigger
    */
-  Interruption(int priority, Frame owner, Code action, boolean trigger) {
+  Interruption(int priority, CallFrame owner, CompiledCode action, boolean trigger) {
     this.priority = priority;
     this.owner = owner;
     this.action = action;
@@ -25,11 +25,11 @@ final class Interruption {
     return priority;
   }
 
-  Frame owner() {
+  CallFrame owner() {
     return owner;
   }
 
-  Code action() {
+  CompiledCode action() {
     return action;
   }
 

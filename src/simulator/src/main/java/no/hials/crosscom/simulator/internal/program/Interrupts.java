@@ -22,18 +22,18 @@ final class Interrupts {
   private final List<Interruption> triggers = new ArrayList<>();
 
   /** What an interrupt is to do. */
-  record Declaration(int priority, boolean global, Code condition, Code action) {}
+  record Declaration(int priority, boolean global, CompiledCode condition, CompiledCode action) {}
 
   /** A declared interrupt. */
   private static final class Interrupt {
     private final Declaration declaration;
-    private final Frame owner;
+    private final CallFrame owner;
     private boolean on;
     private boolean disabled;
     private boolean last;
     private boolean pending;
 
-    Interrupt(Declaration declaration, Frame owner) {
+    Interrupt(Declaration declaration, CallFrame owner) {
       this.declaration = declaration;
       this.owner = owner;
     }
@@ -54,13 +54,13 @@ final class Interrupts {
     triggers.clear();
   }
 
-  void declare(Declaration declaration, Frame owner) throws ProgramFault {
+  void declare(Declaration declaration, CallFrame owner) throws ProgramFault {
     checkPriority(declaration.priority());
     declared.put(declaration.priority(), new Interrupt(declaration, owner));
   }
 
   /** Forgets what a routine has declared that ends, except for GLOBAL interrupts. */
-  void forget(Frame owner) {
+  void forget(CallFrame owner) {
     if (!declared.isEmpty()) {
       declared
           .values()
@@ -68,7 +68,8 @@ final class Interrupts {
     }
   }
 
-  void command(InterruptCommand command, int priority, Machine machine) throws ProgramFault {
+  void command(InterruptCommand command, int priority, KrlVirtualMachine machine)
+      throws ProgramFault {
     Interrupt interrupt = declared.get(priority);
     if (interrupt == null) {
       throw new ProgramFault(
@@ -77,13 +78,14 @@ final class Interrupts {
     command(command, interrupt, machine);
   }
 
-  void commandAll(InterruptCommand command, Machine machine) throws ProgramFault {
+  void commandAll(InterruptCommand command, KrlVirtualMachine machine) throws ProgramFault {
     for (Interrupt interrupt : declared.values()) {
       command(command, interrupt, machine);
     }
   }
 
-  private static void command(InterruptCommand command, Interrupt interrupt, Machine machine)
+  private static void command(
+      InterruptCommand command, Interrupt interrupt, KrlVirtualMachine machine)
       throws ProgramFault {
     switch (command) {
       case ON -> {
@@ -102,12 +104,13 @@ final class Interrupts {
     }
   }
 
-  private static boolean isTrue(Interrupt interrupt, Machine machine) throws ProgramFault {
+  private static boolean isTrue(Interrupt interrupt, KrlVirtualMachine machine)
+      throws ProgramFault {
     return machine.condition(interrupt.declaration.condition(), interrupt.owner);
   }
 
   /** Looks for rising edges. Assumed: while the program is stopped nobody looks. */
-  void watch(Machine machine) throws ProgramFault {
+  void watch(KrlVirtualMachine machine) throws ProgramFault {
     for (Interrupt interrupt : declared.values()) {
       if (interrupt.on) {
         boolean now = isTrue(interrupt, machine);

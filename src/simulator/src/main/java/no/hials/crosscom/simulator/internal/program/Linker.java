@@ -13,16 +13,16 @@ import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Routine;
 import no.hials.crosscom.simulator.internal.data.Index;
-import no.hials.crosscom.simulator.internal.data.Node;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.Storage;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 
 /**
  * Compiles all modules of a library. First the heads of all routines, so that calls can be checked,
  * then the bodies.
  */
 final class Linker {
-  private final Map<String, Module> modules;
+  private final Map<String, KrlModule> modules;
   private final Scope globals;
   private final Predicate<String> stopsAdvanceRun;
   private final Map<String, CompiledRoutine> globalRoutines = new HashMap<>();
@@ -42,7 +42,7 @@ final class Linker {
    * @param globals the variables of the controller
    * @param stopsAdvanceRun says it of a variable of the controller
    */
-  Linker(Map<String, Module> modules, Scope globals, Predicate<String> stopsAdvanceRun) {
+  Linker(Map<String, KrlModule> modules, Scope globals, Predicate<String> stopsAdvanceRun) {
     this.modules = modules;
     this.globals = globals;
     this.stopsAdvanceRun = stopsAdvanceRun;
@@ -55,7 +55,7 @@ final class Linker {
     Map<String, Linked> linked = new HashMap<>();
     errors.forEach(
         (key, found) -> {
-          Module module = modules.get(key);
+          KrlModule module = modules.get(key);
           if (module != null) {
             linked.put(key, compile(key, module, found));
           }
@@ -68,7 +68,7 @@ final class Linker {
   }
 
   /** Declares the routines of a module; gives what is wrong so far. */
-  private List<KrlError> declare(String key, Module module) {
+  private List<KrlError> declare(String key, KrlModule module) {
     List<KrlError> errors = new ArrayList<>();
     Map<String, CompiledRoutine> own = new HashMap<>();
     boolean first = true;
@@ -89,17 +89,18 @@ final class Linker {
     return errors;
   }
 
-  private static CompiledRoutine head(Module module, Routine routine) {
+  private static CompiledRoutine head(KrlModule module, Routine routine) {
     List<CompiledRoutine.Parameter> parameters = new ArrayList<>();
     for (Routine.Parameter parameter : routine.parameters()) {
-      Path path = new Path(List.of(new Path.Step(Scope.key(parameter.name()), Index.NONE)));
+      VariablePath path =
+          new VariablePath(List.of(new VariablePath.Step(Scope.key(parameter.name()), Index.NONE)));
       parameters.add(new CompiledRoutine.Parameter(path, parameter.array() > 0, parameter.out()));
     }
     return new CompiledRoutine(
         module.name(), routine.name(), routine.returnType() != null, parameters);
   }
 
-  private Linked compile(String key, Module module, List<KrlError> errors) {
+  private Linked compile(String key, KrlModule module, List<KrlError> errors) {
     Set<String> called = new TreeSet<>();
     Map<String, CompiledRoutine> own = ownRoutines.getOrDefault(key, Map.of());
     for (Routine routine : module.source().routines()) {
@@ -120,26 +121,27 @@ final class Linker {
   }
 
   private void compile(
-      Module module,
+      KrlModule module,
       Routine routine,
       CompiledRoutine head,
       BiConsumer<Position, String> errors,
       Set<String> called) {
-    Names names = new Names(module, globals, modules, errors);
-    names.declare(routine);
+    SymbolTable symbols = new SymbolTable(module, globals, modules, errors);
+    symbols.declare(routine);
     RoutineContext context =
         new RoutineContext(
-            names,
+            symbols,
             List.of(ownRoutines.getOrDefault(Scope.key(module.name()), Map.of()), globalRoutines),
             stopsAdvanceRun,
             errors,
             called);
     String type = routine.returnType();
-    Node result = type == null ? null : names.result(routine.position(), type);
-    Code code =
+    Storage result = type == null ? null : symbols.result(routine.position(), type);
+    CompiledCode code =
         new StatementCompiler(context, type != null)
             .routine(routine.name(), routine.body(), routine.end());
     head.complete(
-        new CompiledRoutine.Body(code, List.copyOf(names.locals()), result, context.temporaries()));
+        new CompiledRoutine.Body(
+            code, List.copyOf(symbols.locals()), result, context.temporaries()));
   }
 }

@@ -26,7 +26,7 @@ final class Operators {
   /** Gives what an operator does. */
   static Operator of(BinaryOperator operator) {
     return switch (operator) {
-      case GEOMETRIC -> Frames::product;
+      case GEOMETRIC -> FrameArithmetic::product;
       case PLUS -> Operators::sum;
       case MINUS -> Operators::difference;
       case TIMES -> Operators::product;
@@ -117,21 +117,21 @@ final class Operators {
   }
 
   private static double number(KrlValue value) throws ProgramFault {
-    return Machine.number(value);
+    return KrlVirtualMachine.number(value);
   }
 
   private static int bits(KrlValue value) throws ProgramFault {
     if (value instanceof KrlInt number) {
       return number.value();
     }
-    throw Machine.wrongType("INT", value);
+    throw KrlVirtualMachine.wrongType("INT", value);
   }
 
   private static boolean bool(KrlValue value) throws ProgramFault {
     if (value instanceof KrlBool bool) {
       return bool.value();
     }
-    throw Machine.wrongType("BOOL", value);
+    throw KrlVirtualMachine.wrongType("BOOL", value);
   }
 
   static boolean areEqual(KrlValue left, KrlValue right) throws ProgramFault {

@@ -25,7 +25,7 @@ public final class ProgramLibrary {
   private final Predicate<String> stopsAdvanceRun;
 
   /** By name in upper case. */
-  private final Map<String, Module> modules = new TreeMap<>();
+  private final Map<String, KrlModule> modules = new TreeMap<>();
 
   /** What came of compiling them; null if that has to be done again. */
   private @Nullable Map<String, Linker.Linked> linked;
@@ -57,7 +57,7 @@ public final class ProgramLibrary {
     Scope scope = new Scope(globals);
     boolean done = data == null || globals.attempt(() -> load(data, scope, errors));
     if (done) {
-      modules.put(Scope.key(source.name()), new Module(source, scope));
+      modules.put(Scope.key(source.name()), new KrlModule(source, scope));
       linked = null;
     }
     return List.copyOf(errors);
@@ -75,7 +75,7 @@ public final class ProgramLibrary {
    * @return what is wrong in the data list; then nothing has changed
    */
   public List<KrlError> put(DataList data) {
-    Module module = modules.get(Scope.key(data.name()));
+    KrlModule module = modules.get(Scope.key(data.name()));
     return module == null ? List.of() : put(module.source(), data);
   }
 
@@ -108,7 +108,7 @@ public final class ProgramLibrary {
    * @return its data list and, around it, the globals; nothing if there is no such module
    */
   public Optional<Scope> scope(String name) {
-    return Optional.ofNullable(modules.get(Scope.key(name))).map(Module::scope);
+    return Optional.ofNullable(modules.get(Scope.key(name))).map(KrlModule::scope);
   }
 
   /**

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 
 /** What the compiler knows of the routine that it compiles. */
 final class RoutineContext {
-  private final Names names;
+  private final SymbolTable symbols;
   private final List<Map<String, CompiledRoutine>> routines;
   private final Predicate<String> stopsAdvanceRun;
   private final BiConsumer<Position, String> errors;
@@ -20,27 +20,27 @@ final class RoutineContext {
   private int temporaries;
 
   /**
-   * @param names the variables that it can name
+   * @param symbols the variables that it can name
    * @param routines the routines that it can call, by their names in upper case; the module's first
    * @param stopsAdvanceRun says it of a variable of the controller
    * @param errors is told what is wrong
    * @param calledModules takes the modules that it calls
    */
   RoutineContext(
-      Names names,
+      SymbolTable symbols,
       List<Map<String, CompiledRoutine>> routines,
       Predicate<String> stopsAdvanceRun,
       BiConsumer<Position, String> errors,
       Set<String> calledModules) {
-    this.names = names;
+    this.symbols = symbols;
     this.routines = routines;
     this.stopsAdvanceRun = stopsAdvanceRun;
     this.errors = errors;
     this.calledModules = calledModules;
   }
 
-  Names names() {
-    return names;
+  SymbolTable symbols() {
+    return symbols;
   }
 
   void error(Position position, String message) {
@@ -76,7 +76,7 @@ final class RoutineContext {
 
   private boolean stopsAdvanceRun(Expression expression) {
     if (expression instanceof Expression.Variable variable) {
-      return names.ofController(variable).filter(stopsAdvanceRun).isPresent()
+      return symbols.ofController(variable).filter(stopsAdvanceRun).isPresent()
           || variable.steps().stream().anyMatch(step -> stopAdvanceRun(step.indices()));
     }
     if (expression instanceof Expression.Unary unary) {

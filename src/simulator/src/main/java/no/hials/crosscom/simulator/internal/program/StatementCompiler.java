@@ -18,8 +18,8 @@ import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.ProgramFault;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /** Compiles the statements of a routine. The stack is as high after each as it was before. */
@@ -57,7 +57,7 @@ final class StatementCompiler {
   }
 
   /** Compiles the body of a routine. */
-  Code routine(String name, List<Statement> body, Position end) {
+  CompiledCode routine(String name, List<Statement> body, Position end) {
     statements(body);
     code.statement();
     if (function) {
@@ -68,7 +68,7 @@ final class StatementCompiler {
                 ProgramFault.NO_RESULT, "function " + name + " must end with RETURN and a value");
           });
     } else {
-      code.emit(end, Machine::returnNothing);
+      code.emit(end, KrlVirtualMachine::returnNothing);
     }
     return code.build();
   }
@@ -117,8 +117,8 @@ final class StatementCompiler {
   private void control(Statement statement) {
     Position position = statement.position();
     if (statement instanceof Statement.Halt) {
-      code.emit(position, Machine::awaitMotion);
-      code.emit(position, Machine::halt);
+      code.emit(position, KrlVirtualMachine::awaitMotion);
+      code.emit(position, KrlVirtualMachine::halt);
     } else if (statement instanceof Statement.WaitFor wait) {
       waitFor(wait);
     } else if (statement instanceof Statement.WaitSec wait) {
@@ -130,7 +130,7 @@ final class StatementCompiler {
     } else if (statement instanceof Statement.Trigger trigger) {
       trigger(trigger);
     } else if (statement instanceof Statement.Resume) {
-      code.emit(position, Machine::resume);
+      code.emit(position, KrlVirtualMachine::resume);
     } else if (statement instanceof Statement.Brake brake) {
       code.emit(position, machine -> machine.brake(brake.maximum()));
     }
@@ -140,7 +140,7 @@ final class StatementCompiler {
 
   private void await(Position position) {
     if (!goOn) {
-      code.emit(position, Machine::awaitMotion);
+      code.emit(position, KrlVirtualMachine::awaitMotion);
     }
   }
 
@@ -178,12 +178,12 @@ final class StatementCompiler {
   }
 
   private void pulse(Statement.Pulse pulse) {
-    if (context.names().resolve(pulse.signal()) == null) {
+    if (context.symbols().resolve(pulse.signal()) == null) {
       return;
     }
-    OptionalInt wired = context.names().output(pulse.signal().name());
+    OptionalInt wired = context.symbols().output(pulse.signal().name());
     boolean direct = Scope.key(pulse.signal().name()).equals("$OUT");
-    if (direct ? Names.isWholeArray(pulse.signal()) : wired.isEmpty()) {
+    if (direct ? SymbolTable.isWholeArray(pulse.signal()) : wired.isEmpty()) {
       context.error(pulse.position(), "PULSE takes one output, was given " + pulse.signal().name());
       return;
     }
@@ -195,17 +195,17 @@ final class StatementCompiler {
         machine -> {
           double seconds = machine.popNumber();
           boolean level = machine.popBool();
-          Path path = source.take(machine);
+          VariablePath path = source.take(machine);
           int output = direct ? path.first().index().number(0) : wired.getAsInt();
           machine.environment().pulse(output, level, seconds);
         });
   }
 
   /** Compiles the action of an interrupt or a trigger, which uses the routine's variables. */
-  private Code detached(Statement.Action action) {
+  private CompiledCode detached(Statement.Action action) {
     StatementCompiler compiler = new StatementCompiler(context, false);
     compiler.action(action);
-    compiler.code.emit(action.position(), Machine::returnNothing);
+    compiler.code.emit(action.position(), KrlVirtualMachine::returnNothing);
     return compiler.code.build();
   }
 
@@ -323,14 +323,14 @@ final class StatementCompiler {
     }
   }
 
-  private static KrlBool goesOn(Machine machine, int last, int step) throws ProgramFault {
+  private static KrlBool goesOn(KrlVirtualMachine machine, int last, int step) throws ProgramFault {
     int counter = machine.popInt();
     int end = ((KrlInt) machine.frame().temporary(last)).value();
     boolean down = ((KrlInt) machine.frame().temporary(step)).value() < 0;
     return new KrlBool(down ? counter >= end : counter <= end);
   }
 
-  private static void count(Machine machine, int step) throws ProgramFault {
+  private static void count(KrlVirtualMachine machine, int step) throws ProgramFault {
     int width = ((KrlInt) machine.frame().temporary(step)).value();
     machine.push(Operators.integer((long) machine.popInt() + width));
   }
@@ -379,7 +379,7 @@ final class StatementCompiler {
   private void leave(Statement.Return leave) {
     Position position = leave.position();
     if (leave.value() == null) {
-      code.emit(position, Machine::returnNothing);
+      code.emit(position, KrlVirtualMachine::returnNothing);
       return;
     }
     condition(position, leave.value());
@@ -396,7 +396,7 @@ final class StatementCompiler {
     code.mark(look);
     expressions.compile(wait.condition());
     code.jumpIf(position, end);
-    code.emit(position, Machine::pause);
+    code.emit(position, KrlVirtualMachine::pause);
     code.jump(position, look);
     code.mark(end);
   }
@@ -429,8 +429,8 @@ final class StatementCompiler {
   private void declare(Statement.InterruptDeclaration declaration) {
     CodeBuilder conditionCode = new CodeBuilder();
     new ExpressionCompiler(context, conditionCode, false).compile(declaration.condition());
-    Code condition = conditionCode.build();
-    Code action = detached(declaration.action());
+    CompiledCode condition = conditionCode.build();
+    CompiledCode action = detached(declaration.action());
     expressions.compile(declaration.priority());
     code.emit(
         declaration.position(),
@@ -456,7 +456,7 @@ final class StatementCompiler {
   }
 
   private void trigger(Statement.Trigger trigger) {
-    Code action = detached(trigger.action());
+    CompiledCode action = detached(trigger.action());
     boolean calls = trigger.action() instanceof Statement.Call;
     expressions.compile(trigger.distance());
     optional(trigger.position(), trigger.delay(), ZERO);
@@ -487,7 +487,7 @@ final class StatementCompiler {
     Position position = motion.position();
     awaitFor(position, motion.auxiliary(), motion.target(), motion.circularAngle());
     // the target is evaluated as late as possible, when the motion can be planned (assumed)
-    code.emit(position, Machine::awaitAdvance);
+    code.emit(position, KrlVirtualMachine::awaitAdvance);
     if (motion.auxiliary() != null) {
       expressions.compile(motion.auxiliary());
     }
@@ -496,10 +496,11 @@ final class StatementCompiler {
       expressions.compile(motion.circularAngle());
     }
     code.emit(position, machine -> machine.environment().move(order(machine, motion)));
-    code.emit(position, Machine::awaitMotionWithoutAdvance);
+    code.emit(position, KrlVirtualMachine::awaitMotionWithoutAdvance);
   }
 
-  private static MotionOrder order(Machine machine, Statement.Motion motion) throws ProgramFault {
+  private static MotionOrder order(KrlVirtualMachine machine, Statement.Motion motion)
+      throws ProgramFault {
     OptionalDouble angle =
         motion.circularAngle() == null
             ? OptionalDouble.empty()
@@ -524,6 +525,6 @@ final class StatementCompiler {
     if (value instanceof KrlStruct struct) {
       return struct;
     }
-    throw Machine.wrongType("a position", value);
+    throw KrlVirtualMachine.wrongType("a position", value);
   }
 }

@@ -3,8 +3,8 @@ package no.hials.crosscom.simulator.internal.program;
 import no.hials.crosscom.simulator.ProgramFault;
 
 /**
- * A {@code TRIGGER} with its values. The controller gives it back to {@link Interpreter#fire} when
- * the robot comes by.
+ * A {@code TRIGGER} with its values. The controller gives it back to {@link KrlInterpreter#fire}
+ * when the robot comes by.
  */
 public final class TriggerOrder {
   /** Assumed: the first of those that the system keeps for triggers. */

@@ -45,7 +45,7 @@ class DataListLoaderTest {
   }
 
   private String printed(String name) throws RefusedException {
-    return module.print(Path.parse(name));
+    return module.print(VariablePath.parse(name));
   }
 
   @Nested
@@ -90,10 +90,10 @@ class DataListLoaderTest {
 
     @Test
     void aModulesOwnVariableHidesAGlobalOne() throws RefusedException {
-      globals.write(Path.parse("SHARED"), new KrlInt(1), Scope.Writer.SYSTEM);
+      globals.write(VariablePath.parse("SHARED"), new KrlInt(1), Scope.Writer.SYSTEM);
       assertThat(load("M", "INT SHARED=2")).isEmpty();
       assertThat(printed("SHARED")).isEqualTo("2");
-      assertThat(globals.print(Path.parse("SHARED"))).isEqualTo("1");
+      assertThat(globals.print(VariablePath.parse("SHARED"))).isEqualTo("1");
     }
 
     @Test
@@ -168,7 +168,8 @@ class DataListLoaderTest {
       assertThat(printed("ONE")).isEqualTo("\"a\"");
       assertThat(printed("SHORT[]")).isEqualTo("\"xy\"");
       assertThat(printed("FITS[]")).isEqualTo("\"four\"");
-      assertThat(Declared.find(module, "FITS").orElseThrow().dimensions()).containsExactly(4);
+      assertThat(VariableDeclaration.find(module, "FITS").orElseThrow().dimensions())
+          .containsExactly(4);
       assertThat(printed("E")).isEqualTo("#B");
     }
 
@@ -190,7 +191,8 @@ class DataListLoaderTest {
       assertThat(load("M", "CONST INT N=3", "INT A[N],B[N*2,2]", "STRUC S INT I[N]", "A[N]=N+1"))
           .isEmpty();
       assertThat(printed("A[3]")).isEqualTo("4");
-      assertThat(Declared.find(module, "B").orElseThrow().dimensions()).containsExactly(6, 2);
+      assertThat(VariableDeclaration.find(module, "B").orElseThrow().dimensions())
+          .containsExactly(6, 2);
     }
 
     @Test
@@ -205,7 +207,7 @@ class DataListLoaderTest {
   class Rights {
 
     private Access accessOf(String name) {
-      return Declared.find(module, name).orElseThrow().access();
+      return VariableDeclaration.find(module, name).orElseThrow().access();
     }
 
     @Test

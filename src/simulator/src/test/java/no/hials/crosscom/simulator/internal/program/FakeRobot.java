@@ -11,11 +11,11 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 
 /** A robot whose motions take as many cycles as the test says, or end when the test says. */
-final class FakeRobot implements Environment {
+final class FakeRobot implements ProgramEnvironment {
   static final long CYCLE_MILLIS = 12;
 
   /** Why a program has stopped. */
@@ -63,7 +63,7 @@ final class FakeRobot implements Environment {
   @Override
   public int advance() {
     try {
-      return ((KrlInt) globals.read(Path.parse("$ADVANCE"))).value();
+      return ((KrlInt) globals.read(VariablePath.parse("$ADVANCE"))).value();
     } catch (RefusedException e) {
       throw new AssertionError(e);
     }

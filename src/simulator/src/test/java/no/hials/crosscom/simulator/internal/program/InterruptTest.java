@@ -147,7 +147,7 @@ class InterruptTest {
     rig.set("$IN[2]", "TRUE").set("$IN[3]", "TRUE").cycle();
     assertThat(rig.get("ARR[]").strip()).isEqualTo("1 1 0 0 0");
     assertThat(rig.interpreter.levels())
-        .extracting(Interpreter.Level::routine, Interpreter.Level::interrupt)
+        .extracting(KrlInterpreter.Level::routine, KrlInterpreter.Level::interrupt)
         .containsExactly(tuple("LOW", true), tuple("TEST", false));
 
     rig.set("$IN[15]", "TRUE").cycle();
@@ -343,7 +343,8 @@ class InterruptTest {
         "RESUME | 9010 line 2: RESUME is allowed in the routine of an interrupt only",
         "BRAKE | 9010 line 2: BRAKE is allowed in the routine of an interrupt only",
         "INTERRUPT ON 7 | 9010 line 2: no interrupt with priority 7 is declared here",
-        "INTERRUPT DECL 0 WHEN $IN[1] DO I=1 | 9004 line 2: the priority of an interrupt is 1 to 39",
+        "INTERRUPT DECL 0 WHEN $IN[1] DO I=1 | 9004 line 2: the priority of an interrupt is 1 to"
+            + " 39",
         "INTERRUPT DECL 40 WHEN $IN[1] DO I=1 | 9004 line 2: the priority of an interrupt is 1 to",
         "INTERRUPT DECL 129 WHEN $IN[1] DO I=1 | 9004 line 2: the priority of an interrupt is 1",
       })

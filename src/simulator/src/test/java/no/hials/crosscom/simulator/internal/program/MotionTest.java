@@ -293,7 +293,8 @@ class MotionTest {
       delimiter = '|',
       value = {
         "TRIGGER WHEN DISTANCE=2 DELAY=0 DO I=1 | DISTANCE is 0 (start) or 1 (end), is 2.0",
-        "TRIGGER WHEN DISTANCE=0 DELAY=0 DO TEST() PRIO=50 | the priority of an interrupt is 1 to 39",
+        "TRIGGER WHEN DISTANCE=0 DELAY=0 DO TEST() PRIO=50 | the priority of an interrupt is 1 to"
+            + " 39",
       })
   void refusesATriggerThatIsNotPossible(String statement, String message) {
     assertThat(new Rig().faultIn(statement)).startsWith("9004 line 2: " + message);
@@ -309,7 +310,7 @@ class MotionTest {
     "TRIGGER WHEN DISTANCE=0 DELAY=0 DO I=1, TRIGGER",
   })
   void refusesToMoveInTheSubmitInterpreter(String statement, String what) {
-    assertThat(new Rig(Interpreter.Kind.SUBMIT).faultIn(statement))
+    assertThat(new Rig(KrlInterpreter.Kind.SUBMIT).faultIn(statement))
         .isEqualTo("9010 line 2: " + what + " is not allowed in the submit interpreter");
   }
 
@@ -317,7 +318,7 @@ class MotionTest {
   void doesNotWaitForTheRobotInTheSubmitInterpreter() throws Exception {
     Rig rig = new Rig();
     rig.start("DEF TEST()\nPTP F\nEND\n").cycle();
-    Interpreter other = new Interpreter(Interpreter.Kind.SUBMIT, rig.robot);
+    KrlInterpreter other = new KrlInterpreter(KrlInterpreter.Kind.SUBMIT, rig.robot);
 
     rig.load("DEF SPS()\n$OUT[2] = TRUE\nEND\n");
     other.select(rig.library.program("SPS"), List.of());

@@ -15,8 +15,8 @@ import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.DataListLoader;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 
 /** A library and an interpreter of the robot, with some variables that programs can use. */
 final class Rig {
@@ -76,13 +76,13 @@ final class Rig {
   final ProgramLibrary library =
       new ProgramLibrary(globals, Set.of("$IN", "$OUT", "$TIMER")::contains);
   final FakeRobot robot;
-  final Interpreter interpreter;
+  final KrlInterpreter interpreter;
 
   Rig() {
-    this(Interpreter.Kind.ROBOT);
+    this(KrlInterpreter.Kind.ROBOT);
   }
 
-  Rig(Interpreter.Kind kind) {
+  Rig(KrlInterpreter.Kind kind) {
     DataListLoader.load(
         (DataList) parse("test.dat", GLOBALS),
         new Scope(globals),
@@ -94,7 +94,7 @@ final class Rig {
     set("$OUT[]", "FALSE");
     set("ARR[]", "0");
     robot = new FakeRobot(globals);
-    interpreter = new Interpreter(kind, robot);
+    interpreter = new KrlInterpreter(kind, robot);
   }
 
   static KrlFile parse(String name, String text) {
@@ -207,7 +207,7 @@ final class Rig {
 
   String get(String name) {
     try {
-      return globals.read(Path.parse(name)).printShort();
+      return globals.read(VariablePath.parse(name)).printShort();
     } catch (RefusedException e) {
       return e.reason().name();
     }
@@ -215,7 +215,7 @@ final class Rig {
 
   Rig set(String name, String value) {
     try {
-      globals.write(Path.parse(name), KrlValue.parse(value), Scope.Writer.SYSTEM);
+      globals.write(VariablePath.parse(name), KrlValue.parse(value), Scope.Writer.SYSTEM);
     } catch (RefusedException e) {
       throw new AssertionError(name + ": " + e.getMessage(), e);
     }

@@ -21,26 +21,27 @@ import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.ConstantExpressions;
 import no.hials.crosscom.simulator.internal.data.Index;
 import no.hials.crosscom.simulator.internal.data.KrlErrorException;
-import no.hials.crosscom.simulator.internal.data.Node;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.Storage;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /** The variables that a routine can name: its own, its module's, and those of the controller. */
-final class Names {
+final class SymbolTable {
   private static final String RESULT = "RESULT";
-  private static final Path RESULT_PATH = new Path(List.of(new Path.Step(RESULT, Index.NONE)));
+  private static final VariablePath RESULT_PATH =
+      new VariablePath(List.of(new VariablePath.Step(RESULT, Index.NONE)));
 
-  private final Module module;
+  private final KrlModule module;
   private final Scope globals;
-  private final Map<String, Module> modules;
+  private final Map<String, KrlModule> modules;
   private final BiConsumer<Position, String> errors;
 
   /** What the routine declares, without values. */
   private final Scope own;
 
-  private final Map<String, Place> places = new HashMap<>();
-  private final List<Node> locals = new ArrayList<>();
+  private final Map<String, StorageLocation> locations = new HashMap<>();
+  private final List<Storage> locals = new ArrayList<>();
 
   /**
    * @param module the routine's module
@@ -48,10 +49,10 @@ final class Names {
    * @param modules all modules by their names in upper case
    * @param errors is told what is wrong
    */
-  Names(
-      Module module,
+  SymbolTable(
+      KrlModule module,
       Scope globals,
-      Map<String, Module> modules,
+      Map<String, KrlModule> modules,
       BiConsumer<Position, String> errors) {
     this.module = module;
     this.globals = globals;
@@ -60,7 +61,7 @@ final class Names {
     this.own = new Scope(module.scope());
   }
 
-  List<Node> locals() {
+  List<Storage> locals() {
     return locals;
   }
 
@@ -128,15 +129,16 @@ final class Names {
           parameter.position(),
           "an array of several dimensions is handed over as :OUT only, " + key + " is :IN");
     }
-    Place place = parameter.out() ? new Place.Parameter(slot) : new Place.Local(slot);
+    StorageLocation location =
+        parameter.out() ? new StorageLocation.Parameter(slot) : new StorageLocation.Local(slot);
     if (variables == null) {
       errors.accept(parameter.position(), "parameter " + parameter.name() + " has no declaration");
-      declareLocal(parameter.position(), parameter.name(), key, "INT", place);
+      declareLocal(parameter.position(), parameter.name(), key, "INT", location);
       return;
     }
     for (Declarator variable : variables.variables()) {
       if (Scope.key(variable.name()).equals(key)) {
-        declareLocal(variable, variables.type(), place);
+        declareLocal(variable, variables.type(), location);
         return;
       }
     }
@@ -152,7 +154,7 @@ final class Names {
       for (Declarator variable : variables.variables()) {
         if (!parameters.containsKey(Scope.key(variable.name()))) {
           checkDimensions(variable);
-          declareLocal(variable, variables.type(), new Place.Local(locals.size()));
+          declareLocal(variable, variables.type(), new StorageLocation.Local(locals.size()));
         }
       }
     } else if (declaration instanceof Declaration.Signal signal) {
@@ -173,17 +175,17 @@ final class Names {
     }
   }
 
-  private void declareLocal(Declarator variable, String type, Place place) {
+  private void declareLocal(Declarator variable, String type, StorageLocation location) {
     try {
       declareLocal(
-          variable.position(), declarator(variable), Scope.key(variable.name()), type, place);
+          variable.position(), declarator(variable), Scope.key(variable.name()), type, location);
     } catch (KrlErrorException e) {
       errors.accept(e.error().position(), e.error().message());
     }
   }
 
   private void declareLocal(
-      Position position, String declarator, String key, String type, Place place) {
+      Position position, String declarator, String key, String type, StorageLocation location) {
     if (own.contains(key)) {
       errors.accept(position, key + " is declared twice");
       return;
@@ -191,7 +193,7 @@ final class Names {
     try {
       own.declare(declarator, type, Access.READ_WRITE, null);
       locals.add(own.contents(key));
-      places.put(key, place);
+      locations.put(key, location);
     } catch (RefusedException | IllegalArgumentException e) {
       errors.accept(position, String.valueOf(e.getMessage()));
     }
@@ -246,21 +248,21 @@ final class Names {
     String path = external.source().substring(0, dots);
     String from = path.substring(path.lastIndexOf('/') + 1);
     String key = Scope.key(external.source().substring(dots + 2));
-    Module other = modules.get(Scope.key(from));
+    KrlModule other = modules.get(Scope.key(from));
     if (other == null || !other.scope().contains(key) || !key.equals(Scope.key(external.name()))) {
       errors.accept(
           external.position(), "no module " + from + " with a variable " + external.name());
       return;
     }
-    places.put(key, new Place.Shared(other.scope()));
+    locations.put(key, new StorageLocation.Shared(other.scope()));
   }
 
   /** Gives a variable of a type, for the value of a function; null if there is no such type. */
-  @Nullable Node result(Position position, String type) {
+  @Nullable Storage result(Position position, String type) {
     Scope scratch = new Scope(own);
     try {
       scratch.declare(RESULT, type, Access.READ_WRITE, null);
-      return scratch.node(RESULT_PATH);
+      return scratch.storage(RESULT_PATH);
     } catch (RefusedException | IllegalArgumentException e) {
       errors.accept(position, String.valueOf(e.getMessage()));
       return null;
@@ -268,7 +270,7 @@ final class Names {
   }
 
   /** Gives a CHAR array that just holds a text. */
-  static Node text(KrlString text) {
+  static Storage text(KrlString text) {
     Scope scratch = new Scope();
     try {
       scratch.declare(
@@ -282,39 +284,39 @@ final class Names {
   // look-up
 
   /** Finds a variable by its name in upper case; null if there is none. */
-  @Nullable Place find(String key) {
-    Place place = places.get(key);
-    if (place != null) {
-      return place;
+  @Nullable StorageLocation find(String key) {
+    StorageLocation location = locations.get(key);
+    if (location != null) {
+      return location;
     }
     for (Scope scope : List.of(own, module.scope(), globals)) {
       if (scope.contains(key)) {
-        return new Place.Shared(scope);
+        return new StorageLocation.Shared(scope);
       }
     }
     return null;
   }
 
   /** Finds the variable of an expression and checks its components; null if that is wrong. */
-  @Nullable Place resolve(Expression.Variable variable) {
+  @Nullable StorageLocation resolve(Expression.Variable variable) {
     String key = Scope.key(variable.name());
-    Place place = find(key);
-    if (place == null) {
+    StorageLocation location = find(key);
+    if (location == null) {
       errors.accept(variable.position(), "no variable " + variable.name() + " is declared");
       return null;
     }
-    Scope scope = place instanceof Place.Shared shared ? shared.scope() : own;
+    Scope scope = location instanceof StorageLocation.Shared shared ? shared.scope() : own;
     try {
       if (scope.isSignal(key)) {
         checkSignal(variable);
       } else if (!isWholeArray(variable)) {
-        scope.node(firstElements(variable));
+        scope.storage(firstElements(variable));
       }
     } catch (RefusedException e) {
       errors.accept(variable.position(), variable.name() + ": " + e.getMessage());
       return null;
     }
-    return place;
+    return location;
   }
 
   private void checkSignal(Expression.Variable variable) {
@@ -330,14 +332,14 @@ final class Names {
   }
 
   /** Gives the path with 1 for every index: which one it will be does not matter here. */
-  private static Path firstElements(Expression.Variable variable) {
-    List<Path.Step> steps = new ArrayList<>();
+  private static VariablePath firstElements(Expression.Variable variable) {
+    List<VariablePath.Step> steps = new ArrayList<>();
     for (Expression.Step step : variable.steps()) {
       int[] numbers = new int[step.indices().size()];
       Arrays.fill(numbers, 1);
-      steps.add(new Path.Step(Scope.key(step.name()), new Index(numbers, step.open())));
+      steps.add(new VariablePath.Step(Scope.key(step.name()), new Index(numbers, step.open())));
     }
-    return new Path(steps);
+    return new VariablePath(steps);
   }
 
   /**
@@ -345,8 +347,8 @@ final class Names {
    */
   Optional<String> ofController(Expression.Variable variable) {
     String key = Scope.key(variable.name());
-    Place place = find(key);
-    if (!(place instanceof Place.Shared shared)) {
+    StorageLocation location = find(key);
+    if (!(location instanceof StorageLocation.Shared shared)) {
       return Optional.empty();
     }
     Optional<String> wired = shared.scope().wiredArray(key);

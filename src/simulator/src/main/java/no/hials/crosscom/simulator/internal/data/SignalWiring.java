@@ -12,26 +12,26 @@ import org.jspecify.annotations.Nullable;
  * @param first the first element, the lowest bit (assumed: krl.md marks the bit order as U)
  * @param last the last element
  */
-record Signal(@Nullable String array, int first, int last) {
+record SignalWiring(@Nullable String array, int first, int last) {
   private static final Pattern FORM =
       Pattern.compile("([^\\[\\]]+)\\[(\\d{1,7})](?:\\s+TO\\s+([^\\[\\]]+)\\[(\\d{1,7})])?");
 
-  static Signal parse(String text) {
+  static SignalWiring parse(String text) {
     String upper = text.strip().toUpperCase(Locale.ROOT);
     if (upper.equals("FALSE")) {
-      return new Signal(null, 0, 0);
+      return new SignalWiring(null, 0, 0);
     }
     Matcher matcher = FORM.matcher(upper);
-    if (matcher.matches() && Path.isName(matcher.group(1))) {
+    if (matcher.matches() && VariablePath.isName(matcher.group(1))) {
       int first = Integer.parseInt(matcher.group(2));
       if (matcher.group(3) == null) {
-        return new Signal(matcher.group(1), first, first);
+        return new SignalWiring(matcher.group(1), first, first);
       }
       int last = Integer.parseInt(matcher.group(4));
       if (matcher.group(1).equals(matcher.group(3))
           && last > first
           && last - first < Integer.SIZE) {
-        return new Signal(matcher.group(1), first, last);
+        return new SignalWiring(matcher.group(1), first, last);
       }
     }
     throw new IllegalArgumentException(

@@ -6,7 +6,7 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.ProgramFault;
 
 /** What the interpreter of a program asks of the controller around it. */
-public interface Environment {
+public interface ProgramEnvironment {
 
   /**
    * Gives the simulated time.

@@ -4,6 +4,6 @@ import no.hials.crosscom.simulator.ProgramFault;
 
 /** One instruction of the machine: takes its operands from the stack and puts its result there. */
 @FunctionalInterface
-interface Operation {
-  void execute(Machine machine) throws ProgramFault;
+interface Instruction {
+  void execute(KrlVirtualMachine machine) throws ProgramFault;
 }

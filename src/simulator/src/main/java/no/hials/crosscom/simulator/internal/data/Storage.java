@@ -17,14 +17,14 @@ import org.jspecify.annotations.Nullable;
  * The contents of a variable or of a part of it. Immutable: a write makes a new node, so that a
  * write that is refused half-way has changed nothing, and tables can share their initial contents.
  */
-public abstract sealed class Node {
+public abstract sealed class Storage {
 
-  private Node() {}
+  private Storage() {}
 
   /** Makes the new contents of a part out of the old. */
   @FunctionalInterface
   interface Change {
-    Node apply(Node old) throws RefusedException;
+    Storage apply(Storage old) throws RefusedException;
   }
 
   /** The text as printed, kept since the same variable tends to be read again and again. */
@@ -49,10 +49,10 @@ public abstract sealed class Node {
    * Gives these contents after a value has been assigned to the whole. As with every change, they
    * may be this object if that changes nothing: programs assign the same again and again.
    */
-  abstract Node assign(KrlValue value) throws RefusedException;
+  abstract Storage assign(KrlValue value) throws RefusedException;
 
   /** Gives the part that an index stands for. */
-  Node select(Index index) throws RefusedException {
+  Storage select(Index index) throws RefusedException {
     if (!index.isNone()) {
       throw badIndex("no array, was given index " + index);
     }
@@ -60,17 +60,17 @@ public abstract sealed class Node {
   }
 
   /** Gives these contents after a change of the part that an index stands for. */
-  Node change(Index index, Change change) throws RefusedException {
+  Storage change(Index index, Change change) throws RefusedException {
     return change.apply(select(index));
   }
 
   /** Gives a component by its name in upper case. */
-  Node component(String name) throws RefusedException {
+  Storage component(String name) throws RefusedException {
     throw new RefusedException(Refusal.UNKNOWN_COMPONENT, "no structure, has no ." + name);
   }
 
   /** Gives these contents after a change of a component. */
-  Node changeComponent(String name, Change change) throws RefusedException {
+  Storage changeComponent(String name, Change change) throws RefusedException {
     return change.apply(component(name));
   }
 
@@ -92,17 +92,17 @@ public abstract sealed class Node {
    * @return the contents of the part
    * @throws RefusedException if there is no such part
    */
-  public final Node read(Path path) throws RefusedException {
-    Node node = select(path.first().index());
+  public final Storage read(VariablePath path) throws RefusedException {
+    Storage storage = select(path.first().index());
     for (int i = 1; i < path.steps().size(); i++) {
-      Path.Step step = path.steps().get(i);
-      node = node.component(step.name()).select(step.index());
+      VariablePath.Step step = path.steps().get(i);
+      storage = storage.component(step.name()).select(step.index());
     }
-    return node;
+    return storage;
   }
 
   /** Gives these contents after a value has been assigned to the part a path stands for. */
-  final Node write(Path path, KrlValue value) throws RefusedException {
+  final Storage write(VariablePath path, KrlValue value) throws RefusedException {
     return change(path, part -> part.assign(value));
   }
 
@@ -115,7 +115,7 @@ public abstract sealed class Node {
    * @return the contents after that
    * @throws RefusedException if there is no such part, or the value is not of its type
    */
-  public final Node store(Path path, KrlValue value) throws RefusedException {
+  public final Storage store(VariablePath path, KrlValue value) throws RefusedException {
     return change(path, part -> part.assign(part.rounded(value)));
   }
 
@@ -143,11 +143,11 @@ public abstract sealed class Node {
   }
 
   /** Gives these contents after a change of the part a path stands for. */
-  final Node change(Path path, Change change) throws RefusedException {
+  final Storage change(VariablePath path, Change change) throws RefusedException {
     return change(path, 0, change);
   }
 
-  private Node change(Path path, int step, Change change) throws RefusedException {
+  private Storage change(VariablePath path, int step, Change change) throws RefusedException {
     return change(
         path.steps().get(step).index(),
         part ->
@@ -174,11 +174,11 @@ public abstract sealed class Node {
   }
 
   /** A value without parts. */
-  static final class ScalarNode extends Node {
+  static final class Scalar extends Storage {
     private final Type.Scalar type;
     private final @Nullable KrlValue value;
 
-    ScalarNode(Type.Scalar type, @Nullable KrlValue value) {
+    Scalar(Type.Scalar type, @Nullable KrlValue value) {
       this.type = type;
       this.value = value;
     }
@@ -201,9 +201,9 @@ public abstract sealed class Node {
     }
 
     @Override
-    Node assign(KrlValue newValue) throws RefusedException {
+    Storage assign(KrlValue newValue) throws RefusedException {
       KrlValue converted = type.convert(newValue);
-      return converted.equals(value) ? this : new ScalarNode(type, converted);
+      return converted.equals(value) ? this : new Scalar(type, converted);
     }
 
     @Override
@@ -221,11 +221,11 @@ public abstract sealed class Node {
   }
 
   /** A CHAR array, or one row of a CHAR array with two dimensions. */
-  static final class TextNode extends Node {
+  static final class Text extends Storage {
     private final int capacity;
     private final @Nullable String characters;
 
-    TextNode(int capacity, @Nullable String characters) {
+    Text(int capacity, @Nullable String characters) {
       this.capacity = capacity;
       this.characters = characters;
     }
@@ -255,7 +255,7 @@ public abstract sealed class Node {
     }
 
     @Override
-    Node assign(KrlValue value) throws RefusedException {
+    Storage assign(KrlValue value) throws RefusedException {
       if (!(value instanceof KrlString string)) {
         throw new RefusedException(
             Refusal.WRONG_TYPE, "needs a text in double quotes, was given " + value.print());
@@ -266,21 +266,21 @@ public abstract sealed class Node {
             "holds " + capacity + " characters, was given " + string.text().length());
       }
       checkLatin1(string);
-      return new TextNode(capacity, string.text());
+      return new Text(capacity, string.text());
     }
 
     @Override
-    Node select(Index index) throws RefusedException {
+    Storage select(Index index) throws RefusedException {
       if (index.isWhole()) {
         return this;
       }
       int at = position(index);
       if (characters == null) {
-        return new ScalarNode(Type.Base.CHAR, null);
+        return new Scalar(Type.Base.CHAR, null);
       }
       // assumed: what lies behind the end of the text reads as blank
       char c = at < characters.length() ? characters.charAt(at) : ' ';
-      return new ScalarNode(Type.Base.CHAR, new KrlString(String.valueOf(c)));
+      return new Scalar(Type.Base.CHAR, new KrlString(String.valueOf(c)));
     }
 
     private int position(Index index) throws RefusedException {
@@ -294,7 +294,7 @@ public abstract sealed class Node {
     }
 
     @Override
-    Node change(Index index, Change change) throws RefusedException {
+    Storage change(Index index, Change change) throws RefusedException {
       if (index.isWhole()) {
         return change.apply(this);
       }
@@ -305,16 +305,16 @@ public abstract sealed class Node {
         all.append(' ');
       }
       all.setCharAt(at, changed.charAt(0));
-      return new TextNode(capacity, all.toString());
+      return new Text(capacity, all.toString());
     }
   }
 
   /** A structure. */
-  static final class StrucNode extends Node {
+  static final class Struc extends Storage {
     private final Type.Struc type;
-    private final Node[] parts;
+    private final Storage[] parts;
 
-    StrucNode(Type.Struc type, Node[] parts) {
+    Struc(Type.Struc type, Storage[] parts) {
       this.type = type;
       this.parts = parts;
     }
@@ -324,13 +324,13 @@ public abstract sealed class Node {
     }
 
     /** Gives the parts in the order of the type's components. */
-    List<Node> parts() {
+    List<Storage> parts() {
       return List.of(parts);
     }
 
     @Override
     public boolean initialised() {
-      for (Node part : parts) {
+      for (Storage part : parts) {
         if (part.initialised()) {
           return true;
         }
@@ -345,10 +345,10 @@ public abstract sealed class Node {
         // only initialised components are printed (krl.md 1.3)
         if (parts[i].initialised()) {
           String name = type.components().get(i).name();
-          if (parts[i] instanceof ArrayNode array) {
+          if (parts[i] instanceof Array array) {
             array.addFields(name, fields);
           } else {
-            boolean isText = parts[i] instanceof TextNode;
+            boolean isText = parts[i] instanceof Text;
             fields.add(new KrlStruct.Field(isText ? name + "[]" : name, parts[i].value()));
           }
         }
@@ -357,10 +357,10 @@ public abstract sealed class Node {
     }
 
     @Override
-    Node assign(KrlValue value) throws RefusedException {
-      Node result = this;
+    Storage assign(KrlValue value) throws RefusedException {
+      Storage result = this;
       for (KrlStruct.Field field : type.check(value).fields()) {
-        Path path = Path.parse(field.name());
+        VariablePath path = VariablePath.parse(field.name());
         result =
             result.changeComponent(
                 path.first().name(), component -> component.write(path, field.value()));
@@ -376,8 +376,8 @@ public abstract sealed class Node {
       KrlStruct struct = type.ofItsKind(given);
       List<KrlStruct.Field> fields = new ArrayList<>(struct.fields().size());
       for (KrlStruct.Field field : struct.fields()) {
-        Path path = Path.parse(field.name());
-        Node part = component(path.first().name()).read(path);
+        VariablePath path = VariablePath.parse(field.name());
+        Storage part = component(path.first().name()).read(path);
         fields.add(new KrlStruct.Field(field.name(), part.rounded(field.value())));
       }
       return new KrlStruct(struct.typeName(), fields);
@@ -392,33 +392,33 @@ public abstract sealed class Node {
     }
 
     @Override
-    Node component(String name) throws RefusedException {
+    Storage component(String name) throws RefusedException {
       return parts[position(name)];
     }
 
     @Override
-    Node changeComponent(String name, Change change) throws RefusedException {
+    Storage changeComponent(String name, Change change) throws RefusedException {
       int position = position(name);
-      Node part = change.apply(parts[position]);
+      Storage part = change.apply(parts[position]);
       if (part == parts[position]) {
         return this;
       }
-      Node[] changed = parts.clone();
+      Storage[] changed = parts.clone();
       changed[position] = part;
-      return new StrucNode(type, changed);
+      return new Struc(type, changed);
     }
   }
 
   /** An array of anything but single characters. */
-  static final class ArrayNode extends Node {
+  static final class Array extends Storage {
     private final int[] lengths;
-    private final Node[] elements;
+    private final Storage[] elements;
 
     /**
      * @param lengths the length of each dimension, without that of the texts in it
      * @param elements all of them, the last index counting fastest
      */
-    ArrayNode(int[] lengths, Node[] elements) {
+    Array(int[] lengths, Storage[] elements) {
       this.lengths = lengths;
       this.elements = elements;
     }
@@ -429,17 +429,17 @@ public abstract sealed class Node {
     }
 
     /** Gives all elements, the last index counting fastest. */
-    List<Node> elements() {
+    List<Storage> elements() {
       return List.of(elements);
     }
 
     private boolean hasScalars() {
-      return elements[0] instanceof ScalarNode;
+      return elements[0] instanceof Scalar;
     }
 
     @Override
     public boolean initialised() {
-      for (Node element : elements) {
+      for (Storage element : elements) {
         if (element.initialised()) {
           return true;
         }
@@ -448,7 +448,7 @@ public abstract sealed class Node {
     }
 
     private boolean allInitialised() {
-      for (Node element : elements) {
+      for (Storage element : elements) {
         if (!element.initialised()) {
           return false;
         }
@@ -464,7 +464,7 @@ public abstract sealed class Node {
             Refusal.WHOLE_ARRAY, "an array of structures can only be read by element");
       }
       List<KrlValue> values = new ArrayList<>(elements.length);
-      for (Node element : elements) {
+      for (Storage element : elements) {
         // no sample of a partly initialised array is known: assumed to fail as a scalar does
         values.add(element.value());
       }
@@ -480,7 +480,7 @@ public abstract sealed class Node {
         fields.add(new KrlStruct.Field(name + "[]", value()));
         return;
       }
-      boolean isText = elements[0] instanceof TextNode;
+      boolean isText = elements[0] instanceof Text;
       for (int i = 0; i < elements.length; i++) {
         if (elements[i].initialised()) {
           String field = name + new Index(indicesOf(i), isText);
@@ -502,8 +502,8 @@ public abstract sealed class Node {
 
     /** Takes all elements, or one value for every element. */
     @Override
-    Node assign(KrlValue value) throws RefusedException {
-      Node[] changed = new Node[elements.length];
+    Storage assign(KrlValue value) throws RefusedException {
+      Storage[] changed = new Storage[elements.length];
       if (value instanceof KrlArray array) {
         if (array.elements().size() != elements.length) {
           throw new RefusedException(
@@ -520,7 +520,7 @@ public abstract sealed class Node {
               i > 0 && elements[i] == elements[i - 1] ? changed[i - 1] : elements[i].assign(value);
         }
       }
-      return new ArrayNode(lengths, changed);
+      return new Array(lengths, changed);
     }
 
     @Override
@@ -536,7 +536,7 @@ public abstract sealed class Node {
     }
 
     @Override
-    Node select(Index index) throws RefusedException {
+    Storage select(Index index) throws RefusedException {
       if (isWhole(index)) {
         return this;
       }
@@ -544,7 +544,7 @@ public abstract sealed class Node {
     }
 
     private boolean isWhole(Index index) {
-      return index.isWhole() && lengths.length == 1 && !(elements[0] instanceof TextNode);
+      return index.isWhole() && lengths.length == 1 && !(elements[0] instanceof Text);
     }
 
     private int offset(Index index) throws RefusedException {
@@ -567,18 +567,18 @@ public abstract sealed class Node {
     }
 
     @Override
-    Node change(Index index, Change change) throws RefusedException {
+    Storage change(Index index, Change change) throws RefusedException {
       if (isWhole(index)) {
         return change.apply(this);
       }
       int offset = offset(index);
-      Node element = elements[offset].change(index.after(lengths.length), change);
+      Storage element = elements[offset].change(index.after(lengths.length), change);
       if (element == elements[offset]) {
         return this;
       }
-      Node[] changed = elements.clone();
+      Storage[] changed = elements.clone();
       changed[offset] = element;
-      return new ArrayNode(lengths, changed);
+      return new Array(lengths, changed);
     }
   }
 }

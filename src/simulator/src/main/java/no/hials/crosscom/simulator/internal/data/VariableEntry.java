@@ -14,18 +14,18 @@ import org.jspecify.annotations.Nullable;
  * @param signal the wiring of a SIGNAL, else null
  * @param source gives the value at each read; null if the contents are the value
  */
-record Variable(
+record VariableEntry(
     String name,
     Access access,
-    @Nullable Node contents,
-    @Nullable Signal signal,
+    @Nullable Storage contents,
+    @Nullable SignalWiring signal,
     @Nullable Supplier<KrlValue> source) {
 
-  Variable with(Node newContents) {
-    return new Variable(name, access, newContents, null, source);
+  VariableEntry with(Storage newContents) {
+    return new VariableEntry(name, access, newContents, null, source);
   }
 
-  Variable bound(@Nullable Supplier<KrlValue> newSource) {
-    return new Variable(name, access, contents, signal, newSource);
+  VariableEntry bound(@Nullable Supplier<KrlValue> newSource) {
+    return new VariableEntry(name, access, contents, signal, newSource);
   }
 }

@@ -9,7 +9,7 @@ import no.hials.crosscom.simulator.internal.data.Scope;
  * @param source its routines
  * @param scope the variables of its data list
  */
-record Module(SourceFile source, Scope scope) {
+record KrlModule(SourceFile source, Scope scope) {
   String name() {
     return source.name();
   }

@@ -9,7 +9,7 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.data.Scope;
 
 /** The ranges of system variables, which clients and programs have to keep to. */
-final class Ranges {
+final class SystemVariableRanges {
   private record Range(String name, int minimum, int maximum) {}
 
   private static final List<Range> ALL =
@@ -26,7 +26,7 @@ final class Ranges {
           new Range("$VEL_EXTAX", 1, 100),
           new Range("$ACC_EXTAX", 1, 100));
 
-  private Ranges() {}
+  private SystemVariableRanges() {}
 
   static void guard(Scope scope) {
     for (Range range : ALL) {

@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Starts no thread and is not safe for use by several. The motions that it has handed over are
  * the controller's: who stops, resets or cancels the interpreter stops or forgets them.
  */
-public final class Interpreter {
+public final class KrlInterpreter {
 
   /** The interpreters of a controller. */
   public enum Kind {
@@ -35,8 +35,8 @@ public final class Interpreter {
    */
   public record Level(String module, String routine, Position position, boolean interrupt) {}
 
-  private final Environment environment;
-  private final Machine machine;
+  private final ProgramEnvironment environment;
+  private final KrlVirtualMachine machine;
   private ProgramState state = ProgramState.FREE;
   private @Nullable Program program;
   private List<KrlValue> arguments = List.of();
@@ -47,9 +47,9 @@ public final class Interpreter {
    * @param kind what it may do
    * @param environment the controller
    */
-  public Interpreter(Kind kind, Environment environment) {
+  public KrlInterpreter(Kind kind, ProgramEnvironment environment) {
     this.environment = environment;
-    this.machine = new Machine(kind, environment);
+    this.machine = new KrlVirtualMachine(kind, environment);
   }
 
   /**

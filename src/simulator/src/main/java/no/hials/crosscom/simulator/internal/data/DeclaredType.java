@@ -10,25 +10,25 @@ import java.util.List;
  * @param dimensions the length of each, none for what is no array; the last one of a CHAR array is
  *     the length of its texts
  */
-record Shape(Type type, List<Integer> dimensions) {
+record DeclaredType(Type type, List<Integer> dimensions) {
 
   /** Finds out how contents were declared. */
-  static Shape of(Node contents) {
+  static DeclaredType of(Storage contents) {
     List<Integer> dimensions = new ArrayList<>();
-    Node element = contents;
-    if (contents instanceof Node.ArrayNode array) {
+    Storage element = contents;
+    if (contents instanceof Storage.Array array) {
       for (int length : array.lengths()) {
         dimensions.add(length);
       }
       element = array.elements().get(0);
     }
-    if (element instanceof Node.TextNode text) {
+    if (element instanceof Storage.Text text) {
       dimensions.add(text.capacity());
-      return new Shape(Type.Base.CHAR, List.copyOf(dimensions));
+      return new DeclaredType(Type.Base.CHAR, List.copyOf(dimensions));
     }
     Type type =
-        element instanceof Node.StrucNode struc ? struc.type() : ((Node.ScalarNode) element).type();
-    return new Shape(type, List.copyOf(dimensions));
+        element instanceof Storage.Struc struc ? struc.type() : ((Storage.Scalar) element).type();
+    return new DeclaredType(type, List.copyOf(dimensions));
   }
 
   /** Prints it as behind a name: {@code FRAME[16]}. */

@@ -12,15 +12,15 @@ import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.internal.data.Node;
-import no.hials.crosscom.simulator.internal.data.Path;
+import no.hials.crosscom.simulator.internal.data.Storage;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Executes instructions. An instruction that has to wait is executed again in the next cycle;
  * nothing of it must be done before it is known that it need not wait.
  */
-final class Machine {
+final class KrlVirtualMachine {
   /** Assumed: krl.md 4 does not say how deep KSS lets calls nest. */
   static final int MAX_CALLS = 256;
 
@@ -29,10 +29,10 @@ final class Machine {
   /** What keeps no interruption out: the program itself. */
   private static final int LOWEST_PRIORITY = Integer.MAX_VALUE;
 
-  private static final Path RESULT = path("RESULT");
+  private static final VariablePath RESULT = path("RESULT");
 
-  private final Interpreter.Kind kind;
-  private final Environment environment;
+  private final KrlInterpreter.Kind kind;
+  private final ProgramEnvironment environment;
   private final Interrupts interrupts = new Interrupts();
   private final List<TriggerOrder> nextTriggers = new ArrayList<>();
 
@@ -41,7 +41,7 @@ final class Machine {
 
   private int height;
   private int calls;
-  private @Nullable Frame top;
+  private @Nullable CallFrame top;
   private boolean waiting;
   private boolean halted;
   private int executed;
@@ -49,14 +49,14 @@ final class Machine {
   /** Where the fault was, if not in the statement being executed but in a condition. */
   private @Nullable Position faultPosition;
 
-  Machine(Interpreter.Kind kind, Environment environment) {
+  KrlVirtualMachine(KrlInterpreter.Kind kind, ProgramEnvironment environment) {
     this.kind = kind;
     this.environment = environment;
   }
 
-  private static Path path(String name) {
+  private static VariablePath path(String name) {
     try {
-      return Path.parse(name);
+      return VariablePath.parse(name);
     } catch (RefusedException e) {
       throw new IllegalArgumentException(e);
     }
@@ -86,7 +86,7 @@ final class Machine {
               + " parameters, was given "
               + arguments.size());
     }
-    Frame frame = new Frame(routine, null, false, 0);
+    CallFrame frame = new CallFrame(routine, null, false, 0);
     for (int i = 0; i < routine.parameters().size(); i++) {
       bind(frame, i, i < arguments.size() ? arguments.get(i) : null);
     }
@@ -113,7 +113,7 @@ final class Machine {
     interrupt();
     try {
       while (executed < maxInstructions && !waiting && !halted) {
-        Frame frame = top;
+        CallFrame frame = top;
         if (frame == null) {
           break;
         }
@@ -133,7 +133,7 @@ final class Machine {
 
   /** Makes the program ready to begin the statement again that could not be executed. */
   private void recover() {
-    Frame frame = frame();
+    CallFrame frame = frame();
     if (faultPosition == null) {
       faultPosition = frame.executed();
     }
@@ -156,18 +156,18 @@ final class Machine {
     interrupts.add(trigger);
   }
 
-  List<Interpreter.Level> levels() {
-    List<Interpreter.Level> levels = new ArrayList<>();
+  List<KrlInterpreter.Level> levels() {
+    List<KrlInterpreter.Level> levels = new ArrayList<>();
     boolean interrupt = false;
-    for (Frame frame = top; frame != null; frame = frame.caller()) {
+    for (CallFrame frame = top; frame != null; frame = frame.caller()) {
       Position position = frame == top ? frame.position() : frame.executed();
-      Frame caller = frame.caller();
+      CallFrame caller = frame.caller();
       boolean action = frame.interruption() != null;
       // the action of an interrupt shows as the routine that it calls
       if (!action || frame == top) {
         interrupt = action || (caller != null && caller.interruption() != null);
         levels.add(
-            new Interpreter.Level(
+            new KrlInterpreter.Level(
                 frame.routine().module(), frame.routine().name(), position, interrupt));
       }
     }
@@ -176,15 +176,15 @@ final class Machine {
 
   // for instructions: the stack
 
-  Frame frame() {
-    Frame frame = top;
+  CallFrame frame() {
+    CallFrame frame = top;
     if (frame == null) {
       throw new IllegalStateException("no program is being executed");
     }
     return frame;
   }
 
-  Environment environment() {
+  ProgramEnvironment environment() {
     return environment;
   }
 
@@ -273,7 +273,7 @@ final class Machine {
           "calls may nest " + MAX_CALLS + " deep, " + routine.name() + " is one too many");
     }
     int count = routine.parameters().size();
-    Frame frame = new Frame(routine, frame(), resultWanted, height - count);
+    CallFrame frame = new CallFrame(routine, frame(), resultWanted, height - count);
     for (int i = count - 1; i >= 0; i--) {
       bind(frame, i, popArgument());
     }
@@ -281,28 +281,29 @@ final class Machine {
     calls++;
   }
 
-  private static void bind(Frame frame, int slot, @Nullable Object argument) throws ProgramFault {
+  private static void bind(CallFrame frame, int slot, @Nullable Object argument)
+      throws ProgramFault {
     CompiledRoutine.Parameter parameter = frame.routine().parameters().get(slot);
     if (parameter.out()) {
       frame.setReference(
           slot,
           argument instanceof Reference reference
               ? reference
-              : new Reference(new Place.Local(slot), frame, parameter.path()));
+              : new Reference(new StorageLocation.Local(slot), frame, parameter.path()));
     }
-    if (argument instanceof Node contents) {
+    if (argument instanceof Storage contents) {
       frame.setLocal(slot, contents);
     } else if (argument instanceof KrlString text && parameter.array()) {
-      frame.setLocal(slot, Names.text(text));
+      frame.setLocal(slot, SymbolTable.text(text));
     } else if (argument instanceof KrlValue value) {
-      new Place.Local(slot).write(frame, parameter.path(), value);
+      new StorageLocation.Local(slot).write(frame, parameter.path(), value);
     }
   }
 
   /** Ends a function. */
   void returnValue(KrlValue value) throws ProgramFault {
-    Frame frame = frame();
-    Node result = frame.routine().body().result();
+    CallFrame frame = frame();
+    Storage result = frame.routine().body().result();
     if (result == null) {
       throw new IllegalStateException(frame.routine().name() + " is no function");
     }
@@ -320,7 +321,7 @@ final class Machine {
 
   /** Ends a subprogram, an action, or the program. */
   void returnNothing() {
-    Frame frame = frame();
+    CallFrame frame = frame();
     Interruption interruption = frame.interruption();
     boolean outermost = frame.caller() == null;
     boolean motions = outermost || (interruption != null && interruption.holding());
@@ -337,7 +338,7 @@ final class Machine {
     }
   }
 
-  private void leave(Frame frame) {
+  private void leave(CallFrame frame) {
     drop(frame.stackBase());
     if (frame.interruption() == null) {
       interrupts.forget(frame);
@@ -348,8 +349,8 @@ final class Machine {
 
   // for instructions: interrupts
 
-  private @Nullable Frame interruptingFrame() {
-    Frame frame = top;
+  private @Nullable CallFrame interruptingFrame() {
+    CallFrame frame = top;
     while (frame != null && frame.interruption() == null) {
       frame = frame.caller();
     }
@@ -357,7 +358,7 @@ final class Machine {
   }
 
   private @Nullable Interruption interruption() {
-    Frame frame = interruptingFrame();
+    CallFrame frame = interruptingFrame();
     return frame == null ? null : frame.interruption();
   }
 
@@ -366,15 +367,15 @@ final class Machine {
     Interruption running = interruption();
     Interruption next = interrupts.next(running == null ? LOWEST_PRIORITY : running.priority());
     if (next != null) {
-      top = new Frame(next.owner(), next.action(), frame(), next, height);
+      top = new CallFrame(next.owner(), next.action(), frame(), next, height);
       calls++;
     }
   }
 
   /** Evaluates a condition, whose instructions neither call nor wait. */
-  boolean condition(Code condition, Frame owner) throws ProgramFault {
-    Frame interrupted = frame();
-    Frame frame = new Frame(owner, condition, interrupted, null, height);
+  boolean condition(CompiledCode condition, CallFrame owner) throws ProgramFault {
+    CallFrame interrupted = frame();
+    CallFrame frame = new CallFrame(owner, condition, interrupted, null, height);
     top = frame;
     try {
       for (int i = 0; i < condition.length(); i++) {
@@ -410,14 +411,14 @@ final class Machine {
   /** Cancels the routine of an interrupt and what it has interrupted, down to its declaration. */
   void resume() throws ProgramFault {
     requireRobot("RESUME");
-    Frame action = interruptingFrame();
+    CallFrame action = interruptingFrame();
     Interruption interruption = action == null ? null : action.interruption();
     if (action == null || interruption == null || interruption.isTrigger()) {
       throw new ProgramFault(
           ProgramFault.NOT_ALLOWED, "RESUME is allowed in the routine of an interrupt only");
     }
-    Frame declaring = interruption.owner();
-    Frame cancelled = calledBy(declaring);
+    CallFrame declaring = interruption.owner();
+    CallFrame cancelled = calledBy(declaring);
     // assumed: as on KSS, a program that is to be cancelled runs below the level of declaration
     if (cancelled == null || cancelled == action || cancelled.resultWanted()) {
       throw new ProgramFault(
@@ -436,8 +437,8 @@ final class Machine {
   }
 
   /** Gives the frame that another one has called or been interrupted by; null if it has ended. */
-  private @Nullable Frame calledBy(Frame caller) {
-    Frame frame = top;
+  private @Nullable CallFrame calledBy(CallFrame caller) {
+    CallFrame frame = top;
     while (frame != null && frame.caller() != caller) {
       frame = frame.caller();
     }
@@ -447,14 +448,14 @@ final class Machine {
   // for instructions: the robot
 
   private void requireRobot(String what) throws ProgramFault {
-    if (kind == Interpreter.Kind.SUBMIT) {
+    if (kind == KrlInterpreter.Kind.SUBMIT) {
       throw new ProgramFault(
           ProgramFault.NOT_ALLOWED, what + " is not allowed in the submit interpreter");
     }
   }
 
   private boolean mustWaitForMotion() {
-    return kind == Interpreter.Kind.ROBOT && !environment.motionFinished();
+    return kind == KrlInterpreter.Kind.ROBOT && !environment.motionFinished();
   }
 
   /** Waits until the robot has ended its motions, which stops the advance run. */

@@ -9,15 +9,15 @@ import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.ProgramState;
-import no.hials.crosscom.simulator.internal.program.Interpreter.Level;
+import no.hials.crosscom.simulator.internal.program.KrlInterpreter.Level;
 import org.junit.jupiter.api.Test;
 
-class InterpreterTest {
+class KrlInterpreterTest {
   private static final String WAITING = "DEF TEST()\nI = I + 1\nWAIT FOR $IN[1]\nI = 0\nEND\n";
 
   @Test
   void hasNoProgramAtFirst() {
-    Interpreter interpreter = new Rig().interpreter;
+    KrlInterpreter interpreter = new Rig().interpreter;
 
     assertThat(interpreter.state()).isEqualTo(ProgramState.FREE);
     assertThat(interpreter.program()).isEmpty();
@@ -32,7 +32,7 @@ class InterpreterTest {
   @Test
   void goesFromStateToState() {
     Rig rig = new Rig().load(WAITING).select("TEST");
-    Interpreter interpreter = rig.interpreter;
+    KrlInterpreter interpreter = rig.interpreter;
     assertThat(interpreter.state()).isEqualTo(ProgramState.RESET);
     assertThat(interpreter.program().map(Program::name)).contains("TEST");
     assertThat(rig.line()).isEqualTo(2);
@@ -131,7 +131,11 @@ class InterpreterTest {
     Rig rig =
         new Rig()
             .start(
-                "DEF TEST()\nINTERRUPT DECL 5 WHEN $IN[1] DO I=I+1\nINTERRUPT ON\nWAIT FOR FALSE\nEND\n")
+                "DEF TEST()\n"
+                    + "INTERRUPT DECL 5 WHEN $IN[1] DO I=I+1\n"
+                    + "INTERRUPT ON\n"
+                    + "WAIT FOR FALSE\n"
+                    + "END\n")
             .cycle()
             .set("$IN[1]", "TRUE");
 

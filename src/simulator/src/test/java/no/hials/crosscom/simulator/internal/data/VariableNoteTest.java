@@ -9,15 +9,17 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What a comment behind a declaration says. */
-class NoteTest {
+class VariableNoteTest {
 
   @Test
   void readsAccessUnitMeaningAndSource() {
-    assertThat(Note.of("RO [mm/deg] tool (base) or beside it (FIW RSIB)"))
-        .isEqualTo(new Note(Access.READ_ONLY, "mm/deg", "tool (base) or beside it", "FIW RSIB"));
-    assertThat(Note.of(" RW [-] counters (NAQ) "))
-        .isEqualTo(new Note(Access.READ_WRITE, "", "counters", "NAQ"));
-    assertThat(Note.of("RO [-] ()")).isEqualTo(new Note(Access.READ_ONLY, "", "", ""));
+    assertThat(VariableNote.of("RO [mm/deg] tool (base) or beside it (FIW RSIB)"))
+        .isEqualTo(
+            new VariableNote(Access.READ_ONLY, "mm/deg", "tool (base) or beside it", "FIW RSIB"));
+    assertThat(VariableNote.of(" RW [-] counters (NAQ) "))
+        .isEqualTo(new VariableNote(Access.READ_WRITE, "", "counters", "NAQ"));
+    assertThat(VariableNote.of("RO [-] ()"))
+        .isEqualTo(new VariableNote(Access.READ_ONLY, "", "", ""));
   }
 
   @ParameterizedTest
@@ -32,7 +34,7 @@ class NoteTest {
         "RW [mm] (two) ends late"
       })
   void takesAnyOtherCommentAsTheMeaning(String comment) {
-    assertThat(Note.of(comment)).isEqualTo(new Note(null, "", comment, ""));
+    assertThat(VariableNote.of(comment)).isEqualTo(new VariableNote(null, "", comment, ""));
   }
 
   @ParameterizedTest
@@ -45,15 +47,15 @@ class NoteTest {
     "''"
   })
   void writesWhatItReads(String comment) {
-    Note note = Note.of(comment);
+    VariableNote note = VariableNote.of(comment);
     Access access = note.access() == null ? Access.READ_WRITE : note.access();
     assertThat(note.comment(access)).isEqualTo(comment);
   }
 
   @Test
   void writesThePlainMeaningOfWhatMayOnlyBeReadSoThatItIsReadBack() {
-    Note note = new Note(null, "", "RO [x] odd (y)", "");
-    assertThat(Note.of(note.comment(Access.READ_WRITE)))
-        .isEqualTo(new Note(Access.READ_WRITE, "", "RO [x] odd (y)", ""));
+    VariableNote note = new VariableNote(null, "", "RO [x] odd (y)", "");
+    assertThat(VariableNote.of(note.comment(Access.READ_WRITE)))
+        .isEqualTo(new VariableNote(Access.READ_WRITE, "", "RO [x] odd (y)", ""));
   }
 }

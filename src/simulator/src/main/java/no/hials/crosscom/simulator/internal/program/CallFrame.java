@@ -2,25 +2,26 @@ package no.hials.crosscom.simulator.internal.program;
 
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.internal.data.Node;
+import no.hials.crosscom.simulator.internal.data.Storage;
 import org.jspecify.annotations.Nullable;
 
 /** A routine that is being executed, or an action or condition in it. */
-final class Frame {
+final class CallFrame {
   private final CompiledRoutine routine;
-  private final Code code;
-  private final @Nullable Frame caller;
+  private final CompiledCode code;
+  private final @Nullable CallFrame caller;
   private final @Nullable Interruption interruption;
   private final boolean resultWanted;
   private final int stackBase;
-  private final Node[] locals;
+  private final Storage[] locals;
   private final @Nullable Reference[] references;
   private final @Nullable KrlValue[] temporaries;
   private int next;
   private long deadline;
 
   /** Begins a routine. */
-  Frame(CompiledRoutine routine, @Nullable Frame caller, boolean resultWanted, int stackBase) {
+  CallFrame(
+      CompiledRoutine routine, @Nullable CallFrame caller, boolean resultWanted, int stackBase) {
     this.routine = routine;
     CompiledRoutine.Body body = routine.body();
     this.code = body.code();
@@ -28,16 +29,16 @@ final class Frame {
     this.interruption = null;
     this.resultWanted = resultWanted;
     this.stackBase = stackBase;
-    this.locals = body.locals().toArray(new Node[0]);
+    this.locals = body.locals().toArray(new Storage[0]);
     this.references = new Reference[routine.parameters().size()];
     this.temporaries = new KrlValue[body.temporaries()];
   }
 
   /** Begins an action or a condition of a routine, which uses that routine's variables. */
-  Frame(
-      Frame owner,
-      Code code,
-      @Nullable Frame caller,
+  CallFrame(
+      CallFrame owner,
+      CompiledCode code,
+      @Nullable CallFrame caller,
       @Nullable Interruption interruption,
       int stackBase) {
     this.routine = owner.routine;
@@ -56,7 +57,7 @@ final class Frame {
   }
 
   /** Gives the frame that goes on behind this one; null for the outermost. */
-  @Nullable Frame caller() {
+  @Nullable CallFrame caller() {
     return caller;
   }
 
@@ -75,7 +76,7 @@ final class Frame {
     return stackBase;
   }
 
-  Operation fetch() {
+  Instruction fetch() {
     return code.operation(next++);
   }
 
@@ -103,11 +104,11 @@ final class Frame {
     return code.position(next);
   }
 
-  Node local(int slot) {
+  Storage local(int slot) {
     return locals[slot];
   }
 
-  void setLocal(int slot, Node contents) {
+  void setLocal(int slot, Storage contents) {
     locals[slot] = contents;
   }
 

@@ -4,30 +4,30 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.internal.data.Node;
-import no.hials.crosscom.simulator.internal.data.Path;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.data.Storage;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 
 /**
  * Where a variable of a routine lives. The compiler finds that out once; what a path leads to from
  * there can be another part each time.
  */
-sealed interface Place {
+sealed interface StorageLocation {
 
   /** Gives a part of the variable, with or without a value. */
-  Node node(Frame frame, Path path) throws RefusedException;
+  Storage storage(CallFrame frame, VariablePath path) throws RefusedException;
 
-  KrlValue value(Frame frame, Path path) throws RefusedException;
+  KrlValue value(CallFrame frame, VariablePath path) throws RefusedException;
 
-  void store(Frame frame, Path path, KrlValue value) throws RefusedException;
+  void store(CallFrame frame, VariablePath path, KrlValue value) throws RefusedException;
 
   /** Gives the path of the variable where it really is, for messages. */
-  default String name(Frame frame, Path path) {
+  default String name(CallFrame frame, VariablePath path) {
     return path.toString();
   }
 
   /** Reads a value, which must be there. */
-  default KrlValue read(Frame frame, Path path) throws ProgramFault {
+  default KrlValue read(CallFrame frame, VariablePath path) throws ProgramFault {
     try {
       KrlValue value = value(frame, path);
       if (value instanceof KrlStruct struct && struct.fields().isEmpty()) {
@@ -40,7 +40,7 @@ sealed interface Place {
     }
   }
 
-  default void write(Frame frame, Path path, KrlValue value) throws ProgramFault {
+  default void write(CallFrame frame, VariablePath path, KrlValue value) throws ProgramFault {
     try {
       store(frame, path, value);
     } catch (RefusedException e) {
@@ -53,19 +53,19 @@ sealed interface Place {
    *
    * @param slot its number in the frame
    */
-  record Local(int slot) implements Place {
+  record Local(int slot) implements StorageLocation {
     @Override
-    public Node node(Frame frame, Path path) throws RefusedException {
+    public Storage storage(CallFrame frame, VariablePath path) throws RefusedException {
       return frame.local(slot).read(path);
     }
 
     @Override
-    public KrlValue value(Frame frame, Path path) throws RefusedException {
+    public KrlValue value(CallFrame frame, VariablePath path) throws RefusedException {
       return frame.local(slot).read(path).value();
     }
 
     @Override
-    public void store(Frame frame, Path path, KrlValue value) throws RefusedException {
+    public void store(CallFrame frame, VariablePath path, KrlValue value) throws RefusedException {
       frame.setLocal(slot, frame.local(slot).store(path, value));
     }
   }
@@ -75,24 +75,24 @@ sealed interface Place {
    *
    * @param slot its number in the frame
    */
-  record Parameter(int slot) implements Place {
+  record Parameter(int slot) implements StorageLocation {
     @Override
-    public Node node(Frame frame, Path path) throws RefusedException {
-      return frame.reference(slot).node(path);
+    public Storage storage(CallFrame frame, VariablePath path) throws RefusedException {
+      return frame.reference(slot).storage(path);
     }
 
     @Override
-    public KrlValue value(Frame frame, Path path) throws RefusedException {
+    public KrlValue value(CallFrame frame, VariablePath path) throws RefusedException {
       return frame.reference(slot).value(path);
     }
 
     @Override
-    public void store(Frame frame, Path path, KrlValue value) throws RefusedException {
+    public void store(CallFrame frame, VariablePath path, KrlValue value) throws RefusedException {
       frame.reference(slot).store(path, value);
     }
 
     @Override
-    public String name(Frame frame, Path path) {
+    public String name(CallFrame frame, VariablePath path) {
       return path + " (" + frame.reference(slot).name(path) + ")";
     }
   }
@@ -102,19 +102,19 @@ sealed interface Place {
    *
    * @param scope the scope that has declared it
    */
-  record Shared(Scope scope) implements Place {
+  record Shared(Scope scope) implements StorageLocation {
     @Override
-    public Node node(Frame frame, Path path) throws RefusedException {
-      return scope.node(path);
+    public Storage storage(CallFrame frame, VariablePath path) throws RefusedException {
+      return scope.storage(path);
     }
 
     @Override
-    public KrlValue value(Frame frame, Path path) throws RefusedException {
+    public KrlValue value(CallFrame frame, VariablePath path) throws RefusedException {
       return scope.read(path);
     }
 
     @Override
-    public void store(Frame frame, Path path, KrlValue value) throws RefusedException {
+    public void store(CallFrame frame, VariablePath path, KrlValue value) throws RefusedException {
       scope.write(path, value, Scope.Writer.PROGRAM);
     }
   }

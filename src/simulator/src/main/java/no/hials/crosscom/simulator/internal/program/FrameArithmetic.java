@@ -10,10 +10,10 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.ProgramFault;
 
 /** Computes with values of the types FRAME, POS and E6POS. */
-final class Frames {
+final class FrameArithmetic {
   private static final List<String> COMPONENTS = List.of("X", "Y", "Z", "A", "B", "C");
 
-  private Frames() {}
+  private FrameArithmetic() {}
 
   /**
    * Gives the place of one frame that is given in another: {@code left:right}. Assumed: the result
@@ -33,7 +33,7 @@ final class Frames {
     if (!(value instanceof KrlStruct struct)
         || struct.fields().stream()
             .noneMatch(field -> COMPONENTS.contains(field.name().toUpperCase(Locale.ROOT)))) {
-      throw Machine.wrongType("FRAME, POS or E6POS", value);
+      throw KrlVirtualMachine.wrongType("FRAME, POS or E6POS", value);
     }
     double[] numbers = new double[COMPONENTS.size()];
     for (int i = 0; i < numbers.length; i++) {
@@ -43,7 +43,7 @@ final class Frames {
         throw new ProgramFault(
             ProgramFault.NOT_INITIALISED, "component " + name + " has no value yet of " + struct);
       }
-      numbers[i] = Machine.number(component.get());
+      numbers[i] = KrlVirtualMachine.number(component.get());
     }
     return new Frame(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]);
   }

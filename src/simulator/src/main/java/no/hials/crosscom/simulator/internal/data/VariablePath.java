@@ -12,7 +12,7 @@ import no.hials.crosscom.simulator.RefusedException;
  *
  * @param steps at least one
  */
-public record Path(List<Step> steps) {
+public record VariablePath(List<Step> steps) {
   /** KRL arrays have three dimensions at most (krl.md 1.1). */
   private static final int MAX_DIMENSIONS = 3;
 
@@ -52,8 +52,8 @@ public record Path(List<Step> steps) {
    * @param index the index, from 1
    * @return the path
    */
-  public static Path element(String array, int index) {
-    return new Path(
+  public static VariablePath element(String array, int index) {
+    return new VariablePath(
         List.of(new Step(array.toUpperCase(Locale.ROOT), new Index(new int[] {index}, false))));
   }
 
@@ -63,7 +63,7 @@ public record Path(List<Step> steps) {
    * @param inner the path within that part, whose first step has another name for it
    * @return both together
    */
-  public Path then(Path inner) {
+  public VariablePath then(VariablePath inner) {
     if (inner.steps.size() == 1 && inner.first().index().isNone()) {
       return this;
     }
@@ -71,7 +71,7 @@ public record Path(List<Step> steps) {
     List<Step> all = new ArrayList<>(steps.subList(0, last));
     all.add(new Step(steps.get(last).name(), steps.get(last).index().then(inner.first().index())));
     all.addAll(inner.steps.subList(1, inner.steps.size()));
-    return new Path(all);
+    return new VariablePath(all);
   }
 
   /**
@@ -81,7 +81,7 @@ public record Path(List<Step> steps) {
    * @return the path
    * @throws RefusedException if it is not a name
    */
-  public static Path parse(String text) throws RefusedException {
+  public static VariablePath parse(String text) throws RefusedException {
     return new Parser(text.strip()).path();
   }
 
@@ -133,10 +133,10 @@ public record Path(List<Step> steps) {
       this.text = text;
     }
 
-    Path path() throws RefusedException {
+    VariablePath path() throws RefusedException {
       Step first = step();
       if (pos == text.length()) {
-        return new Path(List.of(first));
+        return new VariablePath(List.of(first));
       }
       List<Step> steps = new ArrayList<>();
       steps.add(first);
@@ -147,7 +147,7 @@ public record Path(List<Step> steps) {
         pos++;
         steps.add(step());
       }
-      return new Path(steps);
+      return new VariablePath(steps);
     }
 
     private RefusedException noName() {

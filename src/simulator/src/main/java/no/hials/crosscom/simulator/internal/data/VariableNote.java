@@ -15,9 +15,9 @@ import org.jspecify.annotations.Nullable;
  * @param meaning what the variable stands for; empty if it does not say
  * @param source where that is known from; empty if it does not say
  */
-public record Note(@Nullable Access access, String unit, String meaning, String source) {
+public record VariableNote(@Nullable Access access, String unit, String meaning, String source) {
   /** Says nothing. */
-  public static final Note NONE = new Note(null, "", "", "");
+  public static final VariableNote NONE = new VariableNote(null, "", "", "");
 
   private static final String NO_UNIT = "-";
 
@@ -27,7 +27,7 @@ public record Note(@Nullable Access access, String unit, String meaning, String 
    * @param comment what stands behind {@code ;}
    * @return what it says
    */
-  public static Note of(String comment) {
+  public static VariableNote of(String comment) {
     String text = comment.strip();
     Access access = null;
     if (text.startsWith("RO [")) {
@@ -38,10 +38,10 @@ public record Note(@Nullable Access access, String unit, String meaning, String 
     int unitEnd = text.indexOf("] ");
     int sourceStart = text.lastIndexOf('(');
     if (access == null || unitEnd < 0 || sourceStart < unitEnd || !text.endsWith(")")) {
-      return new Note(null, "", text, "");
+      return new VariableNote(null, "", text, "");
     }
     String unit = text.substring("RO [".length(), unitEnd);
-    return new Note(
+    return new VariableNote(
         access,
         unit.equals(NO_UNIT) ? "" : unit,
         text.substring(unitEnd + 1, sourceStart).strip(),

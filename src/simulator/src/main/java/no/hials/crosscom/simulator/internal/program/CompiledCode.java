@@ -3,8 +3,8 @@ package no.hials.crosscom.simulator.internal.program;
 import no.hials.crosscom.lang.Position;
 
 /** The instructions of a routine, or of a condition or an action in it. */
-final class Code {
-  private final Operation[] operations;
+final class CompiledCode {
+  private final Instruction[] operations;
   private final Position[] positions;
   private final int[] statements;
 
@@ -13,7 +13,7 @@ final class Code {
    * @param positions where in the source each comes from
    * @param statements the first instruction of the statement to which each belongs
    */
-  Code(Operation[] operations, Position[] positions, int[] statements) {
+  CompiledCode(Instruction[] operations, Position[] positions, int[] statements) {
     this.operations = operations;
     this.positions = positions;
     this.statements = statements;
@@ -23,7 +23,7 @@ final class Code {
     return operations.length;
   }
 
-  Operation operation(int at) {
+  Instruction operation(int at) {
     return operations[at];
   }
 

@@ -13,7 +13,8 @@ import no.hials.crosscom.simulator.Access;
  *     the length of its texts
  * @param access what clients and programs may do
  */
-public record Declared(String name, String type, List<Integer> dimensions, Access access) {
+public record VariableDeclaration(
+    String name, String type, List<Integer> dimensions, Access access) {
 
   /**
    * Finds a variable.
@@ -22,17 +23,17 @@ public record Declared(String name, String type, List<Integer> dimensions, Acces
    * @param name its name in any case, without index
    * @return how it is declared; nothing if it is not
    */
-  public static Optional<Declared> find(Scope scope, String name) {
-    return Optional.ofNullable(scope.lookup(Scope.key(name))).map(Declared::of);
+  public static Optional<VariableDeclaration> find(Scope scope, String name) {
+    return Optional.ofNullable(scope.lookup(Scope.key(name))).map(VariableDeclaration::of);
   }
 
-  private static Declared of(Variable variable) {
-    Node contents = variable.contents();
+  private static VariableDeclaration of(VariableEntry variable) {
+    Storage contents = variable.contents();
     if (contents == null) {
-      return new Declared(variable.name(), "SIGNAL", List.of(), variable.access());
+      return new VariableDeclaration(variable.name(), "SIGNAL", List.of(), variable.access());
     }
-    Shape shape = Shape.of(contents);
-    return new Declared(
+    DeclaredType shape = DeclaredType.of(contents);
+    return new VariableDeclaration(
         variable.name(), shape.type().name(), shape.dimensions(), variable.access());
   }
 }

@@ -17,7 +17,7 @@ import no.hials.crosscom.protocol.variable.WriteRequest;
 import no.hials.crosscom.simulator.ProgramState;
 import org.junit.jupiter.api.Test;
 
-/** What saves a user from writing variables one by one. */
+/** The classes that write variables for the user: paths, targets and outputs. */
 class ConvenienceTest extends ControlTest {
   private static final Safety AUTOMATIC = Safety.create(ControlTest::inAutomatic);
   private static final double MM = 0.01;
@@ -43,7 +43,7 @@ class ConvenienceTest extends ControlTest {
     assertThat(controller.standing()).isTrue();
     assertThat(controller.axes().largestDifference(points.get(49))).isCloseTo(0, within(0.001));
     assertThat(server.variables().get("JOV_LIMIT")).isEqualTo("0");
-    player().playAxes(List.of(START), LIMIT); // and another one
+    player().playAxes(List.of(START), LIMIT); // a second path
     assertThat(controller.axes().largestDifference(START)).isCloseTo(0, within(0.001));
   }
 

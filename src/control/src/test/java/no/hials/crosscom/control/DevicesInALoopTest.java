@@ -21,7 +21,7 @@ import no.hials.crosscom.kinematics.Frame;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Lets input devices move the simulated robot. */
+/** Moves the simulated robot with input devices. */
 @Timeout(120)
 class DevicesInALoopTest extends ControlTest {
   private static final double SPEED = 20; // mm/s
@@ -38,7 +38,7 @@ class DevicesInALoopTest extends ControlTest {
     return Law.cartesianVelocity(s -> Twist.linear(SPEED * s.input().axis(0), 0, 0));
   }
 
-  /** Returns lines every 50 ms with a deflection, from a time to another. */
+  /** Returns a line every 50 ms with a deflection, between two times. */
   private static String lines(double from, double to, String values) {
     StringBuilder lines = new StringBuilder();
     for (int i = (int) Math.round(from * 20); i < Math.round(to * 20); i++) {
@@ -73,7 +73,7 @@ class DevicesInALoopTest extends ControlTest {
         replay(lines(0, 1, "1,1") + lines(1, 2, "-1,1") + lines(2, 3, "0,0"), 3);
 
     double start = xAt(cycles, 0);
-    // it needs some cycles to get going, and as many to turn round
+    // it needs some cycles to start, and as many to turn back
     assertThat(xAt(cycles, 1) - start).isBetween(0.6 * SPEED, 1.05 * SPEED);
     assertThat(xAt(cycles, 2.9)).isCloseTo(start, within(0.3 * SPEED));
     assertThat(xAt(cycles, 2.9)).isEqualTo(xAt(cycles, 2.5));
@@ -124,7 +124,7 @@ class DevicesInALoopTest extends ControlTest {
     }
   }
 
-  /** Returns the input of a device the age that it has in the simulated time. */
+  /** Returns the input of a device with its age in simulated time. */
   private InputDevice inSimulatedTime(InputDevice device) {
     return new InputDevice() {
       private Input last = Input.NONE;
@@ -155,7 +155,7 @@ class DevicesInALoopTest extends ControlTest {
     try (UdpJsonInput device = UdpJsonInput.listen(0);
         ControlLoop loop = start(with(inSimulatedTime(device), cfg -> {}), alongX())) {
       sendUntil(device, loop, start.x() + 5);
-      // what is no input does not keep it going
+      // invalid input does not keep it moving
       while (device.refusedDatagrams() == 0 || loop.status() != ControlLoop.Status.HOLDING) {
         send(device.port(), "{\"axes\": [1], \"deadMan\": tru");
       }

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The four laws follow a sinusoid that the simulated robot drives by the programs of krl. */
+/** The four kinds of laws follow a sinusoid with the programs of krl on the simulated robot. */
 class FollowingTest extends ControlTest {
   private static final Duration ONE_TURN = Duration.ofSeconds(4);
   private static final double OMEGA = Math.PI / 2;
@@ -28,7 +28,7 @@ class FollowingTest extends ControlTest {
     return config(cfg -> cfg.duration(ONE_TURN).target(target));
   }
 
-  /** Runs a loop for one turn, and gives what it did. */
+  /** Runs a loop for one period of the sinusoid, and returns its cycles. */
   private List<Trace.Cycle> follow(LoopConfig config, Law law) throws Exception {
     try (ControlLoop loop = start(config, law)) {
       assertThat(loop.await().kind()).isEqualTo(Kind.TIME_OVER);
@@ -108,7 +108,7 @@ class FollowingTest extends ControlTest {
             Law.jointVelocity(
                 s -> Axes.ZERO.with(0, DEGREES * OMEGA * Math.cos(OMEGA * s.time()))));
 
-    // an increment of v * dt takes the program a cycle of 12 ms or somewhat longer
+    // the program takes a cycle of 12 ms or slightly longer for an increment of v * dt
     assertThat(amplitude(cycles, 0)).isBetween(0.7 * DEGREES, 1.05 * DEGREES);
     assertStands();
   }
@@ -188,7 +188,7 @@ class FollowingTest extends ControlTest {
 
     assertThat(amplitude(cycles, 0)).isBetween(0.7 * MM, 1.05 * MM);
     assertThat(cycles)
-        .as("what rounding leaves in the other coordinates is not sent")
+        .as("rounding errors of the other coordinates are not sent")
         .allSatisfy(cycle -> assertThat(cycle.sent().subList(1, 6)).containsOnly(0.0));
     assertStands();
   }
@@ -203,7 +203,7 @@ class FollowingTest extends ControlTest {
             Law.jointVelocity(
                 s -> Axes.ZERO.with(0, DEGREES * OMEGA * Math.cos(OMEGA * s.time()))));
 
-    // slower than asked for: the robot brakes for each of the near targets
+    // slower than commanded: the robot brakes for each of the near targets
     assertThat(amplitude(cycles, 0)).isBetween(0.2 * DEGREES, 1.05 * DEGREES);
     assertStands();
   }

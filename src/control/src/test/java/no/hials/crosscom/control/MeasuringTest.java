@@ -18,7 +18,7 @@ import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 
-/** What a loop measures, and what it costs. */
+/** The measurements of a loop, and its costs. */
 class MeasuringTest extends ControlTest {
   private static final Law TURNING = Law.jointVelocity(s -> Axes.ZERO.with(0, 10));
 

@@ -5,8 +5,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import no.hials.crosscom.simulator.Controller;
 
 /**
- * Lets the time of a loop be that of a simulated controller, which passes only while the loop
- * waits: so every run is the same, however fast the computer is.
+ * The time of a simulated controller as the clock of a loop. It passes only while the loop waits,
+ * so runs do not depend on the speed of the computer.
  */
 final class SimulatedTime implements LoopTime {
   private static final long CYCLE = Duration.ofMillis(12).toNanos();
@@ -33,7 +33,7 @@ final class SimulatedTime implements LoopTime {
     }
   }
 
-  /** Lets time pass for the loop, as if an access had taken it. */
+  /** Advances the time of the loop, as an access does. */
   void pass(Duration time) {
     now.addAndGet(time.toNanos());
   }

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Velocities of the tool, and the axes' for them. */
+/** Velocities of the tool, and the axis velocities for them. */
 class TwistTest {
   private static final double TINY = 1e-6;
   private static final RobotModel ROBOT = RobotModel.kr6r900sixx();

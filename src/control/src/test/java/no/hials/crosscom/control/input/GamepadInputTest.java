@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What is made of a gamepad's sticks; the gamepad itself is not here. */
+/** Converts the state of a gamepad to input, without a real gamepad. */
 class GamepadInputTest {
   private final Map<ControllerAxis, Double> sticks = new EnumMap<>(ControllerAxis.class);
   private final Set<ControllerButton> pressed = EnumSet.noneOf(ControllerButton.class);

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What devices say. */
+/** Input values and devices. */
 class InputTest {
   private static final long MILLI = 1_000_000;
 

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What keys do, on a terminal inside of this process. */
+/** The effect of keys, on a terminal within this process. */
 @Timeout(60)
 class KeyboardInputTest {
   private static final long HOLD = KeyboardInput.HOLD * 1_000_000L;

@@ -26,11 +26,11 @@ import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.lang.Statement.MotionKind;
+import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.files.FileTree;
 import no.hials.crosscom.simulator.internal.core.Kernel;
 import no.hials.crosscom.simulator.internal.core.Pacemaker;
-import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -92,8 +92,8 @@ public final class Controller implements AutoCloseable {
             ? BEGIN
             : LocalDateTime.now(ZoneId.systemDefault());
     kernel = new Kernel(variables.scope(), model, begin);
-    robot = new ProgramControl(kernel, KrlInterpreter.Kind.ROBOT);
-    submit = new ProgramControl(kernel, KrlInterpreter.Kind.SUBMIT);
+    robot = new ProgramControl(kernel, Interpreter.ROBOT);
+    submit = new ProgramControl(kernel, Interpreter.SUBMIT);
     pacemaker =
         clock instanceof SimulationClock.Stepped ? null : new Pacemaker(kernel, clock, threadName);
   }
@@ -343,7 +343,7 @@ public final class Controller implements AutoCloseable {
 
   /** Starts the robot's program as a higher-level controller does; in mode EXT only. */
   public void externalStart() {
-    kernel.start(KrlInterpreter.Kind.ROBOT, true);
+    kernel.start(Interpreter.ROBOT, true);
   }
 
   /**

@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator;
 
 import java.util.List;
 import java.util.Optional;
+import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.core.Kernel;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
@@ -13,9 +14,9 @@ import no.hials.crosscom.simulator.internal.program.LinkException;
  */
 public final class ProgramControl {
   private final Kernel kernel;
-  private final KrlInterpreter.Kind kind;
+  private final Interpreter kind;
 
-  ProgramControl(Kernel kernel, KrlInterpreter.Kind kind) {
+  ProgramControl(Kernel kernel, Interpreter kind) {
     this.kernel = kernel;
     this.kind = kind;
   }

@@ -16,6 +16,7 @@ import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Statement.MotionKind;
+import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -107,8 +108,8 @@ public final class Kernel {
   public Kernel(Scope globals, RobotModel model, LocalDateTime begin) {
     machine = new Machine(globals);
     library = new ProgramLibrary(globals, SystemVariables::stopsAdvanceRun);
-    robot = new KrlInterpreter(KrlInterpreter.Kind.ROBOT, new RobotEnvironment());
-    submit = new KrlInterpreter(KrlInterpreter.Kind.SUBMIT, new SubmitEnvironment());
+    robot = new KrlInterpreter(Interpreter.ROBOT, new RobotEnvironment());
+    submit = new KrlInterpreter(Interpreter.SUBMIT, new SubmitEnvironment());
     timers = new Timers(machine);
     Triggers triggers = new Triggers(robot::fire);
     motions = new Motions(machine, model, triggers, new MotionListener());
@@ -159,14 +160,14 @@ public final class Kernel {
    * @throws LinkException if there is no such program or something is wrong with it
    * @throws ProgramFault if the arguments do not suit it
    */
-  public void select(KrlInterpreter.Kind kind, String name, List<KrlValue> arguments)
+  public void select(Interpreter kind, String name, List<KrlValue> arguments)
       throws LinkException, ProgramFault {
     lock.lock();
     try {
       KrlInterpreter interpreter = interpreter(kind);
       requireIdle(interpreter, "select");
       interpreter.select(library.program(name), arguments);
-      if (kind == KrlInterpreter.Kind.ROBOT) {
+      if (kind == Interpreter.ROBOT) {
         motions.discardAll();
       }
       publish();
@@ -181,8 +182,8 @@ public final class Kernel {
     }
   }
 
-  private KrlInterpreter interpreter(KrlInterpreter.Kind kind) {
-    return kind == KrlInterpreter.Kind.ROBOT ? robot : submit;
+  private KrlInterpreter interpreter(Interpreter kind) {
+    return kind == Interpreter.ROBOT ? robot : submit;
   }
 
   /**
@@ -191,11 +192,11 @@ public final class Kernel {
    * @param kind which interpreter
    * @param external whether the higher-level controller starts it and not the pendant
    */
-  public void start(KrlInterpreter.Kind kind, boolean external) {
+  public void start(Interpreter kind, boolean external) {
     change(() -> startLocked(kind, external));
   }
 
-  private void startLocked(KrlInterpreter.Kind kind, boolean external) {
+  private void startLocked(Interpreter kind, boolean external) {
     if (failure != null) {
       throw new IllegalStateException("start: the simulation has failed: " + failure, failure);
     }
@@ -204,7 +205,7 @@ public final class Kernel {
       throw new IllegalStateException("start: no program is selected");
     }
     requireIdle(interpreter, "start");
-    if (kind == KrlInterpreter.Kind.ROBOT) {
+    if (kind == Interpreter.ROBOT) {
       if (external != (mode == OperatingMode.EXT)) {
         throw new IllegalStateException(
             external
@@ -229,11 +230,11 @@ public final class Kernel {
    *
    * @param kind which interpreter
    */
-  public void stop(KrlInterpreter.Kind kind) {
+  public void stop(Interpreter kind) {
     change(
         () -> {
           interpreter(kind).stop();
-          if (kind == KrlInterpreter.Kind.ROBOT) {
+          if (kind == Interpreter.ROBOT) {
             endManual();
           }
         });
@@ -244,7 +245,7 @@ public final class Kernel {
    *
    * @param kind which interpreter
    */
-  public void reset(KrlInterpreter.Kind kind) {
+  public void reset(Interpreter kind) {
     change(
         () -> {
           KrlInterpreter interpreter = interpreter(kind);
@@ -252,7 +253,7 @@ public final class Kernel {
           if (!interpreter.reset()) {
             throw new IllegalStateException("reset: no program is selected");
           }
-          if (kind == KrlInterpreter.Kind.ROBOT) {
+          if (kind == Interpreter.ROBOT) {
             motions.discardAll();
           }
         });
@@ -263,13 +264,13 @@ public final class Kernel {
    *
    * @param kind which interpreter
    */
-  public void cancel(KrlInterpreter.Kind kind) {
+  public void cancel(Interpreter kind) {
     change(
         () -> {
           KrlInterpreter interpreter = interpreter(kind);
           interpreter.stop();
           interpreter.cancel();
-          if (kind == KrlInterpreter.Kind.ROBOT) {
+          if (kind == Interpreter.ROBOT) {
             motions.discardAll();
           }
         });
@@ -281,7 +282,7 @@ public final class Kernel {
    * @param kind which
    * @return what {@code $PRO_STATE} tells
    */
-  public ProgramState state(KrlInterpreter.Kind kind) {
+  public ProgramState state(Interpreter kind) {
     return locked(() -> interpreter(kind).state());
   }
 
@@ -291,7 +292,7 @@ public final class Kernel {
    * @param kind which interpreter
    * @return the name of its module; nothing if none is selected
    */
-  public Optional<String> program(KrlInterpreter.Kind kind) {
+  public Optional<String> program(Interpreter kind) {
     return locked(() -> interpreter(kind).program().map(program -> program.name()));
   }
 
@@ -301,7 +302,7 @@ public final class Kernel {
    * @param kind which interpreter
    * @return the innermost call first
    */
-  public List<KrlInterpreter.Level> levels(KrlInterpreter.Kind kind) {
+  public List<KrlInterpreter.Level> levels(Interpreter kind) {
     return locked(() -> interpreter(kind).levels());
   }
 
@@ -655,7 +656,7 @@ public final class Kernel {
   private void stopFor(int number, String text) {
     robot.stop();
     messages.add(Message.Kind.ACKNOWLEDGEMENT, number, text, time);
-    variables.error(number, KrlInterpreter.Kind.ROBOT);
+    variables.error(number, Interpreter.ROBOT);
   }
 
   private void publish() {
@@ -709,7 +710,7 @@ public final class Kernel {
       return time;
     }
 
-    abstract KrlInterpreter.Kind kind();
+    abstract Interpreter kind();
 
     @Override
     public void pulse(int output, boolean level, double seconds) throws ProgramFault {
@@ -765,8 +766,8 @@ public final class Kernel {
     }
 
     @Override
-    KrlInterpreter.Kind kind() {
-      return KrlInterpreter.Kind.ROBOT;
+    Interpreter kind() {
+      return Interpreter.ROBOT;
     }
 
     @Override
@@ -803,8 +804,8 @@ public final class Kernel {
   /** The submit interpreter's, which moves nothing. */
   private final class SubmitEnvironment extends CommonEnvironment {
     @Override
-    KrlInterpreter.Kind kind() {
-      return KrlInterpreter.Kind.SUBMIT;
+    Interpreter kind() {
+      return Interpreter.SUBMIT;
     }
 
     @Override

@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -319,8 +320,8 @@ final class SystemVariables {
   }
 
   /** Puts the number of an error into $ERR. */
-  void error(int number, KrlInterpreter.Kind kind) {
-    boolean ofRobot = kind == KrlInterpreter.Kind.ROBOT;
+  void error(int number, Interpreter kind) {
+    boolean ofRobot = kind == Interpreter.ROBOT;
     List<KrlInterpreter.Level> levels = (ofRobot ? robotInterpreter : submitInterpreter).levels();
     int line = levels.isEmpty() ? 0 : levels.get(0).position().line();
     String module = levels.isEmpty() ? " " : moduleName(levels.get(0));

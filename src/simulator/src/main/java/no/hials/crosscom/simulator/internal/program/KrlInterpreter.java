@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator.internal.program;
 import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.ProgramState;
@@ -16,14 +17,6 @@ import org.jspecify.annotations.Nullable;
  * the controller's: who stops, resets or cancels the interpreter stops or forgets them.
  */
 public final class KrlInterpreter {
-
-  /** The interpreters of a controller. */
-  public enum Kind {
-    /** Moves the robot. */
-    ROBOT,
-    /** Runs beside it and cannot move anything. */
-    SUBMIT
-  }
 
   /**
    * A routine that is being executed.
@@ -44,10 +37,10 @@ public final class KrlInterpreter {
   /**
    * Makes an interpreter without a program.
    *
-   * @param kind what it may do
+   * @param kind which interpreter; only the robot interpreter can move the robot
    * @param environment the controller
    */
-  public KrlInterpreter(Kind kind, ProgramEnvironment environment) {
+  public KrlInterpreter(Interpreter kind, ProgramEnvironment environment) {
     this.environment = environment;
     this.machine = new KrlVirtualMachine(kind, environment);
   }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
@@ -31,7 +32,7 @@ final class KrlVirtualMachine {
 
   private static final VariablePath RESULT = path("RESULT");
 
-  private final KrlInterpreter.Kind kind;
+  private final Interpreter kind;
   private final ProgramEnvironment environment;
   private final Interrupts interrupts = new Interrupts();
   private final List<TriggerOrder> nextTriggers = new ArrayList<>();
@@ -49,7 +50,7 @@ final class KrlVirtualMachine {
   /** Where the fault was, if not in the statement being executed but in a condition. */
   private @Nullable Position faultPosition;
 
-  KrlVirtualMachine(KrlInterpreter.Kind kind, ProgramEnvironment environment) {
+  KrlVirtualMachine(Interpreter kind, ProgramEnvironment environment) {
     this.kind = kind;
     this.environment = environment;
   }
@@ -448,14 +449,14 @@ final class KrlVirtualMachine {
   // for instructions: the robot
 
   private void requireRobot(String what) throws ProgramFault {
-    if (kind == KrlInterpreter.Kind.SUBMIT) {
+    if (kind == Interpreter.SUBMIT) {
       throw new ProgramFault(
           ProgramFault.NOT_ALLOWED, what + " is not allowed in the submit interpreter");
     }
   }
 
   private boolean mustWaitForMotion() {
-    return kind == KrlInterpreter.Kind.ROBOT && !environment.motionFinished();
+    return kind == Interpreter.ROBOT && !environment.motionFinished();
   }
 
   /** Waits until the robot has ended its motions, which stops the advance run. */

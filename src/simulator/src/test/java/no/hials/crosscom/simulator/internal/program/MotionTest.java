@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import no.hials.crosscom.lang.Statement.Approximation;
+import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.simulator.ProgramState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -310,7 +311,7 @@ class MotionTest {
     "TRIGGER WHEN DISTANCE=0 DELAY=0 DO I=1, TRIGGER",
   })
   void refusesToMoveInTheSubmitInterpreter(String statement, String what) {
-    assertThat(new Rig(KrlInterpreter.Kind.SUBMIT).faultIn(statement))
+    assertThat(new Rig(Interpreter.SUBMIT).faultIn(statement))
         .isEqualTo("9010 line 2: " + what + " is not allowed in the submit interpreter");
   }
 
@@ -318,7 +319,7 @@ class MotionTest {
   void doesNotWaitForTheRobotInTheSubmitInterpreter() throws Exception {
     Rig rig = new Rig();
     rig.start("DEF TEST()\nPTP F\nEND\n").cycle();
-    KrlInterpreter other = new KrlInterpreter(KrlInterpreter.Kind.SUBMIT, rig.robot);
+    KrlInterpreter other = new KrlInterpreter(Interpreter.SUBMIT, rig.robot);
 
     rig.load("DEF SPS()\n$OUT[2] = TRUE\nEND\n");
     other.select(rig.library.program("SPS"), List.of());

@@ -10,6 +10,7 @@ import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.SourceFile;
+import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.ProgramState;
@@ -79,10 +80,10 @@ final class Rig {
   final KrlInterpreter interpreter;
 
   Rig() {
-    this(KrlInterpreter.Kind.ROBOT);
+    this(Interpreter.ROBOT);
   }
 
-  Rig(KrlInterpreter.Kind kind) {
+  Rig(Interpreter kind) {
     DataListLoader.load(
         (DataList) parse("test.dat", GLOBALS),
         new Scope(globals),

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -10,7 +9,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param id u16, echoed in the answer
  * @param size u32; of the whole file, in bytes
  */
-public record BeginWriteRequest(int id, long size) implements Request {
+public record BeginWriteRequest(int id, long size) implements FileRequest {
   /** Checks the ranges. */
   public BeginWriteRequest {
     Ranges.u16("id", id);

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ContentOperation;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -17,7 +16,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  *     or unknown
  */
 public record ContentRequest(int id, MessageType type, Code<ContentOperation> operation)
-    implements Request {
+    implements FileRequest {
 
   /** Checks the ranges. */
   public ContentRequest {

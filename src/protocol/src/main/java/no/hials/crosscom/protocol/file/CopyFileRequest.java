@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -18,7 +17,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  */
 public record CopyFileRequest(
     int id, MessageType type, Flags<CopyFlag> flags, String source, String destination)
-    implements Request {
+    implements FileRequest {
   /** Checks the ranges. */
   public CopyFileRequest {
     Ranges.u16("id", id);

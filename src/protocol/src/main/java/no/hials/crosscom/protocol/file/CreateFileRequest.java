@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
@@ -27,7 +26,7 @@ public record CreateFileRequest(
     boolean always,
     String name,
     String template)
-    implements Request {
+    implements FileRequest {
   /** Checks the ranges. */
   public CreateFileRequest {
     Ranges.u16("id", id);

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -11,7 +10,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param always u8, 0 or 1; whether to delete it although it is read-only (c3-vectors.tsv)
  * @param name WSTRING; 32,765 characters at most
  */
-public record DeleteFileRequest(int id, boolean always, String name) implements Request {
+public record DeleteFileRequest(int id, boolean always, String name) implements FileRequest {
   /** Checks the ranges. */
   public DeleteFileRequest {
     Ranges.u16("id", id);

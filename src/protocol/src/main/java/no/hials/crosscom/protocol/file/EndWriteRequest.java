@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -13,7 +12,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param flags i32
  * @param name WSTRING; 32,763 characters at most
  */
-public record EndWriteRequest(int id, Flags<CopyFlag> flags, String name) implements Request {
+public record EndWriteRequest(int id, Flags<CopyFlag> flags, String name) implements FileRequest {
   /** Checks the ranges. */
   public EndWriteRequest {
     Ranges.u16("id", id);

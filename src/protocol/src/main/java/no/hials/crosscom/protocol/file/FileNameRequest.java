@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -11,7 +10,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param type u8; {@link MessageType#FULL_NAME} or {@link MessageType#KRC_NAME}
  * @param path WSTRING: u16 count of characters and UTF-16, little-endian; 32,766 at most
  */
-public record FileNameRequest(int id, MessageType type, String path) implements Request {
+public record FileNameRequest(int id, MessageType type, String path) implements FileRequest {
   /** Checks the ranges. */
   public FileNameRequest {
     Ranges.u16("id", id);

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.FileProperty;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -14,7 +13,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param name WSTRING; 32,764 characters at most
  */
 public record FilePropertiesRequest(int id, Flags<FileProperty> properties, String name)
-    implements Request {
+    implements FileRequest {
   /** Checks the ranges. */
   public FilePropertiesRequest {
     Ranges.u16("id", id);

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
@@ -16,7 +15,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param path WSTRING; 32,762 characters at most
  */
 public record ListDirectoryRequest(
-    int id, Flags<ItemType> types, Flags<ListFlag> flags, String path) implements Request {
+    int id, Flags<ItemType> types, Flags<ListFlag> flags, String path) implements FileRequest {
   /** Checks the ranges. */
   public ListDirectoryRequest {
     Ranges.u16("id", id);

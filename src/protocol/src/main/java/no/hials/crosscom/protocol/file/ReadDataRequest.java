@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -12,7 +11,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param size u32; how many bytes at most, of which an answer has 64,512 at most (c3-bridge.md,
  *     "Common to all messages")
  */
-public record ReadDataRequest(int id, long offset, long size) implements Request {
+public record ReadDataRequest(int id, long offset, long size) implements FileRequest {
   /** Asks for as many bytes as fit into an answer. */
   public static final long AS_MUCH_AS_FITS = 0xFFFF_FFFFL;
 

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -16,7 +15,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  */
 public record SetAttributesRequest(
     int id, Flags<FileAttribute> attributes, Flags<FileAttribute> mask, String name)
-    implements Request {
+    implements FileRequest {
   /** Checks the ranges. */
   public SetAttributesRequest {
     Ranges.u16("id", id);

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -11,7 +10,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param offset u32; where in the file the data begins
  * @param data u32 count and bytes; 65,525 at most
  */
-public record WriteDataRequest(int id, long offset, Bytes data) implements Request {
+public record WriteDataRequest(int id, long offset, Bytes data) implements FileRequest {
   /** Checks the ranges. */
   public WriteDataRequest {
     Ranges.u16("id", id);

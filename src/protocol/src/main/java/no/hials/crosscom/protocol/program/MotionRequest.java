@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.program;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -13,7 +12,8 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param motion u8
  * @param position WSTRING, the KRL text of a position; 32,765 characters at most
  */
-public record MotionRequest(int id, Code<MotionType> motion, String position) implements Request {
+public record MotionRequest(int id, Code<MotionType> motion, String position)
+    implements ProgramRequest {
   /** Checks the ranges. */
   public MotionRequest {
     Ranges.u16("id", id);

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.program;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -20,7 +19,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  */
 public record PendantKeyRequest(
     int id, Code<PendantKey> key, int number, int keyCode, boolean direction, boolean released)
-    implements Request {
+    implements ProgramRequest {
   /** Checks the ranges. */
   public PendantKeyRequest {
     Ranges.u16("id", id);

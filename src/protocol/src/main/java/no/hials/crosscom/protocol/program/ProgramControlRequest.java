@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.program;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
@@ -18,7 +17,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param interpreter i16
  */
 public record ProgramControlRequest(
-    int id, Code<ProgramCommand> command, Code<Interpreter> interpreter) implements Request {
+    int id, Code<ProgramCommand> command, Code<Interpreter> interpreter) implements ProgramRequest {
 
   /** Checks the ranges. */
   public ProgramControlRequest {

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.program;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
@@ -26,7 +25,7 @@ public record ProgramSelectRequest(
     String name,
     String parameters,
     boolean force)
-    implements Request {
+    implements ProgramRequest {
 
   /** Checks the ranges. */
   public ProgramSelectRequest {

@@ -2,7 +2,6 @@ package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -13,7 +12,8 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param iterations u32
  * @param names WSTRING each; 255 at most, of which the server uses 10
  */
-public record BenchmarkReadRequest(int id, long iterations, List<String> names) implements Request {
+public record BenchmarkReadRequest(int id, long iterations, List<String> names)
+    implements VariableRequest {
   /** Checks the ranges. */
   public BenchmarkReadRequest {
     names = List.copyOf(names);

@@ -2,7 +2,6 @@ package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -14,7 +13,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param assignments WSTRING name and WSTRING value each; 255 at most, of which the server uses 10
  */
 public record BenchmarkWriteRequest(int id, long iterations, List<Assignment> assignments)
-    implements Request {
+    implements VariableRequest {
   /** Checks the ranges. */
   public BenchmarkWriteRequest {
     assignments = List.copyOf(assignments);

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.variable;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -10,7 +9,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param id u16, echoed in the answer
  * @param name u16 byte count and ISO 8859-1 bytes; 65,532 at most
  */
-public record ReadArrayRequest(int id, String name) implements Request {
+public record ReadArrayRequest(int id, String name) implements VariableRequest {
   /** Checks the ranges. */
   public ReadArrayRequest {
     Ranges.u16("id", id);

@@ -2,7 +2,6 @@ package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -11,7 +10,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param id u16, echoed in the answer
  * @param names WSTRING each; 255 at most
  */
-public record ReadMultipleRequest(int id, List<String> names) implements Request {
+public record ReadMultipleRequest(int id, List<String> names) implements VariableRequest {
   /** Checks the ranges. */
   public ReadMultipleRequest {
     names = List.copyOf(names);

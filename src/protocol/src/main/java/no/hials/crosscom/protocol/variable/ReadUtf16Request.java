@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.variable;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -10,7 +9,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param id u16, echoed in the answer
  * @param name WSTRING: u16 count of characters and UTF-16, little-endian; 32,766 at most
  */
-public record ReadUtf16Request(int id, String name) implements Request {
+public record ReadUtf16Request(int id, String name) implements VariableRequest {
   /** Checks the ranges. */
   public ReadUtf16Request {
     Ranges.u16("id", id);

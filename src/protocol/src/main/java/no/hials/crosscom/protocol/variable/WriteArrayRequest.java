@@ -2,7 +2,6 @@ package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -14,7 +13,8 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param name u16 byte count and ISO 8859-1 bytes
  * @param elements u16 each, for {@code NAME[1]}, {@code NAME[2]}, ...
  */
-public record WriteArrayRequest(int id, String name, List<Integer> elements) implements Request {
+public record WriteArrayRequest(int id, String name, List<Integer> elements)
+    implements VariableRequest {
   /** Checks the ranges. */
   public WriteArrayRequest {
     elements = List.copyOf(elements);

@@ -2,7 +2,6 @@ package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Strictness;
 import no.hials.crosscom.protocol.internal.Ranges;
 
@@ -16,7 +15,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param assignments WSTRING name and WSTRING value each; 255 at most
  */
 public record WriteMultipleRequest(int id, int count, List<Assignment> assignments)
-    implements Request {
+    implements VariableRequest {
   /** Checks the ranges. */
   public WriteMultipleRequest {
     assignments = List.copyOf(assignments);

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.variable;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -11,7 +10,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param name u16 byte count and ISO 8859-1 bytes
  * @param value u16 byte count and ISO 8859-1 bytes; name and value have 65,530 together at most
  */
-public record WriteRequest(int id, String name, String value) implements Request {
+public record WriteRequest(int id, String name, String value) implements VariableRequest {
   /** Checks the ranges. */
   public WriteRequest {
     Ranges.u16("id", id);

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.variable;
 
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -11,7 +10,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param name WSTRING
  * @param value WSTRING; name and value have 32,765 characters together at most
  */
-public record WriteUtf16Request(int id, String name, String value) implements Request {
+public record WriteUtf16Request(int id, String name, String value) implements VariableRequest {
   /** Checks the ranges. */
   public WriteUtf16Request {
     Ranges.u16("id", id);

@@ -1,0 +1,19 @@
+package no.hials.crosscom.protocol.file;
+
+import no.hials.crosscom.protocol.Request;
+
+/** Asks about the files of the controller, or changes them. */
+public sealed interface FileRequest extends Request
+    permits BeginReadRequest,
+        BeginWriteRequest,
+        ContentRequest,
+        CopyFileRequest,
+        CreateFileRequest,
+        DeleteFileRequest,
+        EndWriteRequest,
+        FileNameRequest,
+        FilePropertiesRequest,
+        ListDirectoryRequest,
+        ReadDataRequest,
+        SetAttributesRequest,
+        WriteDataRequest {}

@@ -20,11 +20,11 @@ import no.hials.crosscom.protocol.TypedResponse;
  * and some classes serve several types.
  */
 public final class Layouts {
-  private static final Layouts ALL = new Layouts();
+  static final Layouts ALL = new Layouts();
 
-  private final Map<Class<?>, Writer<?>> writers = new HashMap<>();
-  private final Map<MessageType, RequestReader> requests = new EnumMap<>(MessageType.class);
-  private final Map<MessageType, AnswerReader> answers = new EnumMap<>(MessageType.class);
+  final Map<Class<?>, Writer<?>> writers = new HashMap<>();
+  final Map<MessageType, RequestReader> requests = new EnumMap<>(MessageType.class);
+  final Map<MessageType, AnswerReader> answers = new EnumMap<>(MessageType.class);
 
   /** Writes a message's fields. */
   @FunctionalInterface

@@ -7,7 +7,7 @@ import java.net.Socket;
 import java.time.Duration;
 import java.util.HashSet;
 import java.util.Set;
-import no.hials.crosscom.simulator.internal.core.Threads;
+import no.hials.crosscom.simulator.internal.core.ThreadJoiner;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -88,7 +88,7 @@ final class ConnectionAcceptor {
       ending = accepting;
     }
     if (ending != null) {
-      Threads.join(ending);
+      ThreadJoiner.join(ending);
     }
   }
 

@@ -2,7 +2,7 @@ package no.hials.crosscom.mock;
 
 import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.simulator.internal.core.Threads;
+import no.hials.crosscom.simulator.internal.core.ThreadJoiner;
 
 /** The threads of a server: all daemons. Safe for use by several threads. */
 final class ServerThreads {
@@ -39,6 +39,6 @@ final class ServerThreads {
       ending = List.copyOf(threads);
     }
     // they end soon: their sockets are closed
-    ending.forEach(Threads::join);
+    ending.forEach(ThreadJoiner::join);
   }
 }

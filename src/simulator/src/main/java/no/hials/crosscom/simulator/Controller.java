@@ -29,7 +29,7 @@ import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.files.FileTree;
-import no.hials.crosscom.simulator.internal.core.Kernel;
+import no.hials.crosscom.simulator.internal.core.ControllerCore;
 import no.hials.crosscom.simulator.internal.core.Pacemaker;
 import org.jspecify.annotations.Nullable;
 
@@ -60,7 +60,7 @@ public final class Controller implements AutoCloseable {
   /** With a stepped clock all is the same each time: {@code $DATE}, too, as $OPERATE.DAT has it. */
   private static final LocalDateTime BEGIN = LocalDateTime.of(2014, 3, 14, 10, 15, 30);
 
-  private final Kernel kernel;
+  private final ControllerCore core;
   private final VariableTable variables;
   private final SimulationClock clock;
   private final ProgramControl robot;
@@ -72,7 +72,7 @@ public final class Controller implements AutoCloseable {
   /** Called after a file was loaded. */
   private volatile LoadListener listener = (module, ending, text) -> {};
 
-  /** Data lists of modules, by name in upper case; guarded by the kernel. */
+  /** Data lists of modules, by name in upper case; guarded by the core. */
   private final Map<String, DataList> dataLists = new HashMap<>();
 
   /**
@@ -91,17 +91,17 @@ public final class Controller implements AutoCloseable {
         clock instanceof SimulationClock.Stepped
             ? BEGIN
             : LocalDateTime.now(ZoneId.systemDefault());
-    kernel = new Kernel(variables.scope(), model, begin);
-    robot = new ProgramControl(kernel, Interpreter.ROBOT);
-    submit = new ProgramControl(kernel, Interpreter.SUBMIT);
+    core = new ControllerCore(variables.scope(), model, begin);
+    robot = new ProgramControl(core, Interpreter.ROBOT);
+    submit = new ProgramControl(core, Interpreter.SUBMIT);
     pacemaker =
-        clock instanceof SimulationClock.Stepped ? null : new Pacemaker(kernel, clock, threadName);
+        clock instanceof SimulationClock.Stepped ? null : new Pacemaker(core, clock, threadName);
   }
 
   /** Stops the programs and ends the thread. Does nothing the second time. */
   @Override
   public void close() {
-    kernel.close();
+    core.close();
     if (pacemaker != null) {
       pacemaker.close();
     }
@@ -254,7 +254,7 @@ public final class Controller implements AutoCloseable {
 
   private void takeSource(SourceFile source, @Nullable ParseResult beside) throws KrlFileException {
     List<KrlError> errors =
-        kernel.withLibrary(
+        core.withLibrary(
             library -> {
               DataList data = dataLists.get(key(source.name()));
               if (beside != null && beside.file().orElse(null) instanceof DataList list) {
@@ -276,7 +276,7 @@ public final class Controller implements AutoCloseable {
     // of a module's list it shows what is global, and says what is wrong
     variables.load(fileName, parsed);
     if (!list.name().startsWith("$")) {
-      kernel.withLibrary(
+      core.withLibrary(
           library -> {
             dataLists.put(key(list.name()), list);
             return library.put(list);
@@ -294,7 +294,7 @@ public final class Controller implements AutoCloseable {
    * @return their names, sorted
    */
   public SortedSet<String> programs() {
-    return kernel.withLibrary(library -> library.names());
+    return core.withLibrary(library -> library.names());
   }
 
   /**
@@ -304,7 +304,7 @@ public final class Controller implements AutoCloseable {
    * @return what is wrong; empty if nothing is
    */
   public List<KrlError> check(String name) {
-    return kernel.withLibrary(library -> library.check(name));
+    return core.withLibrary(library -> library.check(name));
   }
 
   // programs
@@ -343,7 +343,7 @@ public final class Controller implements AutoCloseable {
 
   /** Starts the robot's program as a higher-level controller does; in mode EXT only. */
   public void externalStart() {
-    kernel.start(Interpreter.ROBOT, true);
+    core.start(Interpreter.ROBOT, true);
   }
 
   /**
@@ -352,7 +352,7 @@ public final class Controller implements AutoCloseable {
    * @return the mode; T1 at first
    */
   public OperatingMode mode() {
-    return kernel.mode();
+    return core.mode();
   }
 
   /**
@@ -362,7 +362,7 @@ public final class Controller implements AutoCloseable {
    * @param mode the mode
    */
   public void setMode(OperatingMode mode) {
-    kernel.setMode(mode);
+    core.setMode(mode);
   }
 
   /**
@@ -371,7 +371,7 @@ public final class Controller implements AutoCloseable {
    * @param pressed whether it is pressed
    */
   public void emergencyStop(boolean pressed) {
-    kernel.emergencyStop(pressed);
+    core.emergencyStop(pressed);
   }
 
   /**
@@ -380,7 +380,7 @@ public final class Controller implements AutoCloseable {
    * @return the last 1000, the oldest first
    */
   public List<Message> messages() {
-    return kernel.messages();
+    return core.messages();
   }
 
   /**
@@ -389,7 +389,7 @@ public final class Controller implements AutoCloseable {
    * @return how many did
    */
   public int confirmAll() {
-    return kernel.confirmAll();
+    return core.confirmAll();
   }
 
   // the robot
@@ -403,7 +403,7 @@ public final class Controller implements AutoCloseable {
    * @throws IllegalStateException if the robot cannot be moved now
    */
   public void move(MotionKind kind, KrlStruct target) throws ProgramFault {
-    kernel.move(kind, target);
+    core.move(kind, target);
   }
 
   /**
@@ -416,12 +416,12 @@ public final class Controller implements AutoCloseable {
    * @throws IllegalStateException if the robot cannot be jogged now
    */
   public void jog(MotionKind kind, KrlStruct target) throws ProgramFault {
-    kernel.jog(kind, target);
+    core.jog(kind, target);
   }
 
   /** Releases the jog key. */
   public void releaseJog() {
-    kernel.releaseJog();
+    core.releaseJog();
   }
 
   /**
@@ -431,7 +431,7 @@ public final class Controller implements AutoCloseable {
    *     have now
    */
   public RobotModel model() {
-    return kernel.model();
+    return core.model();
   }
 
   /**
@@ -440,7 +440,7 @@ public final class Controller implements AutoCloseable {
    * @return the commanded axis angles, in degrees, as {@code $AXIS_ACT} has them
    */
   public Axes axes() {
-    return kernel.axes();
+    return core.axes();
   }
 
   /**
@@ -449,7 +449,7 @@ public final class Controller implements AutoCloseable {
    * @return whether no axis moves
    */
   public boolean standing() {
-    return kernel.standing();
+    return core.standing();
   }
 
   /**
@@ -460,7 +460,7 @@ public final class Controller implements AutoCloseable {
    * @throws IllegalArgumentException if it is outside of the software limits
    */
   public void place(Axes axes) {
-    kernel.place(axes);
+    core.place(axes);
   }
 
   // time
@@ -471,7 +471,7 @@ public final class Controller implements AutoCloseable {
    * @return the time since the controller was made; whole cycles of 12 ms
    */
   public Duration time() {
-    return Duration.ofMillis(kernel.time());
+    return Duration.ofMillis(core.time());
   }
 
   /**
@@ -497,7 +497,7 @@ public final class Controller implements AutoCloseable {
       throw new IllegalStateException(
           "stepping needs SimulationClock.stepped(), the clock is " + clock);
     }
-    return kernel.run(limit, condition);
+    return core.run(limit, condition);
   }
 
   /**

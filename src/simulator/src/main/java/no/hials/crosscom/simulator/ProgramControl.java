@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.internal.core.Kernel;
+import no.hials.crosscom.simulator.internal.core.ControllerCore;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import no.hials.crosscom.simulator.internal.program.LinkException;
 
@@ -13,11 +13,11 @@ import no.hials.crosscom.simulator.internal.program.LinkException;
  * not allow is an {@link IllegalStateException} that says why, and changes nothing.
  */
 public final class ProgramControl {
-  private final Kernel kernel;
+  private final ControllerCore core;
   private final Interpreter kind;
 
-  ProgramControl(Kernel kernel, Interpreter kind) {
-    this.kernel = kernel;
+  ProgramControl(ControllerCore core, Interpreter kind) {
+    this.core = core;
     this.kind = kind;
   }
 
@@ -40,7 +40,7 @@ public final class ProgramControl {
    */
   public void select(String name, List<KrlValue> arguments) throws KrlFileException {
     try {
-      kernel.select(kind, name, arguments);
+      core.select(kind, name, arguments);
     } catch (LinkException e) {
       throw new KrlFileException(e.errors());
     } catch (ProgramFault e) {
@@ -50,22 +50,22 @@ public final class ProgramControl {
 
   /** Starts the selected program, or lets it go on; from its end it begins again. */
   public void start() {
-    kernel.start(kind, false);
+    core.start(kind, false);
   }
 
   /** Stops the program, if it runs; the robot slows down on its path. */
   public void stop() {
-    kernel.stop(kind);
+    core.stop(kind);
   }
 
   /** Stops the program and sets it back to its beginning. */
   public void reset() {
-    kernel.reset(kind);
+    core.reset(kind);
   }
 
   /** Stops the program and takes it away. */
   public void cancel() {
-    kernel.cancel(kind);
+    core.cancel(kind);
   }
 
   /**
@@ -74,7 +74,7 @@ public final class ProgramControl {
    * @return what {@code $PRO_STATE0} or {@code $PRO_STATE1} shows
    */
   public ProgramState state() {
-    return kernel.state(kind);
+    return core.state(kind);
   }
 
   /**
@@ -83,7 +83,7 @@ public final class ProgramControl {
    * @return the name of its module; nothing if none is selected
    */
   public Optional<String> program() {
-    return kernel.program(kind);
+    return core.program(kind);
   }
 
   /**
@@ -92,7 +92,7 @@ public final class ProgramControl {
    * @return the line in the file of the innermost routine; 0 if no program is selected
    */
   public int line() {
-    List<KrlInterpreter.Level> levels = kernel.levels(kind);
+    List<KrlInterpreter.Level> levels = core.levels(kind);
     return levels.isEmpty() ? 0 : levels.get(0).position().line();
   }
 

@@ -8,12 +8,12 @@ import org.slf4j.LoggerFactory;
 /** Lets the time of a controller pass, on a thread of its own. */
 public final class Pacemaker implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Pacemaker.class);
-  private static final double CYCLE_NANOS = Kernel.CYCLE_MILLIS * 1e6;
+  private static final double CYCLE_NANOS = ControllerCore.CYCLE_MILLIS * 1e6;
 
   /** Time that could not be caught up with is let go, so that it is not made up for in a rush. */
   private static final double MAX_LAG_CYCLES = 20;
 
-  private final Kernel kernel;
+  private final ControllerCore core;
   private final double factor;
   private final boolean unlimited;
   private final Thread thread;
@@ -22,12 +22,12 @@ public final class Pacemaker implements AutoCloseable {
   /**
    * Starts the time.
    *
-   * @param kernel the controller
+   * @param core the controller
    * @param clock how fast; not stepped
    * @param threadName the name of the thread
    */
-  public Pacemaker(Kernel kernel, SimulationClock clock, String threadName) {
-    this.kernel = kernel;
+  public Pacemaker(ControllerCore core, SimulationClock clock, String threadName) {
+    this.core = core;
     unlimited = clock instanceof SimulationClock.Unlimited;
     factor = clock instanceof SimulationClock.Running running ? running.factor() : 1;
     thread = new Thread(this::run, threadName);
@@ -40,8 +40,8 @@ public final class Pacemaker implements AutoCloseable {
     double due = System.nanoTime() + period;
     try {
       while (!closed) {
-        if (unlimited && kernel.busy()) {
-          kernel.cycle();
+        if (unlimited && core.busy()) {
+          core.cycle();
           due = System.nanoTime() + period;
           continue;
         }
@@ -49,12 +49,12 @@ public final class Pacemaker implements AutoCloseable {
         if (ahead > 0) {
           LockSupport.parkNanos((long) ahead);
         } else {
-          kernel.cycle();
+          core.cycle();
           due = Math.max(due, System.nanoTime() - MAX_LAG_CYCLES * period) + period;
         }
       }
     } catch (RuntimeException e) {
-      // an error of the simulation itself, which the kernel has told its users of
+      // an error of the simulation itself, which the core has told its users of
       log.error("the simulated controller has stopped", e);
     }
   }
@@ -64,6 +64,6 @@ public final class Pacemaker implements AutoCloseable {
   public void close() {
     closed = true;
     LockSupport.unpark(thread);
-    Threads.join(thread);
+    ThreadJoiner.join(thread);
   }
 }

@@ -61,19 +61,19 @@ final class SystemVariables {
   /** The brakes of A1 to A6, open (krl.md 2.1). */
   private static final int BRAKES_OPEN = 63;
 
-  private static final VariablePath ROB_STOPPED = Machine.path("$ROB_STOPPED");
-  private static final VariablePath PRO_ACT = Machine.path("$PRO_ACT");
-  private static final VariablePath PRO_MOVE = Machine.path("$PRO_MOVE");
-  private static final VariablePath STOPMESS = Machine.path("$STOPMESS");
-  private static final VariablePath ALARM_STOP = Machine.path("$ALARM_STOP");
-  private static final VariablePath PERI_RDY = Machine.path("$PERI_RDY");
-  private static final VariablePath IN_HOME = Machine.path("$IN_HOME");
-  private static final VariablePath T1 = Machine.path("$T1");
-  private static final VariablePath T2 = Machine.path("$T2");
-  private static final VariablePath AUT = Machine.path("$AUT");
-  private static final VariablePath EXT = Machine.path("$EXT");
-  private static final VariablePath H_POS = Machine.path("$H_POS");
-  private static final VariablePath H_POS_TOL = Machine.path("$H_POS_TOL");
+  private static final VariablePath ROB_STOPPED = SystemVariableAccess.path("$ROB_STOPPED");
+  private static final VariablePath PRO_ACT = SystemVariableAccess.path("$PRO_ACT");
+  private static final VariablePath PRO_MOVE = SystemVariableAccess.path("$PRO_MOVE");
+  private static final VariablePath STOPMESS = SystemVariableAccess.path("$STOPMESS");
+  private static final VariablePath ALARM_STOP = SystemVariableAccess.path("$ALARM_STOP");
+  private static final VariablePath PERI_RDY = SystemVariableAccess.path("$PERI_RDY");
+  private static final VariablePath IN_HOME = SystemVariableAccess.path("$IN_HOME");
+  private static final VariablePath T1 = SystemVariableAccess.path("$T1");
+  private static final VariablePath T2 = SystemVariableAccess.path("$T2");
+  private static final VariablePath AUT = SystemVariableAccess.path("$AUT");
+  private static final VariablePath EXT = SystemVariableAccess.path("$EXT");
+  private static final VariablePath H_POS = SystemVariableAccess.path("$H_POS");
+  private static final VariablePath H_POS_TOL = SystemVariableAccess.path("$H_POS_TOL");
 
   private static final double PERCENT = 100;
   private static final int SHOWN_LEVELS = 10;
@@ -111,13 +111,13 @@ final class SystemVariables {
   private static final Pointer NO_POINTER = new Pointer(ProgramState.FREE, " ", List.of());
 
   private final Scope globals;
-  private final Machine machine;
+  private final SystemVariableAccess access;
   private final RobotModel robot;
   private final KrlInterpreter robotInterpreter;
   private final KrlInterpreter submitInterpreter;
-  private final VariablePath base = Machine.path("$BASE");
-  private final VariablePath tool = Machine.path("$TOOL");
-  private final VariablePath robroot = Machine.path("$ROBROOT");
+  private final VariablePath base = SystemVariableAccess.path("$BASE");
+  private final VariablePath tool = SystemVariableAccess.path("$TOOL");
+  private final VariablePath robroot = SystemVariableAccess.path("$ROBROOT");
 
   private volatile State state;
   private volatile Pointer robotPointer = NO_POINTER;
@@ -141,13 +141,13 @@ final class SystemVariables {
 
   SystemVariables(
       Scope globals,
-      Machine machine,
+      SystemVariableAccess access,
       RobotModel robot,
       KrlInterpreter robotInterpreter,
       KrlInterpreter submitInterpreter,
       State state) {
     this.globals = globals;
-    this.machine = machine;
+    this.access = access;
     this.robot = robot;
     this.robotInterpreter = robotInterpreter;
     this.submitInterpreter = submitInterpreter;
@@ -171,7 +171,7 @@ final class SystemVariables {
    * @param begin what $DATE shows at first
    */
   void bind(LongSupplier time, LocalDateTime begin) {
-    long counted = (long) machine.number(Machine.path("$ROB_TIMER"), 0);
+    long counted = (long) access.number(SystemVariableAccess.path("$ROB_TIMER"), 0);
     bindPositions();
     bind("$VEL_ACT", () -> KrlReal.of(state.pathVelocity()));
     bind("$VEL_AXIS_ACT", this::axisVelocity);
@@ -189,19 +189,19 @@ final class SystemVariables {
   }
 
   private void bindPositions() {
-    bind("$AXIS_ACT", () -> Values.e6Axis(state.axes()));
-    bind("$AXIS_ACT_MEAS", () -> Values.e6Axis(state.axes()));
-    bind("$AXIS_FOR", () -> Values.e6Axis(target));
-    bind("$AXIS_BACK", () -> Values.e6Axis(origin));
-    bind("$AXIS_INT", () -> Values.e6Axis(interrupted));
-    bind("$AXIS_RET", () -> Values.e6Axis(left));
+    bind("$AXIS_ACT", () -> PositionValues.e6Axis(state.axes()));
+    bind("$AXIS_ACT_MEAS", () -> PositionValues.e6Axis(state.axes()));
+    bind("$AXIS_FOR", () -> PositionValues.e6Axis(target));
+    bind("$AXIS_BACK", () -> PositionValues.e6Axis(origin));
+    bind("$AXIS_INT", () -> PositionValues.e6Axis(interrupted));
+    bind("$AXIS_RET", () -> PositionValues.e6Axis(left));
     bind("$POS_ACT", () -> position(state.axes()));
     bind("$POS_ACT_MES", () -> position(state.axes()));
     bind("$POS_FOR", () -> position(target));
     bind("$POS_BACK", () -> position(origin));
     bind("$POS_INT", () -> position(interrupted));
-    bind("$BASE_C", () -> Values.frame(machine.frame(robroot).times(baseOfMainRun())));
-    bind("$TOOL_C", () -> Values.frame(toolOfMainRun()));
+    bind("$BASE_C", () -> PositionValues.frame(access.frame(robroot).times(baseOfMainRun())));
+    bind("$TOOL_C", () -> PositionValues.frame(toolOfMainRun()));
     bind("$POS_RET", () -> position(left));
   }
 
@@ -221,27 +221,27 @@ final class SystemVariables {
   /** krl.md 2.1: in the base and with the tool of the main run. */
   private KrlStruct position(Axes axes) {
     Frame tcp = baseOfMainRun().inverse().times(robot.forward(axes)).times(toolOfMainRun());
-    return Values.e6Pos(tcp, robot.status(axes), robot.turn(axes));
+    return PositionValues.e6Pos(tcp, robot.status(axes), robot.turn(axes));
   }
 
   /** In the robot's root. Without a motion it is that of the advance run (assumed). */
   private Frame baseOfMainRun() {
     Frame of = mainBase;
-    return of == null ? machine.frame(robroot).inverse().times(machine.frame(base)) : of;
+    return of == null ? access.frame(robroot).inverse().times(access.frame(base)) : of;
   }
 
   private Frame toolOfMainRun() {
     Frame of = mainTool;
-    return of == null ? machine.frame(tool) : of;
+    return of == null ? access.frame(tool) : of;
   }
 
   /** krl.md 2.1: in % of the highest speed. */
   private KrlValue axisVelocity() {
-    double[] percent = new double[Values.ROBOT_AXES];
+    double[] percent = new double[PositionValues.ROBOT_AXES];
     for (int i = 0; i < percent.length; i++) {
       percent[i] = PERCENT * state.axisVelocity().get(i) / robot.maxSpeed(i);
     }
-    return Values.axisArray(percent);
+    return PositionValues.axisArray(percent);
   }
 
   private boolean drivesOn() {
@@ -306,7 +306,7 @@ final class SystemVariables {
     return new KrlStruct("PRO_IP", fields);
   }
 
-  // told by the kernel
+  // told by the core
 
   void started(Axes from, Axes to, Frame inBase, Frame withTool) {
     origin = from;
@@ -326,8 +326,8 @@ final class SystemVariables {
     int line = levels.isEmpty() ? 0 : levels.get(0).position().line();
     String module = levels.isEmpty() ? " " : moduleName(levels.get(0));
     String routine = levels.isEmpty() ? " " : levels.get(0).routine();
-    machine.write(
-        Machine.path("$ERR"),
+    access.write(
+        SystemVariableAccess.path("$ERR"),
         new KrlStruct(
             null,
             List.of(
@@ -377,16 +377,16 @@ final class SystemVariables {
 
   private void signal(VariablePath path, boolean value) {
     // looked at each time: a data list or Java code may have changed the output
-    if (machine.bool(path, !value) != value) {
-      machine.write(path, new KrlBool(value));
+    if (access.bool(path, !value) != value) {
+      access.write(path, new KrlBool(value));
     }
   }
 
   /** Within $H_POS_TOL of every axis of the home position (krl.md 2.1). */
   private boolean atHome(Axes axes) {
-    Axes tolerance = machine.position(H_POS_TOL, Axes.ZERO);
-    Axes away = machine.position(H_POS, robot.home()).minus(axes);
-    for (int i = 0; i < Values.ROBOT_AXES; i++) {
+    Axes tolerance = access.position(H_POS_TOL, Axes.ZERO);
+    Axes away = access.position(H_POS, robot.home()).minus(axes);
+    for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       if (Math.abs(away.get(i)) > tolerance.get(i)) {
         return false;
       }

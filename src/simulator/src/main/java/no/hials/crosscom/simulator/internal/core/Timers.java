@@ -17,7 +17,7 @@ final class Timers {
 
   private record Pulse(int output, boolean level, long end) {}
 
-  private final Machine machine;
+  private final SystemVariableAccess access;
   private final List<VariablePath> timers = new ArrayList<>();
   private final List<VariablePath> stops = new ArrayList<>();
   private final List<VariablePath> flags = new ArrayList<>();
@@ -29,8 +29,8 @@ final class Timers {
   /** The contents of the variables at the last look: as long as they stay nothing is to do. */
   private List<@Nullable Storage> seen = List.of();
 
-  Timers(Machine machine) {
-    this.machine = machine;
+  Timers(SystemVariableAccess access) {
+    this.access = access;
     for (int i = 1; i <= COUNT; i++) {
       timers.add(VariablePath.element("$TIMER", i));
       stops.add(VariablePath.element("$TIMER_STOP", i));
@@ -49,39 +49,37 @@ final class Timers {
       Pulse pulse = it.next();
       if (pulse.end() <= now) {
         it.remove();
-        machine.write(VariablePath.element("$OUT", pulse.output()), new KrlBool(!pulse.level()));
+        access.write(VariablePath.element("$OUT", pulse.output()), new KrlBool(!pulse.level()));
       }
     }
   }
 
   private List<@Nullable Storage> contents() {
     return Arrays.asList(
-        machine.contents("$TIMER"),
-        machine.contents("$TIMER_STOP"),
-        machine.contents("$TIMER_FLAG"));
+        access.contents("$TIMER"), access.contents("$TIMER_STOP"), access.contents("$TIMER_FLAG"));
   }
 
   private void count(int millis) {
     running = false;
     for (int i = 0; i < COUNT; i++) {
-      int value = (int) machine.number(timers.get(i), 0);
+      int value = (int) access.number(timers.get(i), 0);
       // what is not known is taken for stopped, as a KR C4 has them when it starts
-      if (machine.bool(stops.get(i), true)) {
+      if (access.bool(stops.get(i), true)) {
         show(i, value);
         continue;
       }
       running = true;
       // a timer that has come to the end of its range stays there (assumed)
       int next = (int) Math.min(Integer.MAX_VALUE, (long) value + millis);
-      machine.write(timers.get(i), new KrlInt(next));
+      access.write(timers.get(i), new KrlInt(next));
       show(i, next);
     }
   }
 
   private void show(int index, int value) {
     boolean over = value > 0;
-    if (machine.bool(flags.get(index), over) != over) {
-      machine.write(flags.get(index), new KrlBool(over));
+    if (access.bool(flags.get(index), over) != over) {
+      access.write(flags.get(index), new KrlBool(over));
     }
   }
 
@@ -89,7 +87,7 @@ final class Timers {
   boolean pulse(int output, boolean level, long end) {
     // a new pulse takes the place of an old one at the same output (assumed)
     pulses.removeIf(pulse -> pulse.output() == output);
-    boolean there = machine.write(VariablePath.element("$OUT", output), new KrlBool(level));
+    boolean there = access.write(VariablePath.element("$OUT", output), new KrlBool(level));
     if (there) {
       pulses.add(new Pulse(output, level, end));
     }

@@ -9,7 +9,7 @@ import no.hials.crosscom.kinematics.Frame;
  * <p>The orientation goes from that at the start to that of the target, whatever the angle; that of
  * the auxiliary point is of no account (assumed for both, and {@code $CIRC_TYPE} is #BASE).
  *
- * @param id the number by which the kernel knows the motion
+ * @param id the number by which the core knows the motion
  * @param auxiliary a point of the circle, in {@code $ROBROOT}
  * @param target where the TCP ends, or a second point of the circle if there is an angle
  * @param angle how far the TCP goes on the circle (KRL's CA), degrees: in the direction that leads

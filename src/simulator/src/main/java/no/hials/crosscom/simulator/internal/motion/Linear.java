@@ -5,7 +5,7 @@ import no.hials.crosscom.kinematics.Frame;
 /**
  * Moves the TCP on a straight line, as KRL's LIN.
  *
- * @param id the number by which the kernel knows the motion
+ * @param id the number by which the core knows the motion
  * @param target where the TCP ends, in {@code $ROBROOT}
  * @param tool the TCP in the flange
  * @param rates how fast the TCP may be

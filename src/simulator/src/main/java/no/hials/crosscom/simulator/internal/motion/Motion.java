@@ -5,7 +5,7 @@ import no.hials.crosscom.kinematics.Frame;
 /** Asks for one motion of a program, with all that the advance run has resolved. */
 public sealed interface Motion permits PointToPoint, Linear, Circular {
   /**
-   * Gives the number by which the kernel knows the motion in events.
+   * Gives the number by which the core knows the motion in events.
    *
    * @return any number
    */

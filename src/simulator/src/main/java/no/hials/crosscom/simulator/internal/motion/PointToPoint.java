@@ -6,7 +6,7 @@ import no.hials.crosscom.kinematics.Frame;
 /**
  * Moves all axes so that they start and end together, as KRL's PTP; the slowest sets the time.
  *
- * @param id the number by which the kernel knows the motion
+ * @param id the number by which the core knows the motion
  * @param target where the axes end, degrees
  * @param rates how fast the axes may be
  * @param tool the TCP in the flange

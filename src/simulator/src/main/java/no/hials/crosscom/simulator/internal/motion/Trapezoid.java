@@ -4,7 +4,7 @@ package no.hials.crosscom.simulator.internal.motion;
 record Trapezoid(double length, double speed, double ramp, double duration) implements Profile {
   /**
    * No ramp is shorter, s: it is above a cycle, so that a chain of the smallest motions leaves the
-   * kernel a cycle to plan each one. Assumed.
+   * core a cycle to plan each one. Assumed.
    */
   static final double SHORTEST_RAMP = 0.015;
 

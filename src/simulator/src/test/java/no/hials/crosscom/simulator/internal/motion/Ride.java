@@ -7,7 +7,7 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 
-/** A motion system with what the kernel around it would see: every position and every event. */
+/** A motion system with what the core around it would see: every position and every event. */
 final class Ride {
   static final RobotModel ROBOT = RobotModel.kr6r900sixx();
   static final AxisRates FULL = AxisRates.of(100, 100);

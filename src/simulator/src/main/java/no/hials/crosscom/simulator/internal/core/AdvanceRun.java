@@ -27,8 +27,8 @@ import org.slf4j.LoggerFactory;
  * The motions of the robot's program: those that are planned and under way, those that interrupts
  * have put aside, and what has to wait until the robot stands.
  */
-final class Motions {
-  private static final Logger log = LoggerFactory.getLogger(Motions.class);
+final class AdvanceRun {
+  private static final Logger log = LoggerFactory.getLogger(AdvanceRun.class);
 
   /** Learns what happens. */
   interface Listener {
@@ -54,9 +54,9 @@ final class Motions {
   /** A plan that an interrupt has put aside, and the statements it came from. */
   private record Aside(Suspended plan, Map<Long, MotionOrder> orders) {}
 
-  private final Machine machine;
+  private final SystemVariableAccess access;
   private final RobotModel robot;
-  private final Planner planner;
+  private final MotionResolver planner;
   private final Triggers triggers;
   private final Listener listener;
   private RobotModel model;
@@ -73,14 +73,14 @@ final class Motions {
 
   private final Deque<Step> waiting = new ArrayDeque<>();
 
-  Motions(Machine machine, RobotModel robot, Triggers triggers, Listener listener) {
-    this.machine = machine;
+  AdvanceRun(SystemVariableAccess access, RobotModel robot, Triggers triggers, Listener listener) {
+    this.access = access;
     this.robot = robot;
     this.triggers = triggers;
     this.listener = listener;
     model = robot;
-    Axes start = machine.position(Machine.path("$AXIS_ACT"), robot.home());
-    planner = new Planner(machine, robot, start);
+    Axes start = access.position(SystemVariableAccess.path("$AXIS_ACT"), robot.home());
+    planner = new MotionResolver(access, robot, start);
     motion = new MotionSystem(robot, start);
     readLimits();
   }
@@ -89,7 +89,7 @@ final class Motions {
     return motion;
   }
 
-  Planner planner() {
+  MotionResolver planner() {
     return planner;
   }
 
@@ -101,11 +101,10 @@ final class Motions {
   void readLimits() {
     Axes low = robot.home();
     Axes high = robot.home();
-    for (int i = 0; i < Values.ROBOT_AXES; i++) {
-      low =
-          low.with(i, machine.number(VariablePath.element("$SOFTN_END", i + 1), robot.minimum(i)));
+    for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
+      low = low.with(i, access.number(VariablePath.element("$SOFTN_END", i + 1), robot.minimum(i)));
       high =
-          high.with(i, machine.number(VariablePath.element("$SOFTP_END", i + 1), robot.maximum(i)));
+          high.with(i, access.number(VariablePath.element("$SOFTP_END", i + 1), robot.maximum(i)));
     }
     if (isOf(model, low, high)) {
       return;
@@ -122,7 +121,7 @@ final class Motions {
   }
 
   private static boolean isOf(RobotModel model, Axes low, Axes high) {
-    for (int i = 0; i < Values.ROBOT_AXES; i++) {
+    for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       if (model.minimum(i) != low.get(i) || model.maximum(i) != high.get(i)) {
         return false;
       }
@@ -150,7 +149,7 @@ final class Motions {
       throw new ProgramFault(number(e.problem()), e.problem().message());
     } catch (IllegalArgumentException e) {
       // numbers with which nothing can be computed, such as a target of 1E38 mm
-      throw new ProgramFault(Messages.BAD_MOTION, String.valueOf(e.getMessage()));
+      throw new ProgramFault(MessageWindow.BAD_MOTION, String.valueOf(e.getMessage()));
     }
     planner.startAt(motion.plannedEnd());
     orders.put(planned.id(), order);
@@ -160,12 +159,14 @@ final class Motions {
 
   static int number(Problem problem) {
     if (problem instanceof Problem.AxisLimit) {
-      return Messages.SOFTWARE_LIMIT;
+      return MessageWindow.SOFTWARE_LIMIT;
     }
     if (problem instanceof Problem.Singularity) {
-      return Messages.SINGULARITY;
+      return MessageWindow.SINGULARITY;
     }
-    return problem instanceof Problem.OutOfReach ? Messages.WORK_ENVELOPE : Messages.BAD_MOTION;
+    return problem instanceof Problem.OutOfReach
+        ? MessageWindow.WORK_ENVELOPE
+        : MessageWindow.BAD_MOTION;
   }
 
   int ahead() {

@@ -43,7 +43,7 @@ import org.jspecify.annotations.Nullable;
  * interpreter, motion, system variables. One lock is held during a cycle and during every other
  * call. What clients read between two cycles is the state after the last.
  */
-public final class Kernel {
+public final class ControllerCore {
   /** The interpolation cycle of a KR C4 (krl.md 5: RSI's IPO cycle), ms. */
   public static final int CYCLE_MILLIS = 12;
 
@@ -56,15 +56,16 @@ public final class Kernel {
   private static final int SUBMIT_INSTRUCTIONS = 500;
 
   private static final double PERCENT = 100;
-  private static final VariablePath OV_PRO = Machine.path("$OV_PRO");
-  private static final VariablePath OV_JOG = Machine.path("$OV_JOG");
-  private static final VariablePath ADVANCE = Machine.path("$ADVANCE");
-  private static final VariablePath RED_T1 = Machine.path("$RED_T1");
-  private static final VariablePath VEL_CP_T1 = Machine.path("$VEL_CP_T1");
+  private static final VariablePath OV_PRO = SystemVariableAccess.path("$OV_PRO");
+  private static final VariablePath OV_JOG = SystemVariableAccess.path("$OV_JOG");
+  private static final VariablePath ADVANCE = SystemVariableAccess.path("$ADVANCE");
+  private static final VariablePath RED_T1 = SystemVariableAccess.path("$RED_T1");
+  private static final VariablePath VEL_CP_T1 = SystemVariableAccess.path("$VEL_CP_T1");
   private static final int MAX_ADVANCE = 5;
 
-  private static final VariablePath VEL_LIMIT_T1 = Machine.path("$SPEED_LIMIT_TEACH_MODE");
-  private static final VariablePath T2_OV_REDUCE = Machine.path("$T2_OV_REDUCE");
+  private static final VariablePath VEL_LIMIT_T1 =
+      SystemVariableAccess.path("$SPEED_LIMIT_TEACH_MODE");
+  private static final VariablePath T2_OV_REDUCE = SystemVariableAccess.path("$T2_OV_REDUCE");
 
   /** krl.md 2.2: the override falls to 10 % on entry to T2. */
   private static final int OVERRIDE_IN_T2 = 10;
@@ -72,13 +73,13 @@ public final class Kernel {
   /** Fair, so that a clock without a limit lets others in between its cycles. */
   private final ReentrantLock lock = new ReentrantLock(true);
 
-  private final Machine machine;
+  private final SystemVariableAccess access;
   private final ProgramLibrary library;
   private final KrlInterpreter robot;
   private final KrlInterpreter submit;
-  private final Messages messages = new Messages();
+  private final MessageWindow messages = new MessageWindow();
   private final Timers timers;
-  private final Motions motions;
+  private final AdvanceRun motions;
   private final SystemVariables variables;
   private volatile long time;
   private volatile boolean closed;
@@ -105,15 +106,15 @@ public final class Kernel {
    *     $SOFTP_END}
    * @param begin what {@code $DATE} shows at first
    */
-  public Kernel(Scope globals, RobotModel model, LocalDateTime begin) {
-    machine = new Machine(globals);
+  public ControllerCore(Scope globals, RobotModel model, LocalDateTime begin) {
+    access = new SystemVariableAccess(globals);
     library = new ProgramLibrary(globals, SystemVariables::stopsAdvanceRun);
     robot = new KrlInterpreter(Interpreter.ROBOT, new RobotEnvironment());
     submit = new KrlInterpreter(Interpreter.SUBMIT, new SubmitEnvironment());
-    timers = new Timers(machine);
+    timers = new Timers(access);
     Triggers triggers = new Triggers(robot::fire);
-    motions = new Motions(machine, model, triggers, new MotionListener());
-    variables = new SystemVariables(globals, machine, model, robot, submit, state());
+    motions = new AdvanceRun(access, model, triggers, new MotionListener());
+    variables = new SystemVariables(globals, access, model, robot, submit, state());
     publish();
     variables.bind(() -> time, begin);
   }
@@ -329,15 +330,15 @@ public final class Kernel {
           if (robot.stop()) {
             messages.add(
                 Message.Kind.NOTIFICATION,
-                Messages.MODE_CHANGED,
+                MessageWindow.MODE_CHANGED,
                 "the operating mode was changed from " + mode + " to " + newMode,
                 time);
           }
           endManual();
           mode = newMode;
-          if (mode == OperatingMode.T2 && machine.bool(T2_OV_REDUCE, false)) {
-            int reduced = (int) Math.min(OVERRIDE_IN_T2, machine.number(OV_PRO, PERCENT));
-            machine.write(OV_PRO, new KrlInt(reduced));
+          if (mode == OperatingMode.T2 && access.bool(T2_OV_REDUCE, false)) {
+            int reduced = (int) Math.min(OVERRIDE_IN_T2, access.number(OV_PRO, PERCENT));
+            access.write(OV_PRO, new KrlInt(reduced));
           }
         });
   }
@@ -354,7 +355,7 @@ public final class Kernel {
             robot.stop();
             endManual();
             messages.add(
-                Message.Kind.ACKNOWLEDGEMENT, Messages.EMERGENCY_STOP, "emergency stop", time);
+                Message.Kind.ACKNOWLEDGEMENT, MessageWindow.EMERGENCY_STOP, "emergency stop", time);
           }
           emergency = pressed;
         });
@@ -613,7 +614,7 @@ public final class Kernel {
     if (failure == null) {
       failure = error;
       submit.stop();
-      stopFor(Messages.FAILED, "the simulation has failed: " + error);
+      stopFor(MessageWindow.FAILED, "the simulation has failed: " + error);
       publish();
     }
   }
@@ -630,10 +631,10 @@ public final class Kernel {
 
   private double override() {
     VariablePath set = manual == Manual.JOG ? OV_JOG : OV_PRO;
-    double program = Math.max(0, Math.min(1, machine.number(set, PERCENT) / PERCENT));
+    double program = Math.max(0, Math.min(1, access.number(set, PERCENT) / PERCENT));
     boolean reduced = mode == OperatingMode.T1 && isPointToPoint();
     // krl.md 2.2: the reduction of PTP motions in T1
-    return reduced ? program * Math.min(1, machine.number(RED_T1, PERCENT) / PERCENT) : program;
+    return reduced ? program * Math.min(1, access.number(RED_T1, PERCENT) / PERCENT) : program;
   }
 
   private boolean isPointToPoint() {
@@ -645,12 +646,12 @@ public final class Kernel {
     if (mode != OperatingMode.T1) {
       return SpeedLimit.NONE;
     }
-    double most = machine.number(VEL_LIMIT_T1, Double.POSITIVE_INFINITY);
+    double most = access.number(VEL_LIMIT_T1, Double.POSITIVE_INFINITY);
     if (isPointToPoint()) {
       return new SpeedLimit(most, SpeedLimit.NONE.axes());
     }
     return new SpeedLimit(
-        Math.min(most, machine.number(VEL_CP_T1, most)), machine.axes("$VEL_CPT1_MA", PERCENT));
+        Math.min(most, access.number(VEL_CP_T1, most)), access.axes("$VEL_CPT1_MA", PERCENT));
   }
 
   private void stopFor(int number, String text) {
@@ -679,7 +680,7 @@ public final class Kernel {
   }
 
   /** Shows what the robot does. */
-  private final class MotionListener implements Motions.Listener {
+  private final class MotionListener implements AdvanceRun.Listener {
     @Override
     public void failed(int number, String text) {
       boolean jogged = manual == Manual.JOG;
@@ -725,7 +726,7 @@ public final class Kernel {
 
     @Override
     public Optional<KrlStruct> forward(KrlStruct axes) {
-      Axes position = Values.toAxes(axes, motions.system().axes());
+      Axes position = PositionValues.toAxes(axes, motions.system().axes());
       Frame tcp =
           motions
               .planner()
@@ -734,17 +735,18 @@ public final class Kernel {
               .times(motions.model().forward(position))
               .times(motions.planner().tool());
       return Optional.of(
-          Values.e6Pos(tcp, motions.model().status(position), motions.model().turn(position)));
+          PositionValues.e6Pos(
+              tcp, motions.model().status(position), motions.model().turn(position)));
     }
 
     @Override
     public Optional<KrlStruct> inverse(KrlStruct position, KrlStruct start) {
       try {
         return Optional.of(
-            Values.e6Axis(
+            PositionValues.e6Axis(
                 motions
                     .planner()
-                    .inverse(position, Values.toAxes(start, motions.system().axes()))));
+                    .inverse(position, PositionValues.toAxes(start, motions.system().axes()))));
       } catch (UnreachableException e) {
         return Optional.empty();
       }
@@ -762,7 +764,7 @@ public final class Kernel {
   private final class RobotEnvironment extends CommonEnvironment {
     @Override
     public int advance() {
-      return (int) Math.max(0, Math.min(MAX_ADVANCE, machine.number(ADVANCE, 0)));
+      return (int) Math.max(0, Math.min(MAX_ADVANCE, access.number(ADVANCE, 0)));
     }
 
     @Override

@@ -25,23 +25,23 @@ import no.hials.crosscom.simulator.internal.program.MotionOrder;
  * the motion before, and how fast it may be by {@code $VEL}, {@code $ACC} and the like, all as they
  * are when the advance run comes by.
  */
-final class Planner {
-  private static final VariablePath BASE = Machine.path("$BASE");
-  private static final VariablePath TOOL = Machine.path("$TOOL");
-  private static final VariablePath ROBROOT = Machine.path("$ROBROOT");
-  private static final VariablePath ORI_TYPE = Machine.path("$ORI_TYPE");
-  private static final VariablePath VEL_CP = Machine.path("$VEL.CP");
-  private static final VariablePath VEL_ORI = Machine.path("$VEL.ORI1");
-  private static final VariablePath ACC_CP = Machine.path("$ACC.CP");
-  private static final VariablePath ACC_ORI = Machine.path("$ACC.ORI1");
-  private static final VariablePath VEL_MAX = Machine.path("$VEL_MA.CP");
-  private static final VariablePath VEL_ORI_MAX = Machine.path("$VEL_MA.ORI1");
-  private static final VariablePath ACC_MAX = Machine.path("$ACC_MA.CP");
-  private static final VariablePath ACC_ORI_MAX = Machine.path("$ACC_MA.ORI1");
-  private static final VariablePath APO_CPTP = Machine.path("$APO.CPTP");
-  private static final VariablePath APO_CDIS = Machine.path("$APO.CDIS");
-  private static final VariablePath APO_CVEL = Machine.path("$APO.CVEL");
-  private static final VariablePath APO_CORI = Machine.path("$APO.CORI");
+final class MotionResolver {
+  private static final VariablePath BASE = SystemVariableAccess.path("$BASE");
+  private static final VariablePath TOOL = SystemVariableAccess.path("$TOOL");
+  private static final VariablePath ROBROOT = SystemVariableAccess.path("$ROBROOT");
+  private static final VariablePath ORI_TYPE = SystemVariableAccess.path("$ORI_TYPE");
+  private static final VariablePath VEL_CP = SystemVariableAccess.path("$VEL.CP");
+  private static final VariablePath VEL_ORI = SystemVariableAccess.path("$VEL.ORI1");
+  private static final VariablePath ACC_CP = SystemVariableAccess.path("$ACC.CP");
+  private static final VariablePath ACC_ORI = SystemVariableAccess.path("$ACC.ORI1");
+  private static final VariablePath VEL_MAX = SystemVariableAccess.path("$VEL_MA.CP");
+  private static final VariablePath VEL_ORI_MAX = SystemVariableAccess.path("$VEL_MA.ORI1");
+  private static final VariablePath ACC_MAX = SystemVariableAccess.path("$ACC_MA.CP");
+  private static final VariablePath ACC_ORI_MAX = SystemVariableAccess.path("$ACC_MA.ORI1");
+  private static final VariablePath APO_CPTP = SystemVariableAccess.path("$APO.CPTP");
+  private static final VariablePath APO_CDIS = SystemVariableAccess.path("$APO.CDIS");
+  private static final VariablePath APO_CVEL = SystemVariableAccess.path("$APO.CVEL");
+  private static final VariablePath APO_CORI = SystemVariableAccess.path("$APO.CORI");
 
   /** What INITMOV sets (krl.md 2.7), for a controller without these variables. */
   private static final double DEFAULT_VELOCITY = 2;
@@ -55,7 +55,7 @@ final class Planner {
 
   private static final double LEAST_RATE = 0.001;
 
-  private final Machine machine;
+  private final SystemVariableAccess access;
   private RobotModel robot;
 
   /** Where the last planned motion ends. */
@@ -63,8 +63,8 @@ final class Planner {
 
   private long planned;
 
-  Planner(Machine machine, RobotModel robot, Axes start) {
-    this.machine = machine;
+  MotionResolver(SystemVariableAccess access, RobotModel robot, Axes start) {
+    this.access = access;
     this.robot = robot;
     this.last = start;
   }
@@ -80,11 +80,11 @@ final class Planner {
   }
 
   Frame base() {
-    return machine.frame(ROBROOT).inverse().times(machine.frame(BASE));
+    return access.frame(ROBROOT).inverse().times(access.frame(BASE));
   }
 
   Frame tool() {
-    return machine.frame(TOOL);
+    return access.frame(TOOL);
   }
 
   /** Makes a motion of a statement. */
@@ -107,11 +107,11 @@ final class Planner {
   private Motion pointToPoint(MotionOrder order) throws ProgramFault {
     KrlStruct target = order.target();
     Axes axes;
-    if (Values.isAxes(target)) {
+    if (PositionValues.isAxes(target)) {
       axes =
           order.kind().relative()
-              ? last.plus(Values.toAxes(target, Axes.ZERO))
-              : Values.toAxes(target, last);
+              ? last.plus(PositionValues.toAxes(target, Axes.ZERO))
+              : PositionValues.toAxes(target, last);
     } else {
       axes = inverse(order, frame(order, target));
     }
@@ -130,7 +130,7 @@ final class Planner {
       }
       return inverse(order.target(), last);
     } catch (UnreachableException e) {
-      throw new ProgramFault(Messages.WORK_ENVELOPE, e.getMessage());
+      throw new ProgramFault(MessageWindow.WORK_ENVELOPE, e.getMessage());
     }
   }
 
@@ -156,19 +156,19 @@ final class Planner {
    * (both assumed).
    */
   private Frame frame(MotionOrder order, KrlStruct target) throws ProgramFault {
-    if (Values.isAxes(target)) {
+    if (PositionValues.isAxes(target)) {
       if (order.kind().relative()) {
         throw new ProgramFault(
             ProgramFault.WRONG_TYPE, order.kind() + " needs a Cartesian increment, was given axes");
       }
-      return robot.forward(Values.toAxes(target, last)).times(tool());
+      return robot.forward(PositionValues.toAxes(target, last)).times(tool());
     }
     Frame base = base();
     Frame from = base.inverse().times(robot.forward(last)).times(tool());
     if (!order.kind().relative()) {
-      return base.times(Values.toFrame(target, from));
+      return base.times(PositionValues.toFrame(target, from));
     }
-    Frame increment = Values.toFrame(target, Frame.IDENTITY);
+    Frame increment = PositionValues.toFrame(target, Frame.IDENTITY);
     if ("TOOL".equals(order.coordinates())) {
       return base.times(from).times(increment);
     }
@@ -187,9 +187,9 @@ final class Planner {
   /** Finds the axes that bring the tool to a position: with its Status and Turn, or near others. */
   Axes inverse(KrlStruct position, Axes near) throws UnreachableException {
     Frame from = base().inverse().times(robot.forward(near)).times(tool());
-    Frame flange = base().times(Values.toFrame(position, from)).times(tool().inverse());
-    OptionalDouble status = Values.number(position, "S");
-    OptionalDouble turn = Values.number(position, "T");
+    Frame flange = base().times(PositionValues.toFrame(position, from)).times(tool().inverse());
+    OptionalDouble status = PositionValues.number(position, "S");
+    OptionalDouble turn = PositionValues.number(position, "T");
     if (status.isEmpty()) {
       return robot.inverse(flange, near);
     }
@@ -200,12 +200,12 @@ final class Planner {
 
   AxisRates axisRates() {
     return new AxisRates(
-        percent(machine.axes("$VEL_AXIS", 100)), percent(machine.axes("$ACC_AXIS", 100)));
+        percent(access.axes("$VEL_AXIS", 100)), percent(access.axes("$ACC_AXIS", 100)));
   }
 
   private static Axes percent(Axes axes) {
     Axes result = axes;
-    for (int i = 0; i < Values.ROBOT_AXES; i++) {
+    for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       result = result.with(i, Math.max(LEAST_PERCENT, Math.min(100, axes.get(i))));
     }
     return result;
@@ -220,12 +220,12 @@ final class Planner {
   }
 
   private double rate(VariablePath path, double otherwise, VariablePath limit) {
-    double value = Math.min(machine.number(path, otherwise), machine.number(limit, otherwise));
+    double value = Math.min(access.number(path, otherwise), access.number(limit, otherwise));
     return Math.max(LEAST_RATE, value);
   }
 
   private OrientationControl orientation() {
-    return switch (machine.constant(ORI_TYPE, "VAR")) {
+    return switch (access.constant(ORI_TYPE, "VAR")) {
       case "CONSTANT" -> OrientationControl.CONSTANT;
       case "JOINT" -> OrientationControl.JOINT;
       default -> OrientationControl.VAR;
@@ -235,19 +235,19 @@ final class Planner {
   private Approximation axisApproximation(Set<Statement.Approximation> asked) {
     return asked.isEmpty()
         ? new Approximation.Exact()
-        : new Approximation.AxisDistance(within(machine.number(APO_CPTP, 0), 100));
+        : new Approximation.AxisDistance(within(access.number(APO_CPTP, 0), 100));
   }
 
   private Approximation pathApproximation(Set<Statement.Approximation> asked) {
     if (asked.contains(Statement.Approximation.C_VEL)) {
-      return new Approximation.Speed(within(machine.number(APO_CVEL, 100), 100));
+      return new Approximation.Speed(within(access.number(APO_CVEL, 100), 100));
     }
     if (asked.contains(Statement.Approximation.C_ORI)) {
-      return new Approximation.Orientation(within(machine.number(APO_CORI, 0), Double.MAX_VALUE));
+      return new Approximation.Orientation(within(access.number(APO_CORI, 0), Double.MAX_VALUE));
     }
     return asked.isEmpty()
         ? new Approximation.Exact()
-        : new Approximation.Distance(within(machine.number(APO_CDIS, 0), Double.MAX_VALUE));
+        : new Approximation.Distance(within(access.number(APO_CDIS, 0), Double.MAX_VALUE));
   }
 
   private static double within(double value, double most) {

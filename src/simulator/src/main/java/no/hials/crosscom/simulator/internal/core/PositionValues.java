@@ -13,7 +13,7 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 
 /** Turns frames and axis positions into KRL values and back. */
-final class Values {
+final class PositionValues {
   private static final String[] FRAME = {"X", "Y", "Z", "A", "B", "C"};
   private static final String[] EXTERNAL = {"E1", "E2", "E3", "E4", "E5", "E6"};
   private static final Pattern AXIS = Pattern.compile("A[1-6]", Pattern.CASE_INSENSITIVE);
@@ -24,7 +24,7 @@ final class Values {
   /** How many of them the robot itself has. */
   static final int ROBOT_AXES = 6;
 
-  private Values() {}
+  private PositionValues() {}
 
   private static KrlStruct.Field real(String name, double value) {
     return new KrlStruct.Field(name, KrlReal.of(value));
@@ -80,7 +80,7 @@ final class Values {
   static OptionalDouble number(KrlStruct struct, String field) {
     return struct
         .get(field)
-        .map(Values::number)
+        .map(PositionValues::number)
         .map(OptionalDouble::of)
         .orElse(OptionalDouble.empty());
   }

@@ -7,7 +7,7 @@ import java.util.List;
 import no.hials.crosscom.simulator.Message;
 
 /** The message window of the pendant: the last messages, and those that wait to be confirmed. */
-final class Messages {
+final class MessageWindow {
   /*
    * The reference has no numbers of KSS: these are this simulation's own, beside those of the
    * interpreter.

@@ -1,8 +1,8 @@
 package no.hials.crosscom.simulator.internal.core;
 
 /** Waits for threads of the server. */
-public final class Threads {
-  private Threads() {}
+public final class ThreadJoiner {
+  private ThreadJoiner() {}
 
   /**
    * Waits until a thread has ended, without giving up: it is for one that ends soon. An interrupt

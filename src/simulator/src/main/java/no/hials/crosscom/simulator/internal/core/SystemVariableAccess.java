@@ -18,12 +18,12 @@ import org.slf4j.LoggerFactory;
  * Reads and writes those variables of the controller that the simulation itself works with. A user
  * may have removed or redeclared any of them; then a default takes their place.
  */
-final class Machine {
-  private static final Logger log = LoggerFactory.getLogger(Machine.class);
+final class SystemVariableAccess {
+  private static final Logger log = LoggerFactory.getLogger(SystemVariableAccess.class);
 
   private final Scope globals;
 
-  Machine(Scope globals) {
+  SystemVariableAccess(Scope globals) {
     this.globals = globals;
   }
 
@@ -58,7 +58,7 @@ final class Machine {
   double number(VariablePath path, double otherwise) {
     KrlValue value = read(path);
     try {
-      return value == null ? otherwise : Values.number(value);
+      return value == null ? otherwise : PositionValues.number(value);
     } catch (IllegalArgumentException e) {
       return otherwise;
     }
@@ -74,13 +74,13 @@ final class Machine {
 
   Frame frame(VariablePath path) {
     return read(path) instanceof KrlStruct struct
-        ? Values.toFrame(struct, Frame.IDENTITY)
+        ? PositionValues.toFrame(struct, Frame.IDENTITY)
         : Frame.IDENTITY;
   }
 
   /** Reads the first six elements of an array. */
   Axes axes(String array, double otherwise) {
-    double[] numbers = new double[Values.ROBOT_AXES];
+    double[] numbers = new double[PositionValues.ROBOT_AXES];
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = number(VariablePath.element(array, i + 1), otherwise);
     }
@@ -89,7 +89,9 @@ final class Machine {
 
   /** Reads the aggregate of an axis position. */
   Axes position(VariablePath path, Axes otherwise) {
-    return read(path) instanceof KrlStruct struct ? Values.toAxes(struct, otherwise) : otherwise;
+    return read(path) instanceof KrlStruct struct
+        ? PositionValues.toAxes(struct, otherwise)
+        : otherwise;
   }
 
   /** Writes a value; says whether that was possible. */

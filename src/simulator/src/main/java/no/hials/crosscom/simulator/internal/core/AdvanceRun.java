@@ -12,13 +12,13 @@ import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
-import no.hials.crosscom.simulator.internal.motion.Motion;
+import no.hials.crosscom.simulator.internal.motion.Interpolator;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem;
 import no.hials.crosscom.simulator.internal.motion.MotionRefusedException;
-import no.hials.crosscom.simulator.internal.motion.MotionSystem;
-import no.hials.crosscom.simulator.internal.motion.Problem;
 import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
-import no.hials.crosscom.simulator.internal.motion.Suspended;
+import no.hials.crosscom.simulator.internal.motion.SuspendedPlan;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -52,7 +52,7 @@ final class AdvanceRun {
   private record Begin(MotionOrder order) implements Step {}
 
   /** A plan that an interrupt has put aside, and the statements it came from. */
-  private record Aside(Suspended plan, Map<Long, MotionOrder> orders) {}
+  private record Aside(SuspendedPlan plan, Map<Long, MotionOrder> orders) {}
 
   private final SystemVariableAccess access;
   private final RobotModel robot;
@@ -60,7 +60,7 @@ final class AdvanceRun {
   private final Triggers triggers;
   private final Listener listener;
   private RobotModel model;
-  private MotionSystem motion;
+  private Interpolator motion;
 
   /** Motions that were handed over and have not ended. */
   private Map<Long, MotionOrder> orders = new HashMap<>();
@@ -81,11 +81,11 @@ final class AdvanceRun {
     model = robot;
     Axes start = access.position(SystemVariableAccess.path("$AXIS_ACT"), robot.home());
     planner = new MotionResolver(access, robot, start);
-    motion = new MotionSystem(robot, start);
+    motion = new Interpolator(robot, start);
     readLimits();
   }
 
-  MotionSystem system() {
+  Interpolator system() {
     return motion;
   }
 
@@ -141,7 +141,7 @@ final class AdvanceRun {
 
   private void take(MotionOrder order) throws ProgramFault {
     readLimits();
-    Motion planned;
+    MotionCommand planned;
     try {
       planned = planner.plan(order);
       motion.add(planned);
@@ -157,14 +157,14 @@ final class AdvanceRun {
     triggers.add(planned, order.triggers());
   }
 
-  static int number(Problem problem) {
-    if (problem instanceof Problem.AxisLimit) {
+  static int number(MotionProblem problem) {
+    if (problem instanceof MotionProblem.AxisLimit) {
       return MessageWindow.SOFTWARE_LIMIT;
     }
-    if (problem instanceof Problem.Singularity) {
+    if (problem instanceof MotionProblem.Singularity) {
       return MessageWindow.SINGULARITY;
     }
-    return problem instanceof Problem.OutOfReach
+    return problem instanceof MotionProblem.OutOfReach
         ? MessageWindow.WORK_ENVELOPE
         : MessageWindow.BAD_MOTION;
   }
@@ -247,7 +247,7 @@ final class AdvanceRun {
 
   /** Puts the robot somewhere, at once. */
   void place(Axes axes) {
-    motion = new MotionSystem(model, axes);
+    motion = new Interpolator(model, axes);
     discardAll();
     listener.started(axes, axes, planner.base(), planner.tool());
   }
@@ -291,7 +291,7 @@ final class AdvanceRun {
   /** Lets the robot move for a cycle. */
   void cycle(long time, double override, boolean released, SpeedLimit speedLimit) {
     for (MotionEvent event : motion.cycle(override, released, speedLimit)) {
-      Motion of = event.motion();
+      MotionCommand of = event.motion();
       if (event instanceof MotionEvent.Started) {
         listener.started(
             motion.currentStart(),
@@ -311,10 +311,10 @@ final class AdvanceRun {
     }
     triggers.cycle(
         time,
-        motion.current().map(Motion::id).orElse(0L),
+        motion.current().map(MotionCommand::id).orElse(0L),
         motion.distanceToEnd(),
         motion.pathVelocity(),
-        MotionSystem.CYCLE);
+        Interpolator.CYCLE);
   }
 
   /**

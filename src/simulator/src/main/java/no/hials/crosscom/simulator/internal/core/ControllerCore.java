@@ -26,7 +26,7 @@ import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
-import no.hials.crosscom.simulator.internal.motion.MotionSystem;
+import no.hials.crosscom.simulator.internal.motion.Interpolator;
 import no.hials.crosscom.simulator.internal.motion.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
@@ -665,7 +665,7 @@ public final class ControllerCore {
   }
 
   private SystemVariables.State state() {
-    MotionSystem motion = motions.system();
+    Interpolator motion = motions.system();
     return new SystemVariables.State(
         motion.axes(),
         motion.axisVelocity(),

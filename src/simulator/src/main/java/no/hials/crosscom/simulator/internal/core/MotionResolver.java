@@ -10,11 +10,11 @@ import no.hials.crosscom.lang.Statement;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
-import no.hials.crosscom.simulator.internal.motion.Approximation;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone;
 import no.hials.crosscom.simulator.internal.motion.AxisRates;
 import no.hials.crosscom.simulator.internal.motion.Circular;
 import no.hials.crosscom.simulator.internal.motion.Linear;
-import no.hials.crosscom.simulator.internal.motion.Motion;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand;
 import no.hials.crosscom.simulator.internal.motion.OrientationControl;
 import no.hials.crosscom.simulator.internal.motion.PathRates;
 import no.hials.crosscom.simulator.internal.motion.PointToPoint;
@@ -88,7 +88,7 @@ final class MotionResolver {
   }
 
   /** Makes a motion of a statement. */
-  Motion plan(MotionOrder order) throws ProgramFault {
+  MotionCommand plan(MotionOrder order) throws ProgramFault {
     planned++;
     return switch (order.kind()) {
       case PTP, PTP_REL -> pointToPoint(order);
@@ -104,7 +104,7 @@ final class MotionResolver {
     };
   }
 
-  private Motion pointToPoint(MotionOrder order) throws ProgramFault {
+  private MotionCommand pointToPoint(MotionOrder order) throws ProgramFault {
     KrlStruct target = order.target();
     Axes axes;
     if (PositionValues.isAxes(target)) {
@@ -134,7 +134,7 @@ final class MotionResolver {
     }
   }
 
-  private Motion circular(MotionOrder order) throws ProgramFault {
+  private MotionCommand circular(MotionOrder order) throws ProgramFault {
     KrlStruct auxiliary = order.auxiliary();
     if (auxiliary == null) {
       throw new IllegalArgumentException("a circle needs an auxiliary point");
@@ -232,22 +232,23 @@ final class MotionResolver {
     };
   }
 
-  private Approximation axisApproximation(Set<Statement.Approximation> asked) {
+  private ApproximationZone axisApproximation(Set<Statement.Approximation> asked) {
     return asked.isEmpty()
-        ? new Approximation.Exact()
-        : new Approximation.AxisDistance(within(access.number(APO_CPTP, 0), 100));
+        ? new ApproximationZone.Exact()
+        : new ApproximationZone.AxisDistance(within(access.number(APO_CPTP, 0), 100));
   }
 
-  private Approximation pathApproximation(Set<Statement.Approximation> asked) {
+  private ApproximationZone pathApproximation(Set<Statement.Approximation> asked) {
     if (asked.contains(Statement.Approximation.C_VEL)) {
-      return new Approximation.Speed(within(access.number(APO_CVEL, 100), 100));
+      return new ApproximationZone.Speed(within(access.number(APO_CVEL, 100), 100));
     }
     if (asked.contains(Statement.Approximation.C_ORI)) {
-      return new Approximation.Orientation(within(access.number(APO_CORI, 0), Double.MAX_VALUE));
+      return new ApproximationZone.Orientation(
+          within(access.number(APO_CORI, 0), Double.MAX_VALUE));
     }
     return asked.isEmpty()
-        ? new Approximation.Exact()
-        : new Approximation.Distance(within(access.number(APO_CDIS, 0), Double.MAX_VALUE));
+        ? new ApproximationZone.Exact()
+        : new ApproximationZone.Distance(within(access.number(APO_CDIS, 0), Double.MAX_VALUE));
   }
 
   private static double within(double value, double most) {

@@ -5,7 +5,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
-import no.hials.crosscom.simulator.internal.motion.Motion;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand;
 import no.hials.crosscom.simulator.internal.program.TriggerOrder;
 
 /**
@@ -40,7 +40,7 @@ final class Triggers {
     this.fire = fire;
   }
 
-  void add(Motion motion, List<TriggerOrder> orders) {
+  void add(MotionCommand motion, List<TriggerOrder> orders) {
     for (TriggerOrder order : orders) {
       waiting.add(new Waiting(motion.id(), order));
     }
@@ -55,7 +55,7 @@ final class Triggers {
     waiting.removeIf(trigger -> !motions.contains(trigger.motion));
   }
 
-  void started(Motion motion, long now) {
+  void started(MotionCommand motion, long now) {
     for (Waiting trigger : waiting) {
       if (trigger.motion == motion.id()) {
         trigger.begun = true;
@@ -67,7 +67,7 @@ final class Triggers {
     }
   }
 
-  void passed(Motion motion, long now) {
+  void passed(MotionCommand motion, long now) {
     for (Waiting trigger : waiting) {
       if (trigger.motion == motion.id() && trigger.due < 0) {
         if (trigger.order.onPath() && trigger.order.distance() > 0) {

@@ -2,7 +2,7 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.OptionalDouble;
 import no.hials.crosscom.kinematics.Frame;
-import no.hials.crosscom.simulator.internal.motion.Problem.NotACircle;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.NotACircle;
 
 /** The way on a circle, about its centre from one arm to the one square to it. */
 record Arc(Frame start, Frame end, Point centre, Point arm, Point square, double sweep)

@@ -6,8 +6,8 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
-import no.hials.crosscom.simulator.internal.motion.Problem.AxisLimit;
-import no.hials.crosscom.simulator.internal.motion.Problem.OutOfReach;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.OutOfReach;
 
 /**
  * The robot as paths need it: the inverse goes beyond the software limits, so that it can be said

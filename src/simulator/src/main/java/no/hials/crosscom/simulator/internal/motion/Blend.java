@@ -2,14 +2,14 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
-import no.hials.crosscom.simulator.internal.motion.Approximation.AxisDistance;
-import no.hials.crosscom.simulator.internal.motion.Approximation.Distance;
-import no.hials.crosscom.simulator.internal.motion.Approximation.Orientation;
-import no.hials.crosscom.simulator.internal.motion.Approximation.Speed;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Distance;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Orientation;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Speed;
 
 /**
- * The sum of two legs: what is left of the one and what is done of the next add up, of the TCP if
- * both are paths of the same one, of the axes otherwise.
+ * The sum of two segments: what is left of the one and what is done of the next add up, of the TCP
+ * if both are paths of the same one, of the axes otherwise.
  */
 final class Blend {
   /** {@code $APO_DIS_PTP}, degrees, of which C_PTP is a part (krl.md 2.7: 90 for every axis). */
@@ -28,28 +28,28 @@ final class Blend {
   }
 
   /** Finds the axes where a cursor is. */
-  Axes axes(Cursor at) throws NoPointException {
+  Axes axes(PathCursor at) throws NoPointException {
     return arm.clamped(unlimited(at));
   }
 
-  private Axes unlimited(Cursor at) throws NoPointException {
-    Leg leg = at.requireLeg();
-    Leg next = at.next();
+  private Axes unlimited(PathCursor at) throws NoPointException {
+    PathSegment segment = at.requireSegment();
+    PathSegment next = at.next();
     if (next == null) {
-      return leg.at(at.time());
+      return segment.at(at.time());
     }
-    if (leg.path() instanceof Path.OfTcp from
-        && next.path() instanceof Path.OfTcp to
+    if (segment.path() instanceof JointPath.OfTcp from
+        && next.path() instanceof JointPath.OfTcp to
         && from.byPose()
         && to.byPose()
         && from.tool().equals(to.tool())) {
-      Frame first = from.curve().at(leg.profile().position(at.time()));
+      Frame first = from.curve().at(segment.profile().position(at.time()));
       Frame second = to.curve().at(next.profile().position(at.nextTime()));
-      Axes near = sum(leg.near(at.time()), next.near(at.nextTime()), to.start());
+      Axes near = sum(segment.near(at.time()), next.near(at.nextTime()), to.start());
       Frame tcp = sum(first, second, to.curve().at(0));
       return arm.inverse(tcp, from.flangeInTool(), near);
     }
-    return sum(leg.at(at.time()), next.at(at.nextTime()), next.path().start());
+    return sum(segment.at(at.time()), next.at(at.nextTime()), next.path().start());
   }
 
   private static Axes sum(Axes first, Axes second, Axes corner) {
@@ -66,28 +66,29 @@ final class Blend {
     return new Frame(0, 0, 0, frame.a(), frame.b(), frame.c());
   }
 
-  /** Finds how long a leg may blend with the one before, s; 0 if not at all. */
-  double overlap(Leg leg, Leg next) {
-    double longest = Math.min(leg.profile().rampDown(), next.profile().rampUp());
-    if (leg.motion() == null || leg.problem() != null || longest == 0) {
+  /** Finds how long a segment may blend with the one before, s; 0 if not at all. */
+  double overlap(PathSegment segment, PathSegment next) {
+    double longest = Math.min(segment.profile().rampDown(), next.profile().rampUp());
+    if (segment.motion() == null || segment.problem() != null || longest == 0) {
       return 0;
     }
-    double overlap = kept(leg.motion().approximation(), leg, next, longest);
-    return isPassable(leg, next, overlap) ? overlap : 0;
+    double overlap = kept(segment.motion().approximation(), segment, next, longest);
+    return isPassable(segment, next, overlap) ? overlap : 0;
   }
 
-  private double kept(Approximation approximation, Leg leg, Leg next, double longest) {
+  private double kept(
+      ApproximationZone approximation, PathSegment segment, PathSegment next, double longest) {
     if (approximation instanceof Speed speed) {
-      return Math.min(longest, leg.profile().rampDown() * speed.percent() / 100);
+      return Math.min(longest, segment.profile().rampDown() * speed.percent() / 100);
     }
-    if (isKept(approximation, leg, next, longest)) {
+    if (isKept(approximation, segment, next, longest)) {
       return longest;
     }
     double kept = 0;
     double step = longest;
     for (int i = 0; i < HALVINGS; i++) {
       step /= 2;
-      if (isKept(approximation, leg, next, kept + step)) {
+      if (isKept(approximation, segment, next, kept + step)) {
         kept += step;
       }
     }
@@ -95,17 +96,18 @@ final class Blend {
   }
 
   /** Says whether a blend is near enough to the corner, where it begins and where it ends. */
-  private boolean isKept(Approximation approximation, Leg leg, Leg next, double overlap) {
+  private boolean isKept(
+      ApproximationZone approximation, PathSegment segment, PathSegment next, double overlap) {
     try {
-      double begin = leg.duration() - overlap;
+      double begin = segment.duration() - overlap;
       if (approximation instanceof AxisDistance ptp) {
         double most = ptp.percent() / 100 * AXIS_DISTANCE;
-        return leg.path().end().largestDifference(leg.at(begin)) <= most
+        return segment.path().end().largestDifference(segment.at(begin)) <= most
             && next.path().start().largestDifference(next.at(overlap)) <= most;
       }
-      Frame first = tcp(leg, begin, leg.tool());
-      Frame corner = tcp(leg, leg.duration(), leg.tool());
-      Frame second = tcp(next, overlap, leg.tool());
+      Frame first = tcp(segment, begin, segment.tool());
+      Frame corner = tcp(segment, segment.duration(), segment.tool());
+      Frame second = tcp(next, overlap, segment.tool());
       if (approximation instanceof Distance distance) {
         return first.distance(corner) <= distance.mm() && second.distance(corner) <= distance.mm();
       }
@@ -117,18 +119,20 @@ final class Blend {
     }
   }
 
-  private Frame tcp(Leg leg, double time, Frame tool) throws NoPointException {
-    return leg.path() instanceof Path.OfTcp path && path.byPose() && path.tool().equals(tool)
-        ? path.curve().at(leg.profile().position(time))
-        : arm.tcp(leg.at(time), tool);
+  private Frame tcp(PathSegment segment, double time, Frame tool) throws NoPointException {
+    return segment.path() instanceof JointPath.OfTcp path
+            && path.byPose()
+            && path.tool().equals(tool)
+        ? path.curve().at(segment.profile().position(time))
+        : arm.tcp(segment.at(time), tool);
   }
 
   /** Says whether the arm can go all the way through a blend: a corner may be out of its reach. */
-  private boolean isPassable(Leg leg, Leg next, double overlap) {
+  private boolean isPassable(PathSegment segment, PathSegment next, double overlap) {
     try {
       for (int i = 1; i < TRIALS; i++) {
         double time = overlap * i / TRIALS;
-        Cursor at = new Cursor(leg, leg.duration() - overlap + time, next, time);
+        PathCursor at = new PathCursor(segment, segment.duration() - overlap + time, next, time);
         if (arm.beyondLimit(unlimited(at)).isPresent()) {
           return false;
         }

@@ -28,8 +28,8 @@ public record Circular(
     Frame tool,
     PathRates rates,
     OrientationControl orientation,
-    Approximation approximation)
-    implements Motion {
+    ApproximationZone approximation)
+    implements MotionCommand {
   /** Refuses an angle that is not finite. */
   public Circular {
     if (angle.isPresent() && !Double.isFinite(angle.getAsDouble())) {

@@ -18,5 +18,5 @@ public record Linear(
     Frame tool,
     PathRates rates,
     OrientationControl orientation,
-    Approximation approximation)
-    implements Motion {}
+    ApproximationZone approximation)
+    implements MotionCommand {}

@@ -9,21 +9,21 @@ public sealed interface MotionEvent {
    *
    * @return the motion as it was added
    */
-  Motion motion();
+  MotionCommand motion();
 
   /**
    * Tells that the robot has set off, or that the blend into the motion has begun.
    *
    * @param motion the motion
    */
-  record Started(Motion motion) implements MotionEvent {}
+  record Started(MotionCommand motion) implements MotionEvent {}
 
   /**
    * Tells that the robot is at the end of the motion, or in the middle of the blend into the next.
    *
    * @param motion the motion
    */
-  record Passed(Motion motion) implements MotionEvent {}
+  record Passed(MotionCommand motion) implements MotionEvent {}
 
   /**
    * Tells that the motion cannot go on: the robot stands, and everything planned is forgotten.
@@ -32,5 +32,5 @@ public sealed interface MotionEvent {
    * @param problem why
    * @param axes where the robot stands: the last point of the path that is within the limits
    */
-  record Faulted(Motion motion, Problem problem, Axes axes) implements MotionEvent {}
+  record Faulted(MotionCommand motion, MotionProblem problem, Axes axes) implements MotionEvent {}
 }

@@ -4,9 +4,9 @@ package no.hials.crosscom.simulator.internal.motion;
 public final class MotionRefusedException extends Exception {
   private static final long serialVersionUID = 1;
 
-  private final Problem problem;
+  private final MotionProblem problem;
 
-  MotionRefusedException(Problem problem) {
+  MotionRefusedException(MotionProblem problem) {
     super(problem.message());
     this.problem = problem;
   }
@@ -16,7 +16,7 @@ public final class MotionRefusedException extends Exception {
    *
    * @return the rule that the motion breaks, and the numbers
    */
-  public Problem problem() {
+  public MotionProblem problem() {
     return problem;
   }
 }

@@ -4,14 +4,14 @@ package no.hials.crosscom.simulator.internal.motion;
 final class NoPointException extends Exception {
   private static final long serialVersionUID = 1;
 
-  private final Problem problem;
+  private final MotionProblem problem;
 
-  NoPointException(Problem problem) {
+  NoPointException(MotionProblem problem) {
     super(problem.message());
     this.problem = problem;
   }
 
-  Problem problem() {
+  MotionProblem problem() {
     return problem;
   }
 }

@@ -13,5 +13,5 @@ import no.hials.crosscom.kinematics.Frame;
  * @param approximation where the blend into the next motion may begin
  */
 public record PointToPoint(
-    long id, Axes target, AxisRates rates, Frame tool, Approximation approximation)
-    implements Motion {}
+    long id, Axes target, AxisRates rates, Frame tool, ApproximationZone approximation)
+    implements MotionCommand {}

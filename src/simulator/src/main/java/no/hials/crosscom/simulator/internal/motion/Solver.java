@@ -81,7 +81,7 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
 
     private static NoPointException unreachable(Point point) {
       return new NoPointException(
-          new Problem.OutOfReach(
+          new MotionProblem.OutOfReach(
               String.format(
                   Locale.ROOT,
                   "no A1 to A3 bring the TCP to X %.3f Y %.3f Z %.3f",

@@ -8,11 +8,11 @@ import java.util.List;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.simulator.internal.motion.Approximation.AxisDistance;
-import no.hials.crosscom.simulator.internal.motion.Approximation.Distance;
-import no.hials.crosscom.simulator.internal.motion.Approximation.Exact;
-import no.hials.crosscom.simulator.internal.motion.Approximation.Orientation;
-import no.hials.crosscom.simulator.internal.motion.Approximation.Speed;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Distance;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Exact;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Orientation;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Speed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Passed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
 import org.junit.jupiter.api.Test;
@@ -167,8 +167,8 @@ class BlendTest {
     List<Frame> flanges = ride.flanges();
     double before = 0;
     for (int i = 1; i < flanges.size(); i++) {
-      double turn = flanges.get(i).angle(flanges.get(i - 1)) / MotionSystem.CYCLE;
-      assertThat(Math.abs(turn - before) / MotionSystem.CYCLE).isLessThan(100 * 1.1);
+      double turn = flanges.get(i).angle(flanges.get(i - 1)) / Interpolator.CYCLE;
+      assertThat(Math.abs(turn - before) / Interpolator.CYCLE).isLessThan(100 * 1.1);
       before = turn;
     }
     assertThat(ride.system.flange().angle(end)).isLessThan(1e-5);
@@ -237,8 +237,8 @@ class BlendTest {
   @Test
   void passesInTheMiddleOfTheBlend() throws MotionRefusedException {
     Ride ride = Ride.fromHome();
-    Motion first = ride.ptp(HOME.with(0, 60), Ride.FULL, new AxisDistance(50));
-    Motion second = ride.ptp(HOME.with(0, 60).with(1, -40));
+    MotionCommand first = ride.ptp(HOME.with(0, 60), Ride.FULL, new AxisDistance(50));
+    MotionCommand second = ride.ptp(HOME.with(0, 60).with(1, -40));
     while (ride.events.size() < 2) {
       ride.cycle();
     }
@@ -302,7 +302,7 @@ class BlendTest {
     assertThatThrownBy(() -> new Orientation(-0.1)).hasMessage("C_ORI must be 0 or more, is -0.1");
   }
 
-  private static double nearestToTheCorner(Approximation approximation)
+  private static double nearestToTheCorner(ApproximationZone approximation)
       throws MotionRefusedException {
     Ride ride = new Ride(START);
     Frame corner = moved(FROM, 0, 100, 0);

@@ -9,9 +9,9 @@ import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Faulted;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
-import no.hials.crosscom.simulator.internal.motion.Problem.AxisLimit;
-import no.hials.crosscom.simulator.internal.motion.Problem.OutOfReach;
-import no.hials.crosscom.simulator.internal.motion.Problem.Singularity;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.OutOfReach;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.Singularity;
 import org.junit.jupiter.api.Test;
 
 class FaultedMotionTest {
@@ -23,7 +23,7 @@ class FaultedMotionTest {
   void standsWhereALineLeavesTheReachOfTheRobot() throws MotionRefusedException {
     Ride ride = new Ride(START);
     Frame to = moved(FROM, 600, 0, 0);
-    Motion motion = ride.lin(to);
+    MotionCommand motion = ride.lin(to);
     ride.ptp(START);
     ride.toTheEnd();
 
@@ -83,7 +83,7 @@ class FaultedMotionTest {
     ride.toTheEnd();
 
     assertThat(ride.events).hasSize(2);
-    Problem problem = ((Faulted) ride.events.get(1)).problem();
+    MotionProblem problem = ((Faulted) ride.events.get(1)).problem();
     assertThat(problem).isInstanceOf(Singularity.class);
     assertThat(problem.message()).matches("A\\d would have to jump by .* degrees in a singularity");
     assertThat(ride.system.flange().times(new Frame(0, 0, -80, 0, 0, 0)).x())
@@ -94,7 +94,8 @@ class FaultedMotionTest {
   void goesAsFarAsItCanWithTheWristAxesTurningEvenly() throws MotionRefusedException {
     Ride ride = new Ride(START);
     Frame to = moved(FROM, 600, 0, 0);
-    ride.lin(to, Frame.IDENTITY, Ride.PATH, OrientationControl.JOINT, new Approximation.Exact());
+    ride.lin(
+        to, Frame.IDENTITY, Ride.PATH, OrientationControl.JOINT, new ApproximationZone.Exact());
     ride.toTheEnd();
 
     assertThat(((Faulted) ride.events.get(1)).problem()).isInstanceOf(OutOfReach.class);
@@ -108,7 +109,7 @@ class FaultedMotionTest {
     Frame tool = new Frame(300, 0, 100, 0, 0, 0);
     Ride ride = new Ride(start);
     Frame to = ROBOT.forward(start.with(0, 80).with(5, 180)).times(tool);
-    ride.lin(to, tool, Ride.PATH, OrientationControl.JOINT, new Approximation.Exact());
+    ride.lin(to, tool, Ride.PATH, OrientationControl.JOINT, new ApproximationZone.Exact());
     ride.toTheEnd();
 
     assertThat(ride.events).hasSize(2);
@@ -119,7 +120,7 @@ class FaultedMotionTest {
   @Test
   void doesNotBlendOutOfAMotionThatCannotEnd() throws MotionRefusedException {
     Ride ride = new Ride(START);
-    ride.lin(moved(FROM, 600, 0, 0), new Approximation.Distance(50));
+    ride.lin(moved(FROM, 600, 0, 0), new ApproximationZone.Distance(50));
     ride.lin(FROM);
     ride.toTheEnd();
 

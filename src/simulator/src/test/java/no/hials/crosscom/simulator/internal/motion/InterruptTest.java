@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.simulator.internal.motion.Approximation.AxisDistance;
-import no.hials.crosscom.simulator.internal.motion.Approximation.Distance;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Distance;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Passed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
 import org.junit.jupiter.api.Test;
@@ -23,15 +23,15 @@ class InterruptTest {
   void goesBackToThePathAndOn() throws MotionRefusedException {
     Ride ride = new Ride(START);
     Frame to = moved(FROM, 0, 300, 0);
-    Motion first = ride.lin(to);
-    Motion second = ride.ptp(START);
-    Suspended suspended = interruptAfter(20, ride);
+    MotionCommand first = ride.lin(to);
+    MotionCommand second = ride.ptp(START);
+    SuspendedPlan suspended = interruptAfter(20, ride);
     Axes left = ride.system.axes();
     assertThat(suspended.axes()).isEqualTo(left);
     assertThat(ride.system.finished()).isTrue();
     assertThat(ride.system.plannedEnd()).isEqualTo(left);
 
-    Motion aside = ride.ptp(ASIDE);
+    MotionCommand aside = ride.ptp(ASIDE);
     ride.toTheEnd();
     assertThat(ride.system.axes()).isEqualTo(ASIDE);
     int begin = ride.positions.size();
@@ -67,7 +67,7 @@ class InterruptTest {
   void goesOnAtOnceIfItHasNotMoved() throws MotionRefusedException {
     Ride ride = new Ride(START);
     ride.lin(moved(FROM, 0, 300, 0));
-    Suspended suspended = interruptAfter(20, ride);
+    SuspendedPlan suspended = interruptAfter(20, ride);
     ride.cycles(3);
     ride.system.resume(suspended, BACK);
     ride.toTheEnd();
@@ -86,7 +86,7 @@ class InterruptTest {
     while (ride.system.planned() == 2) {
       ride.cycle();
     }
-    Suspended suspended = interruptAfter(1, ride);
+    SuspendedPlan suspended = interruptAfter(1, ride);
     ride.ptp(ASIDE);
     ride.toTheEnd();
     ride.system.resume(suspended, BACK);
@@ -101,13 +101,13 @@ class InterruptTest {
   void canBeInterruptedOnTheWayBack() throws MotionRefusedException {
     Ride ride = new Ride(START);
     Frame to = moved(FROM, 0, 300, 0);
-    Motion first = ride.lin(to);
+    MotionCommand first = ride.lin(to);
     ride.lin(FROM);
-    Suspended outer = interruptAfter(20, ride);
+    SuspendedPlan outer = interruptAfter(20, ride);
     ride.ptp(ASIDE);
     ride.toTheEnd();
     ride.system.resume(outer, BACK);
-    Suspended inner = interruptAfter(10, ride);
+    SuspendedPlan inner = interruptAfter(10, ride);
     ride.ptp(ASIDE);
     ride.toTheEnd();
     int begin = ride.positions.size();
@@ -127,7 +127,7 @@ class InterruptTest {
     Ride ride = new Ride(START);
     Frame to = moved(FROM, 0, 300, 0);
     ride.lin(to, new Distance(20));
-    Suspended suspended = interruptAfter(20, ride);
+    SuspendedPlan suspended = interruptAfter(20, ride);
     ride.ptp(ASIDE);
     ride.toTheEnd();
     ride.system.resume(suspended, BACK);
@@ -154,7 +154,7 @@ class InterruptTest {
   void refusesToTakeUpAPlanWhileAnotherIsUnderWay() throws MotionRefusedException {
     Ride ride = new Ride(START);
     ride.ptp(ASIDE);
-    Suspended suspended = interruptAfter(5, ride);
+    SuspendedPlan suspended = interruptAfter(5, ride);
     ride.ptp(ASIDE);
 
     assertThatThrownBy(() -> ride.system.resume(suspended, BACK))
@@ -162,7 +162,7 @@ class InterruptTest {
         .hasMessage("a plan can be taken up when no other is under way");
   }
 
-  private static Suspended interruptAfter(int cycles, Ride ride) {
+  private static SuspendedPlan interruptAfter(int cycles, Ride ride) {
     ride.cycles(cycles);
     ride.system.brake(false);
     ride.toStanding();

@@ -8,8 +8,8 @@ import java.util.List;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.simulator.internal.motion.Approximation.AxisDistance;
-import no.hials.crosscom.simulator.internal.motion.Approximation.Distance;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Distance;
 import org.junit.jupiter.api.Test;
 
 class OverrideTest {
@@ -160,11 +160,11 @@ class OverrideTest {
   void brakesAsFastAsTheAxesCan() throws MotionRefusedException {
     AxisRates slow = AxisRates.of(50, 10);
     Ride programmed = Ride.fromHome();
-    programmed.ptp(FAR, slow, new Approximation.Exact());
+    programmed.ptp(FAR, slow, new ApproximationZone.Exact());
     programmed.cycles(100);
     programmed.system.brake(false);
     Ride maximum = Ride.fromHome();
-    maximum.ptp(FAR, slow, new Approximation.Exact());
+    maximum.ptp(FAR, slow, new ApproximationZone.Exact());
     maximum.cycles(100);
     maximum.system.brake(true);
 
@@ -228,7 +228,7 @@ class OverrideTest {
 
   @Test
   void refusesAnOverrideOutsideOfItsRange() {
-    MotionSystem system = new MotionSystem(ROBOT, HOME);
+    Interpolator system = new Interpolator(ROBOT, HOME);
 
     assertThatThrownBy(() -> system.cycle(1.01, true))
         .isInstanceOf(IllegalArgumentException.class)
@@ -253,7 +253,7 @@ class OverrideTest {
 
   private static int cyclesToStop(AxisRates rates) throws MotionRefusedException {
     Ride ride = Ride.fromHome();
-    ride.ptp(HOME.with(0, 160), rates, new Approximation.Exact());
+    ride.ptp(HOME.with(0, 160), rates, new ApproximationZone.Exact());
     ride.cycles(40);
     ride.released = false;
     return ride.toStanding();

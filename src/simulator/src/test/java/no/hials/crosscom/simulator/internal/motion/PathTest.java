@@ -8,12 +8,12 @@ import java.util.OptionalDouble;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.simulator.internal.motion.Problem.NotACircle;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.NotACircle;
 import org.junit.jupiter.api.Test;
 
 class PathTest {
   private static final RobotModel ROBOT = Ride.ROBOT;
-  private static final Approximation EXACT = new Approximation.Exact();
+  private static final ApproximationZone EXACT = new ApproximationZone.Exact();
 
   /** Away from singularities. */
   private static final Axes START = new Axes(0, -90, 90, 0, 60, 0);
@@ -46,7 +46,7 @@ class PathTest {
     ride.lin(to, Frame.IDENTITY, rates, OrientationControl.VAR, EXACT);
     double time = 0.3 / 0.25 + 0.25 / 2.3;
 
-    assertThat(ride.toTheEnd()).isEqualTo((int) Math.ceil(time / MotionSystem.CYCLE));
+    assertThat(ride.toTheEnd()).isEqualTo((int) Math.ceil(time / Interpolator.CYCLE));
     assertThat(ride.flangeSpeeds()).allMatch(speed -> speed < 0.25 * 1.00001);
     assertThat(ride.peakPathAcceleration()).isBetween(2.3 * 0.99, 2.3 * 1.00001);
   }
@@ -59,7 +59,7 @@ class PathTest {
     ride.lin(to);
 
     double time = 2 * Math.sqrt(60.0 / 100);
-    assertThat(ride.toTheEnd()).isEqualTo((int) Math.ceil(time / MotionSystem.CYCLE));
+    assertThat(ride.toTheEnd()).isEqualTo((int) Math.ceil(time / Interpolator.CYCLE));
   }
 
   @Test
@@ -215,7 +215,7 @@ class PathTest {
     }
     assertThat(ride.peakSpeed(3)).isGreaterThan(ROBOT.maxSpeed(3) * 0.5);
     double unlimited = 2 * Math.sqrt(from.angle(to) / 1000);
-    assertThat(cycles * MotionSystem.CYCLE).isGreaterThan(1.2 * unlimited);
+    assertThat(cycles * Interpolator.CYCLE).isGreaterThan(1.2 * unlimited);
     for (Frame flange : ride.flanges()) {
       double part = Math.min(1, from.angle(flange) / from.angle(to));
       assertThat(flange.angle(from.interpolate(to, part))).isLessThan(0.001);
@@ -238,8 +238,8 @@ class PathTest {
   void takesACycleToGoNowhere() throws MotionRefusedException {
     Ride ride = new Ride(START);
     Frame here = ROBOT.forward(START).times(TOOL);
-    ride.lin(here, TOOL, Ride.PATH, OrientationControl.VAR, new Approximation.Distance(3));
-    ride.lin(here, TOOL, Ride.PATH, OrientationControl.VAR, new Approximation.Distance(3));
+    ride.lin(here, TOOL, Ride.PATH, OrientationControl.VAR, new ApproximationZone.Distance(3));
+    ride.lin(here, TOOL, Ride.PATH, OrientationControl.VAR, new ApproximationZone.Distance(3));
 
     assertThat(ride.toTheEnd()).isEqualTo(2);
     assertThat(ride.system.axes().largestDifference(START)).isLessThan(1e-6);

@@ -8,13 +8,13 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Passed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
-import no.hials.crosscom.simulator.internal.motion.Problem.AxisLimit;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
 import org.junit.jupiter.api.Test;
 
 class PointToPointTest {
   private static final RobotModel ROBOT = Ride.ROBOT;
   private static final Axes HOME = ROBOT.home();
-  private static final Approximation EXACT = new Approximation.Exact();
+  private static final ApproximationZone EXACT = new ApproximationZone.Exact();
 
   @Test
   void takesTheTimeOfATrapezoid() throws MotionRefusedException {
@@ -23,7 +23,7 @@ class PointToPointTest {
     double speed = ROBOT.maxSpeed(0);
     double time = 120 / speed + speed / ROBOT.maxAcceleration(0);
 
-    assertThat(ride.toTheEnd()).isEqualTo((int) Math.ceil(time / MotionSystem.CYCLE));
+    assertThat(ride.toTheEnd()).isEqualTo((int) Math.ceil(time / Interpolator.CYCLE));
     assertThat(ride.system.axes()).isEqualTo(HOME.with(0, 120));
   }
 
@@ -33,7 +33,7 @@ class PointToPointTest {
     ride.ptp(HOME.with(0, 20));
     double time = 2 * Math.sqrt(20 / ROBOT.maxAcceleration(0));
 
-    assertThat(ride.toTheEnd()).isEqualTo((int) Math.ceil(time / MotionSystem.CYCLE));
+    assertThat(ride.toTheEnd()).isEqualTo((int) Math.ceil(time / Interpolator.CYCLE));
   }
 
   @Test
@@ -44,7 +44,7 @@ class PointToPointTest {
     double acceleration = ROBOT.maxAcceleration(0) * 0.5;
 
     assertThat(ride.toTheEnd())
-        .isEqualTo((int) Math.ceil((120 / speed + speed / acceleration) / MotionSystem.CYCLE));
+        .isEqualTo((int) Math.ceil((120 / speed + speed / acceleration) / Interpolator.CYCLE));
     assertThat(ride.peakSpeed(0)).isCloseTo(speed, within(1e-6));
     assertThat(ride.peakAcceleration(0)).isBetween(acceleration * 0.99, acceleration * 1.0001);
   }
@@ -84,8 +84,8 @@ class PointToPointTest {
   @Test
   void tellsWhenItStartsAndWhenItHasEnded() throws MotionRefusedException {
     Ride ride = new Ride(HOME);
-    Motion first = ride.ptp(HOME.with(0, 5));
-    Motion second = ride.ptp(HOME);
+    MotionCommand first = ride.ptp(HOME.with(0, 5));
+    MotionCommand second = ride.ptp(HOME);
 
     assertThat(ride.system.planned()).isEqualTo(2);
     assertThat(ride.system.current()).isEmpty();
@@ -113,7 +113,7 @@ class PointToPointTest {
     Ride ride = new Ride(HOME);
     ride.override = 0.1;
     for (int i = 0; i < 3; i++) {
-      ride.ptp(HOME, Ride.FULL, new Approximation.AxisDistance(50));
+      ride.ptp(HOME, Ride.FULL, new ApproximationZone.AxisDistance(50));
     }
 
     assertThat(ride.toTheEnd()).isEqualTo(3);

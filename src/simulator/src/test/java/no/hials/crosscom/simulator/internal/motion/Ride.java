@@ -7,7 +7,7 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 
-/** A motion system with what the core around it would see: every position and every event. */
+/** An interpolator with what the core around it would see: every position and every event. */
 final class Ride {
   static final RobotModel ROBOT = RobotModel.kr6r900sixx();
   static final AxisRates FULL = AxisRates.of(100, 100);
@@ -18,7 +18,7 @@ final class Ride {
   /** More cycles than any test needs. */
   private static final int MANY = 20_000;
 
-  final MotionSystem system;
+  final Interpolator system;
   final List<Axes> positions = new ArrayList<>();
   final List<MotionEvent> events = new ArrayList<>();
   double override = 1;
@@ -30,7 +30,7 @@ final class Ride {
   }
 
   Ride(RobotModel robot, Axes start) {
-    system = new MotionSystem(robot, start);
+    system = new Interpolator(robot, start);
     positions.add(start);
   }
 
@@ -38,34 +38,35 @@ final class Ride {
     return new Ride(ROBOT.home());
   }
 
-  Motion ptp(Axes target) throws MotionRefusedException {
-    return ptp(target, FULL, new Approximation.Exact());
+  MotionCommand ptp(Axes target) throws MotionRefusedException {
+    return ptp(target, FULL, new ApproximationZone.Exact());
   }
 
-  Motion ptp(Axes target, AxisRates rates, Approximation approximation)
+  MotionCommand ptp(Axes target, AxisRates rates, ApproximationZone approximation)
       throws MotionRefusedException {
     return add(new PointToPoint(++lastId, target, rates, Frame.IDENTITY, approximation));
   }
 
-  Motion lin(Frame target) throws MotionRefusedException {
-    return lin(target, Frame.IDENTITY, PATH, OrientationControl.VAR, new Approximation.Exact());
+  MotionCommand lin(Frame target) throws MotionRefusedException {
+    return lin(target, Frame.IDENTITY, PATH, OrientationControl.VAR, new ApproximationZone.Exact());
   }
 
-  Motion lin(Frame target, Approximation approximation) throws MotionRefusedException {
+  MotionCommand lin(Frame target, ApproximationZone approximation) throws MotionRefusedException {
     return lin(target, Frame.IDENTITY, PATH, OrientationControl.VAR, approximation);
   }
 
-  Motion lin(
+  MotionCommand lin(
       Frame target,
       Frame tool,
       PathRates rates,
       OrientationControl orientation,
-      Approximation approximation)
+      ApproximationZone approximation)
       throws MotionRefusedException {
     return add(new Linear(++lastId, target, tool, rates, orientation, approximation));
   }
 
-  Motion circ(Frame auxiliary, Frame target, OptionalDouble angle, OrientationControl orientation)
+  MotionCommand circ(
+      Frame auxiliary, Frame target, OptionalDouble angle, OrientationControl orientation)
       throws MotionRefusedException {
     return add(
         new Circular(
@@ -76,10 +77,10 @@ final class Ride {
             Frame.IDENTITY,
             PATH,
             orientation,
-            new Approximation.Exact()));
+            new ApproximationZone.Exact()));
   }
 
-  private Motion add(Motion motion) throws MotionRefusedException {
+  private MotionCommand add(MotionCommand motion) throws MotionRefusedException {
     system.add(motion);
     return motion;
   }
@@ -132,7 +133,7 @@ final class Ride {
     for (int i = 1; i < positions.size(); i++) {
       peak = Math.max(peak, Math.abs(step(i, axis)));
     }
-    return peak / MotionSystem.CYCLE;
+    return peak / Interpolator.CYCLE;
   }
 
   /** Gives the highest change of an axis' speed from one cycle to the next, degrees/s². */
@@ -141,7 +142,7 @@ final class Ride {
     for (int i = 2; i < positions.size(); i++) {
       peak = Math.max(peak, Math.abs(step(i, axis) - step(i - 1, axis)));
     }
-    return peak / MotionSystem.CYCLE / MotionSystem.CYCLE;
+    return peak / Interpolator.CYCLE / Interpolator.CYCLE;
   }
 
   /** Gives the speed of the flange in every cycle, m/s. */
@@ -149,7 +150,7 @@ final class Ride {
     List<Double> speeds = new ArrayList<>();
     List<Frame> flanges = flanges();
     for (int i = 1; i < flanges.size(); i++) {
-      speeds.add(flanges.get(i).distance(flanges.get(i - 1)) / MotionSystem.CYCLE / 1000);
+      speeds.add(flanges.get(i).distance(flanges.get(i - 1)) / Interpolator.CYCLE / 1000);
     }
     return speeds;
   }
@@ -159,7 +160,7 @@ final class Ride {
     double peak = 0;
     double before = 0;
     for (double speed : flangeSpeeds()) {
-      peak = Math.max(peak, Math.abs(speed - before) / MotionSystem.CYCLE);
+      peak = Math.max(peak, Math.abs(speed - before) / Interpolator.CYCLE);
       before = speed;
     }
     return peak;

@@ -28,7 +28,7 @@ import org.jspecify.annotations.Nullable;
  * to the accelerations of the axes, and on a LIN or CIRC of the TCP, within 2 %; but where the plan
  * slows down anyway, for a target or in a blend, it takes no less time than planned.
  */
-public final class MotionSystem {
+public final class Interpolator {
   /** The simulated time of one cycle, s: the interpolation cycle of 12 ms (krl.md 5). */
   public static final double CYCLE = 0.012;
 
@@ -45,15 +45,15 @@ public final class MotionSystem {
   }
 
   private Arm arm;
-  private Planner planner;
+  private TrajectoryPlanner planner;
   private Blend blend;
 
   /** Where the motions under way may go: within the limits that there were when they were added. */
   private RobotModel widest;
 
   private Blend way;
-  private final List<Leg> planned = new ArrayList<>();
-  private Cursor cursor = Cursor.NOWHERE;
+  private final List<PathSegment> planned = new ArrayList<>();
+  private PathCursor cursor = PathCursor.NOWHERE;
   private Axes plannedEnd;
   private Axes last;
   private Axes now;
@@ -61,7 +61,7 @@ public final class MotionSystem {
   private Brake brake = Brake.NONE;
   private boolean cancelled;
   private double rate;
-  private @Nullable Suspended returning;
+  private @Nullable SuspendedPlan returning;
 
   /**
    * Puts a robot somewhere, standing.
@@ -69,10 +69,10 @@ public final class MotionSystem {
    * @param robot the robot
    * @param start where its axes are, degrees
    */
-  public MotionSystem(RobotModel robot, Axes start) {
+  public Interpolator(RobotModel robot, Axes start) {
     widest = robot;
     arm = new Arm(robot);
-    planner = new Planner(arm);
+    planner = new TrajectoryPlanner(arm);
     blend = new Blend(arm);
     way = blend;
     plannedEnd = start;
@@ -87,7 +87,7 @@ public final class MotionSystem {
    */
   public void robot(RobotModel limited) {
     arm = new Arm(limited);
-    planner = new Planner(arm);
+    planner = new TrajectoryPlanner(arm);
     blend = new Blend(arm);
     Axes low = limited.home();
     Axes high = limited.home();
@@ -106,17 +106,17 @@ public final class MotionSystem {
    * @param motion the motion, with its target resolved
    * @throws MotionRefusedException if an axis target is outside the limits, or there is no circle
    */
-  public void add(Motion motion) throws MotionRefusedException {
+  public void add(MotionCommand motion) throws MotionRefusedException {
     if (cancelled) {
       throw new IllegalStateException("no motion can be added while the robot brakes to cancel");
     }
-    Leg leg = planner.plan(motion, plannedEnd);
-    Cursor path = returning == null ? cursor : returning.cursor();
-    Leg before = planned.isEmpty() ? path.last() : planned.get(planned.size() - 1);
-    double overlap = before == null ? 0 : blend.overlap(before, leg);
+    PathSegment segment = planner.plan(motion, plannedEnd);
+    PathCursor path = returning == null ? cursor : returning.cursor();
+    PathSegment before = planned.isEmpty() ? path.last() : planned.get(planned.size() - 1);
+    double overlap = before == null ? 0 : blend.overlap(before, segment);
     boolean late = planned.isEmpty() && path.isBeyond(overlap);
-    planned.add(late ? leg : leg.withOverlap(overlap));
-    plannedEnd = leg.path().end();
+    planned.add(late ? segment : segment.withOverlap(overlap));
+    plannedEnd = segment.path().end();
   }
 
   /**
@@ -143,8 +143,8 @@ public final class MotionSystem {
    *
    * @return the motion, or none between motions
    */
-  public Optional<Motion> current() {
-    return Optional.ofNullable(currentLeg()).map(Leg::motion);
+  public Optional<MotionCommand> current() {
+    return Optional.ofNullable(currentSegment()).map(PathSegment::motion);
   }
 
   /**
@@ -153,8 +153,8 @@ public final class MotionSystem {
    * @return the axes; those of now between motions
    */
   public Axes currentStart() {
-    Leg leg = currentLeg();
-    return leg == null ? now : leg.path().start();
+    PathSegment segment = currentSegment();
+    return segment == null ? now : segment.path().start();
   }
 
   /**
@@ -163,8 +163,8 @@ public final class MotionSystem {
    * @return the axes; those of now between motions
    */
   public Axes currentEnd() {
-    Leg leg = currentLeg();
-    return leg == null ? now : leg.path().end();
+    PathSegment segment = currentSegment();
+    return segment == null ? now : segment.path().end();
   }
 
   /**
@@ -173,7 +173,7 @@ public final class MotionSystem {
    * @return whether nothing is planned and the robot stands at the end of the last motion
    */
   public boolean finished() {
-    return cursor.leg() == null && planned.isEmpty() && returning == null;
+    return cursor.segment() == null && planned.isEmpty() && returning == null;
   }
 
   /**
@@ -183,7 +183,7 @@ public final class MotionSystem {
    * @return whether it stands at the end of the last cycle
    */
   public boolean standing() {
-    return cursor.leg() == null || rate == 0;
+    return cursor.segment() == null || rate == 0;
   }
 
   /**
@@ -211,11 +211,11 @@ public final class MotionSystem {
     }
     double wanted = released && brake == Brake.NONE && !cancelled ? override : 0;
     List<MotionEvent> events = new ArrayList<>();
-    if (cursor.leg() == null && !planned.isEmpty() && returning == null && wanted > 0) {
-      cursor = Cursor.at(planned.remove(0));
-      events.add(new Started(cursor.requireLeg().requireMotion()));
+    if (cursor.segment() == null && !planned.isEmpty() && returning == null && wanted > 0) {
+      cursor = PathCursor.at(planned.remove(0));
+      events.add(new Started(cursor.requireSegment().requireMotion()));
     }
-    if (cursor.leg() == null || (wanted == 0 && rate == 0)) {
+    if (cursor.segment() == null || (wanted == 0 && rate == 0)) {
       last = now;
     } else {
       move(wanted, speedLimit, events);
@@ -255,14 +255,14 @@ public final class MotionSystem {
   /**
    * Puts the plan aside, so that an interrupt can move the robot; ends {@link #brake(boolean)}.
    *
-   * @return what {@link #resume(Suspended, AxisRates)} needs
+   * @return what {@link #resume(SuspendedPlan, AxisRates)} needs
    * @throws IllegalStateException if the robot does not stand
    */
-  public Suspended suspend() {
+  public SuspendedPlan suspend() {
     if (!standing()) {
       throw new IllegalStateException("a plan can be put aside when the robot stands");
     }
-    Suspended suspended = new Suspended(now, cursor, planned, plannedEnd, returning);
+    SuspendedPlan suspended = new SuspendedPlan(now, cursor, planned, plannedEnd, returning);
     forget();
     return suspended;
   }
@@ -275,7 +275,7 @@ public final class MotionSystem {
    * @param rates how fast it goes back
    * @throws IllegalStateException if the motions of the interrupt have not ended
    */
-  public void resume(Suspended suspended, AxisRates rates) {
+  public void resume(SuspendedPlan suspended, AxisRates rates) {
     if (!finished()) {
       throw new IllegalStateException("a plan can be taken up when no other is under way");
     }
@@ -284,7 +284,7 @@ public final class MotionSystem {
     rate = 0;
     if (now.largestDifference(suspended.axes()) > SAME) {
       returning = suspended;
-      cursor = Cursor.at(planner.back(now, suspended.axes(), rates));
+      cursor = PathCursor.at(planner.back(now, suspended.axes(), rates));
     } else {
       cursor = suspended.cursor();
       returning = suspended.before();
@@ -340,39 +340,41 @@ public final class MotionSystem {
    *
    * @return the distance, mm; 0 between motions
    */
-  @SuppressWarnings("ReferenceEquality") // two legs can be alike
+  @SuppressWarnings("ReferenceEquality") // two segments can be alike
   public double distanceToEnd() {
-    Leg leg = currentLeg();
-    if (leg == null) {
+    PathSegment segment = currentSegment();
+    if (segment == null) {
       return 0;
     }
-    if (leg == cursor.leg() && cursor.next() == null && leg.path() instanceof Path.OfTcp path) {
+    if (segment == cursor.segment()
+        && cursor.next() == null
+        && segment.path() instanceof JointPath.OfTcp path) {
       return path.curve().length()
-          * (path.scan().lastParameter() - leg.profile().position(cursor.time()));
+          * (path.sampler().lastParameter() - segment.profile().position(cursor.time()));
     }
-    return arm.tcp(now, leg.tool()).distance(arm.tcp(leg.path().end(), leg.tool()));
+    return arm.tcp(now, segment.tool()).distance(arm.tcp(segment.path().end(), segment.tool()));
   }
 
-  private @Nullable Leg currentLeg() {
+  private @Nullable PathSegment currentSegment() {
     return returning == null ? cursor.current() : returning.cursor().current();
   }
 
   private void move(double wanted, SpeedLimit speedLimit, List<MotionEvent> events) {
-    Leg leg = cursor.requireLeg();
-    Limits limits = Limits.of(leg, cursor.next());
+    PathSegment segment = cursor.requireSegment();
+    AccelerationLimits limits = AccelerationLimits.of(segment, cursor.next());
     if (brake == Brake.MAXIMUM) {
       limits = limits.withoutPath(planner.accelerations());
     }
-    tool = leg.tool();
-    Governor governor = new Governor(arm, CYCLE, limits, last, now, speedLimit);
+    tool = segment.tool();
+    SpeedGovernor governor = new SpeedGovernor(arm, CYCLE, limits, last, now, speedLimit);
     try {
       double part = rate;
       double horizon;
-      Cursor.Step step;
+      PathCursor.Step step;
       Axes there;
       int attempts = 0;
       do {
-        horizon = Math.max(Governor.SHORTEST, part);
+        horizon = Math.max(SpeedGovernor.SHORTEST, part);
         step = advance(horizon);
         there = axes(step);
         part = governor.rate(wanted, rate, horizon, there);
@@ -385,20 +387,20 @@ public final class MotionSystem {
       rate = part;
       take(step, there, events);
     } catch (NoPointException e) {
-      events.add(new Faulted(leg.requireMotion(), e.problem(), now));
+      events.add(new Faulted(segment.requireMotion(), e.problem(), now));
       forget();
     }
   }
 
-  private Cursor.Step advance(double part) {
+  private PathCursor.Step advance(double part) {
     return cursor.advance(part * CYCLE, returning == null ? planned : List.of());
   }
 
-  private Axes axes(Cursor.Step step) throws NoPointException {
+  private Axes axes(PathCursor.Step step) throws NoPointException {
     return step.ended() == null ? way.axes(step.cursor()) : step.ended().path().end();
   }
 
-  private void take(Cursor.Step step, Axes there, List<MotionEvent> events) {
+  private void take(PathCursor.Step step, Axes there, List<MotionEvent> events) {
     last = now;
     now = there;
     cursor = step.cursor();
@@ -406,7 +408,7 @@ public final class MotionSystem {
     events.addAll(step.events());
     if (step.ended() != null && step.ended().problem() != null) {
       forget();
-    } else if (cursor.leg() == null && returning != null) {
+    } else if (cursor.segment() == null && returning != null) {
       cursor = returning.cursor();
       returning = returning.before();
       rate = 0;
@@ -415,7 +417,7 @@ public final class MotionSystem {
 
   /** Has the robot stand where it is, with nothing planned. */
   private void forget() {
-    cursor = Cursor.NOWHERE;
+    cursor = PathCursor.NOWHERE;
     planned.clear();
     plannedEnd = now;
     returning = null;

@@ -5,15 +5,19 @@ import no.hials.crosscom.kinematics.Axes;
 import org.jspecify.annotations.Nullable;
 
 /** Keeps the plan that an interrupt has put aside, and where the robot left its path. */
-public final class Suspended {
+public final class SuspendedPlan {
   private final Axes axes;
-  private final Cursor cursor;
-  private final List<Leg> planned;
+  private final PathCursor cursor;
+  private final List<PathSegment> planned;
   private final Axes plannedEnd;
-  private final @Nullable Suspended before;
+  private final @Nullable SuspendedPlan before;
 
-  Suspended(
-      Axes axes, Cursor cursor, List<Leg> planned, Axes plannedEnd, @Nullable Suspended before) {
+  SuspendedPlan(
+      Axes axes,
+      PathCursor cursor,
+      List<PathSegment> planned,
+      Axes plannedEnd,
+      @Nullable SuspendedPlan before) {
     this.axes = axes;
     this.cursor = cursor;
     this.planned = List.copyOf(planned);
@@ -30,11 +34,11 @@ public final class Suspended {
     return axes;
   }
 
-  Cursor cursor() {
+  PathCursor cursor() {
     return cursor;
   }
 
-  List<Leg> planned() {
+  List<PathSegment> planned() {
     return planned;
   }
 
@@ -43,7 +47,7 @@ public final class Suspended {
   }
 
   /** Gives the plan to which the robot was going back when it was interrupted again. */
-  @Nullable Suspended before() {
+  @Nullable SuspendedPlan before() {
     return before;
   }
 }

@@ -6,11 +6,13 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
-import no.hials.crosscom.simulator.internal.motion.Problem.AxisLimit;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
 import org.jspecify.annotations.Nullable;
 
-/** Makes legs of motions: checks targets, finds the axes along paths and the fastest profile. */
-final class Planner {
+/**
+ * Makes segments of motions: checks targets, finds the axes along paths and the fastest profile.
+ */
+final class TrajectoryPlanner {
   /** A path is looked at about this often, mm or degrees, however little the axes turn on it. */
   private static final double POINT_DISTANCE = 5;
 
@@ -28,7 +30,7 @@ final class Planner {
   private final Arm arm;
   private final Axes accelerations;
 
-  Planner(Arm arm) {
+  TrajectoryPlanner(Arm arm) {
     this.arm = arm;
     double[] six = new double[Arm.AXES];
     Arrays.setAll(six, arm::maxAcceleration);
@@ -41,7 +43,7 @@ final class Planner {
   }
 
   /** Plans a motion that starts where the one before ends. */
-  Leg plan(Motion motion, Axes start) throws MotionRefusedException {
+  PathSegment plan(MotionCommand motion, Axes start) throws MotionRefusedException {
     try {
       if (motion instanceof PointToPoint ptp) {
         return pointToPoint(ptp, start);
@@ -55,20 +57,21 @@ final class Planner {
   }
 
   /** Plans the way back to where a path was left. */
-  Leg back(Axes start, Axes target, AxisRates rates) {
+  PathSegment back(Axes start, Axes target, AxisRates rates) {
     // the limits may have changed since then
-    return leg(null, target, rates, start);
+    return segment(null, target, rates, start);
   }
 
-  private Leg pointToPoint(PointToPoint motion, Axes start) throws NoPointException {
+  private PathSegment pointToPoint(PointToPoint motion, Axes start) throws NoPointException {
     Optional<AxisLimit> beyond = arm.beyondLimit(motion.target());
     if (beyond.isPresent()) {
       throw new NoPointException(beyond.get());
     }
-    return leg(motion, arm.clamped(motion.target()), motion.rates(), start);
+    return segment(motion, arm.clamped(motion.target()), motion.rates(), start);
   }
 
-  private Leg leg(@Nullable Motion motion, Axes end, AxisRates rates, Axes start) {
+  private PathSegment segment(
+      @Nullable MotionCommand motion, Axes end, AxisRates rates, Axes start) {
     double[] most = new double[Arm.AXES];
     double speed = Double.POSITIVE_INFINITY;
     double acceleration = Double.POSITIVE_INFINITY;
@@ -79,11 +82,11 @@ final class Planner {
       acceleration = Math.min(acceleration, most[axis] / way);
     }
     double length = start.largestDifference(end) < NOWHERE ? 0 : 1;
-    Path path = new Path.OfAxes(start, end, Axes.of(most));
-    return new Leg(motion, path, Trapezoid.of(length, speed, acceleration), null, 0);
+    JointPath path = new JointPath.OfAxes(start, end, Axes.of(most));
+    return new PathSegment(motion, path, Trapezoid.of(length, speed, acceleration), null, 0);
   }
 
-  private Leg linear(Linear motion, Axes start) {
+  private PathSegment linear(Linear motion, Axes start) {
     Frame from = arm.tcp(start, motion.tool());
     Frame to =
         motion.orientation() == OrientationControl.CONSTANT
@@ -92,7 +95,7 @@ final class Planner {
     return along(motion, new Curve.Line(from, to), motion.rates(), motion.orientation(), start);
   }
 
-  private Leg circular(Circular motion, Axes start) throws NoPointException {
+  private PathSegment circular(Circular motion, Axes start) throws NoPointException {
     Frame from = arm.tcp(start, motion.tool());
     Frame orientation =
         motion.orientation() == OrientationControl.CONSTANT ? from : motion.target();
@@ -101,20 +104,27 @@ final class Planner {
     return along(motion, arc, motion.rates(), motion.orientation(), start);
   }
 
-  private Leg along(
-      Motion motion, Curve curve, PathRates rates, OrientationControl orientation, Axes start) {
+  private PathSegment along(
+      MotionCommand motion,
+      Curve curve,
+      PathRates rates,
+      OrientationControl orientation,
+      Axes start) {
     Frame flangeInTool = motion.tool().inverse();
     Solver solver = solver(curve, motion.tool(), flangeInTool, orientation, start);
     int points = (int) (Math.max(curve.length(), curve.angle()) / POINT_DISTANCE);
-    Scan scan = Scan.of(arm, solver, start, Math.max(FEWEST, Math.min(MOST, points)));
-    double length = scan.problem() == null ? 1 : scan.lastParameter();
+    PathSampler sampler =
+        PathSampler.of(arm, solver, start, Math.max(FEWEST, Math.min(MOST, points)));
+    double length = sampler.problem() == null ? 1 : sampler.lastParameter();
     if (curve.length() < NOWHERE && curve.angle() < NOWHERE) {
       length = 0;
     }
     boolean byPose = solver instanceof Solver.ByPose;
-    Path path =
-        new Path.OfTcp(scan, curve, motion.tool(), flangeInTool, rates, byPose, accelerations);
-    return new Leg(motion, path, profile(curve, rates, scan, length), scan.problem(), 0);
+    JointPath path =
+        new JointPath.OfTcp(
+            sampler, curve, motion.tool(), flangeInTool, rates, byPose, accelerations);
+    return new PathSegment(
+        motion, path, profile(curve, rates, sampler, length), sampler.problem(), 0);
   }
 
   private Solver solver(
@@ -132,14 +142,14 @@ final class Planner {
     }
   }
 
-  private Profile profile(Curve curve, PathRates rates, Scan scan, double length) {
+  private Profile profile(Curve curve, PathRates rates, PathSampler sampler, double length) {
     double speed =
         Math.min(rates.velocity() * 1000 / curve.length(), rates.turnVelocity() / curve.angle());
     double acceleration =
         Math.min(
             rates.acceleration() * 1000 / curve.length(), rates.turnAcceleration() / curve.angle());
     Profile free = Trapezoid.of(length, speed, acceleration);
-    double[] parameters = scan.parameters();
+    double[] parameters = sampler.parameters();
     if (length == 0 || parameters.length < 3) {
       return free;
     }
@@ -148,7 +158,7 @@ final class Planner {
     // What is never reached need not be lowered.
     Arrays.fill(speeds, Math.min(speed, Math.sqrt(length * acceleration)));
     Arrays.fill(ramps, acceleration);
-    boolean slower = limit(parameters, scan.axes(), speeds, ramps);
+    boolean slower = limit(parameters, sampler.axes(), speeds, ramps);
     return slower ? SampledProfile.of(parameters, speeds, ramps) : free;
   }
 

@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import no.hials.crosscom.kinematics.Frame;
 
 /** Asks for one motion of a program, with all that the advance run has resolved. */
-public sealed interface Motion permits PointToPoint, Linear, Circular {
+public sealed interface MotionCommand permits PointToPoint, Linear, Circular {
   /**
    * Gives the number by which the core knows the motion in events.
    *
@@ -23,5 +23,5 @@ public sealed interface Motion permits PointToPoint, Linear, Circular {
    *
    * @return where the blend may begin
    */
-  Approximation approximation();
+  ApproximationZone approximation();
 }

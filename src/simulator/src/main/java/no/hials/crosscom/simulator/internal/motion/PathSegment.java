@@ -12,20 +12,20 @@ import org.jspecify.annotations.Nullable;
  * @param path where it leads
  * @param profile how far it is on the path, over time
  * @param problem why it ends before its target
- * @param overlap how long it blends with the leg before, s; 0 to start from standing
+ * @param overlap how long it blends with the segment before, s; 0 to start from standing
  */
-record Leg(
-    @Nullable Motion motion,
-    Path path,
+record PathSegment(
+    @Nullable MotionCommand motion,
+    JointPath path,
     Profile profile,
-    @Nullable Problem problem,
+    @Nullable MotionProblem problem,
     double overlap) {
-  Leg withOverlap(double seconds) {
-    return new Leg(motion, path, profile, problem, seconds);
+  PathSegment withOverlap(double seconds) {
+    return new PathSegment(motion, path, profile, problem, seconds);
   }
 
-  /** Gives the motion of a leg that has one. */
-  Motion requireMotion() {
+  /** Gives the motion of a segment that has one. */
+  MotionCommand requireMotion() {
     return Objects.requireNonNull(motion);
   }
 

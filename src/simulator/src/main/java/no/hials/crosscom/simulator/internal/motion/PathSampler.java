@@ -4,15 +4,15 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import no.hials.crosscom.kinematics.Axes;
-import no.hials.crosscom.simulator.internal.motion.Problem.AxisLimit;
-import no.hials.crosscom.simulator.internal.motion.Problem.Singularity;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem.Singularity;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The axes along a path, found before the robot moves: so close together that from one point to the
  * next the inverse is sure, as far as the path can be followed.
  */
-final class Scan {
+final class PathSampler {
   /** The points beyond a limit that are looked at. */
   private static final int BEYOND = 8;
 
@@ -31,9 +31,9 @@ final class Scan {
   private final List<Axes> foundAxes = new ArrayList<>();
   private double[] parameters = {};
   private List<Axes> axes = List.of();
-  private @Nullable Problem problem;
+  private @Nullable MotionProblem problem;
 
-  private Scan(Arm arm, Solver solver) {
+  private PathSampler(Arm arm, Solver solver) {
     this.arm = arm;
     this.solver = solver;
   }
@@ -43,18 +43,18 @@ final class Scan {
    *
    * @param fewest the points that are found even if the axes hardly turn
    */
-  static Scan of(Arm arm, Solver solver, Axes start, int fewest) {
-    Scan scan = new Scan(arm, solver);
-    scan.put(0, start);
-    for (int i = 1; i <= fewest && scan.problem == null; i++) {
-      scan.problem = scan.extend((double) i / fewest);
+  static PathSampler of(Arm arm, Solver solver, Axes start, int fewest) {
+    PathSampler sampler = new PathSampler(arm, solver);
+    sampler.put(0, start);
+    for (int i = 1; i <= fewest && sampler.problem == null; i++) {
+      sampler.problem = sampler.extend((double) i / fewest);
     }
-    if (scan.problem instanceof AxisLimit limit) {
-      scan.problem = scan.furthest(limit);
+    if (sampler.problem instanceof AxisLimit limit) {
+      sampler.problem = sampler.furthest(limit);
     }
-    scan.parameters = scan.found.stream().mapToDouble(Double::doubleValue).toArray();
-    scan.axes = List.copyOf(scan.foundAxes);
-    return scan;
+    sampler.parameters = sampler.found.stream().mapToDouble(Double::doubleValue).toArray();
+    sampler.axes = List.copyOf(sampler.foundAxes);
+    return sampler;
   }
 
   /** Gives the parameters of the points, ascending from 0; to 1 if there is no problem. */
@@ -68,7 +68,7 @@ final class Scan {
   }
 
   /** Says why the path cannot be followed beyond the last point. */
-  @Nullable Problem problem() {
+  @Nullable MotionProblem problem() {
     return problem;
   }
 
@@ -97,9 +97,9 @@ final class Scan {
   }
 
   /** Adds points up to a parameter, or up to where there are none, and says why not. */
-  private @Nullable Problem extend(double to) {
+  private @Nullable MotionProblem extend(double to) {
     double from = found.get(found.size() - 1);
-    Problem inTheWay;
+    MotionProblem inTheWay;
     try {
       Axes there = solver.axes(to, lastAxes());
       inTheWay = inTheWay(there, to - from > CLOSEST ? STEP : JUMP);
@@ -113,11 +113,11 @@ final class Scan {
     if (to - from <= CLOSEST) {
       return inTheWay;
     }
-    Problem before = extend((from + to) / 2);
+    MotionProblem before = extend((from + to) / 2);
     return before == null ? extend(to) : before;
   }
 
-  private @Nullable Problem inTheWay(Axes there, double mostTurn) {
+  private @Nullable MotionProblem inTheWay(Axes there, double mostTurn) {
     double turn = there.largestDifference(lastAxes());
     if (turn > mostTurn) {
       Axes turns = there.minus(lastAxes());

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * plan itself asks for more, as two motions that add up in a blend can, the plan is followed; but
  * no axis exceeds its speed.
  */
-final class Governor {
+final class SpeedGovernor {
   /** The shortest look ahead, in parts of a cycle. */
   static final double SHORTEST = 0.001;
 
@@ -22,7 +22,7 @@ final class Governor {
 
   private final Arm arm;
   private final double cycle;
-  private final Limits limits;
+  private final AccelerationLimits limits;
   private final Axes last;
   private final Axes now;
   private final @Nullable Frame tcp;
@@ -39,7 +39,13 @@ final class Governor {
    * @param now where they are
    * @param speedLimit how fast the robot may be
    */
-  Governor(Arm arm, double cycle, Limits limits, Axes last, Axes now, SpeedLimit speedLimit) {
+  SpeedGovernor(
+      Arm arm,
+      double cycle,
+      AccelerationLimits limits,
+      Axes last,
+      Axes now,
+      SpeedLimit speedLimit) {
     this.speedLimit = speedLimit;
     this.arm = arm;
     this.cycle = cycle;

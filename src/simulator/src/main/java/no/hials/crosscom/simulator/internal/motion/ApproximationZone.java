@@ -6,16 +6,16 @@ package no.hials.crosscom.simulator.internal.motion;
  * <p>A blend is the sum of the end of one motion, slowing down, and of the beginning of the next,
  * speeding up; it needs no longer than either takes for that, so at most half of the shorter one.
  */
-public sealed interface Approximation {
+public sealed interface ApproximationZone {
   /** Ends exactly on the target, standing. */
-  record Exact() implements Approximation {}
+  record Exact() implements ApproximationZone {}
 
   /**
    * Leaves when no axis has further to go than a part of {@code $APO_DIS_PTP} (KRL's C_PTP).
    *
    * @param percent the part, {@code $APO.CPTP}, 0 to 100 %
    */
-  record AxisDistance(double percent) implements Approximation {
+  record AxisDistance(double percent) implements ApproximationZone {
     /** Refuses a percentage outside of its range. */
     public AxisDistance {
       requirePercentage("C_PTP", percent);
@@ -27,7 +27,7 @@ public sealed interface Approximation {
    *
    * @param mm the distance, {@code $APO.CDIS}
    */
-  record Distance(double mm) implements Approximation {
+  record Distance(double mm) implements ApproximationZone {
     /** Refuses a negative distance. */
     public Distance {
       requireNotNegative("C_DIS", mm);
@@ -39,7 +39,7 @@ public sealed interface Approximation {
    *
    * @param percent the part, {@code $APO.CVEL}, 0 to 100 %
    */
-  record Speed(double percent) implements Approximation {
+  record Speed(double percent) implements ApproximationZone {
     /** Refuses a percentage outside of its range. */
     public Speed {
       requirePercentage("C_VEL", percent);
@@ -51,7 +51,7 @@ public sealed interface Approximation {
    *
    * @param degrees the angle, {@code $APO.CORI}
    */
-  record Orientation(double degrees) implements Approximation {
+  record Orientation(double degrees) implements ApproximationZone {
     /** Refuses a negative angle. */
     public Orientation {
       requireNotNegative("C_ORI", degrees);

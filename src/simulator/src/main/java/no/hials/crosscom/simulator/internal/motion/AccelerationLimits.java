@@ -11,26 +11,27 @@ import org.jspecify.annotations.Nullable;
  * @param path those of the TCP, if it is on a LIN or CIRC
  * @param tool the TCP
  */
-record Limits(Axes axes, @Nullable PathRates path, Frame tool) {
-  /** Gives those of the leg under way, in a blend the higher of both. */
-  static Limits of(Leg leg, @Nullable Leg next) {
-    Limits limits = of(leg);
+record AccelerationLimits(Axes axes, @Nullable PathRates path, Frame tool) {
+  /** Gives those of the segment under way, in a blend the higher of both. */
+  static AccelerationLimits of(PathSegment segment, @Nullable PathSegment next) {
+    AccelerationLimits limits = of(segment);
     return next == null ? limits : limits.orHigher(of(next));
   }
 
   /** Leaves the axes what they can do at most, whatever the program has set. */
-  Limits withoutPath(Axes most) {
-    return new Limits(most, null, tool);
+  AccelerationLimits withoutPath(Axes most) {
+    return new AccelerationLimits(most, null, tool);
   }
 
-  private static Limits of(Leg leg) {
-    PathRates path = leg.path() instanceof Path.OfTcp tcp ? tcp.rates() : null;
-    return new Limits(leg.path().accelerations(), path, leg.tool());
+  private static AccelerationLimits of(PathSegment segment) {
+    PathRates path = segment.path() instanceof JointPath.OfTcp tcp ? tcp.rates() : null;
+    return new AccelerationLimits(segment.path().accelerations(), path, segment.tool());
   }
 
-  private Limits orHigher(Limits other) {
+  private AccelerationLimits orHigher(AccelerationLimits other) {
     boolean samePath = path != null && other.path != null && tool.equals(other.tool);
-    return new Limits(higher(axes, other.axes), samePath ? higher(path, other.path) : null, tool);
+    return new AccelerationLimits(
+        higher(axes, other.axes), samePath ? higher(path, other.path) : null, tool);
   }
 
   private static @Nullable PathRates higher(@Nullable PathRates one, @Nullable PathRates other) {

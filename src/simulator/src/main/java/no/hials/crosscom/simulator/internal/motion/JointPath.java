@@ -4,7 +4,7 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
 /** Where a motion leads: axes over a parameter from 0 to 1, or to where the path has to end. */
-sealed interface Path permits Path.OfAxes, Path.OfTcp {
+sealed interface JointPath permits JointPath.OfAxes, JointPath.OfTcp {
   /** Finds the axes at a parameter. */
   Axes at(double parameter) throws NoPointException;
 
@@ -19,7 +19,7 @@ sealed interface Path permits Path.OfAxes, Path.OfTcp {
   Axes accelerations();
 
   /** The straight line from axes to axes, of a PTP. */
-  record OfAxes(Axes start, Axes end, Axes accelerations) implements Path {
+  record OfAxes(Axes start, Axes end, Axes accelerations) implements JointPath {
     @Override
     public Axes at(double parameter) {
       if (parameter >= 1) {
@@ -40,32 +40,32 @@ sealed interface Path permits Path.OfAxes, Path.OfTcp {
 
   /** The curve of a LIN or CIRC. */
   record OfTcp(
-      Scan scan,
+      PathSampler sampler,
       Curve curve,
       Frame tool,
       Frame flangeInTool,
       PathRates rates,
       boolean byPose,
       Axes accelerations)
-      implements Path {
+      implements JointPath {
     @Override
     public Axes at(double parameter) throws NoPointException {
-      return scan.at(parameter);
+      return sampler.at(parameter);
     }
 
     @Override
     public Axes near(double parameter) {
-      return scan.near(parameter);
+      return sampler.near(parameter);
     }
 
     @Override
     public Axes start() {
-      return scan.axes().get(0);
+      return sampler.axes().get(0);
     }
 
     @Override
     public Axes end() {
-      return scan.lastAxes();
+      return sampler.lastAxes();
     }
   }
 }

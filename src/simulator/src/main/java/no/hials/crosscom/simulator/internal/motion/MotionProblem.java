@@ -4,7 +4,7 @@ import java.io.Serializable;
 import java.util.Locale;
 
 /** Says why the robot cannot make a motion, or the rest of it. */
-public sealed interface Problem extends Serializable {
+public sealed interface MotionProblem extends Serializable {
   /**
    * Says it in a sentence.
    *
@@ -19,7 +19,7 @@ public sealed interface Problem extends Serializable {
    * @param limit the limit, degrees
    * @param value the angle that the motion asks for: of a path, the one furthest beyond
    */
-  record AxisLimit(int axis, double limit, double value) implements Problem {
+  record AxisLimit(int axis, double limit, double value) implements MotionProblem {
     @Override
     public String message() {
       return String.format(
@@ -37,7 +37,7 @@ public sealed interface Problem extends Serializable {
    *
    * @param message what the kinematics say
    */
-  record OutOfReach(String message) implements Problem {}
+  record OutOfReach(String message) implements MotionProblem {}
 
   /**
    * Tells of a point where an axis would have to turn in no time for the path to go on.
@@ -45,7 +45,7 @@ public sealed interface Problem extends Serializable {
    * @param axis 0 for A1 to 5 for A6
    * @param angle by how much the axis would have to turn, degrees
    */
-  record Singularity(int axis, double angle) implements Problem {
+  record Singularity(int axis, double angle) implements MotionProblem {
     @Override
     public String message() {
       return String.format(
@@ -54,7 +54,7 @@ public sealed interface Problem extends Serializable {
   }
 
   /** Tells of three points through which no circle goes. */
-  record NotACircle() implements Problem {
+  record NotACircle() implements MotionProblem {
     @Override
     public String message() {
       return "start, auxiliary point and target of a circle must be three points that are not on"

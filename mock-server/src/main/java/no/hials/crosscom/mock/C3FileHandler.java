@@ -41,11 +41,11 @@ import no.hials.crosscom.protocol.file.ReadDataResponse;
 import no.hials.crosscom.protocol.file.SetAttributesRequest;
 import no.hials.crosscom.protocol.file.WriteDataRequest;
 import no.hials.crosscom.protocol.file.WriteDataResponse;
-import no.hials.crosscom.simulator.files.FileRefusedException;
-import no.hials.crosscom.simulator.files.FileTree;
-import no.hials.crosscom.simulator.files.Item;
-import no.hials.crosscom.simulator.files.Transfer;
-import no.hials.crosscom.simulator.files.Tree;
+import no.hials.crosscom.simulator.FileTree;
+import no.hials.crosscom.simulator.internal.files.ControllerFileSystem;
+import no.hials.crosscom.simulator.internal.files.FileItem;
+import no.hials.crosscom.simulator.internal.files.FileRefusedException;
+import no.hials.crosscom.simulator.internal.files.TransferBuffer;
 
 /**
  * Answers the messages 20 to 30 of one connection as C3 Bridge does (c3-bridge.md, "Messages";
@@ -55,10 +55,10 @@ import no.hials.crosscom.simulator.files.Tree;
  * <p>For one thread at a time; those of other connections may be at work on the same tree.
  */
 final class C3FileHandler implements AutoCloseable {
-  private final Tree tree;
+  private final ControllerFileSystem tree;
   private final Predicate<String> selected;
-  private final Transfer writing;
-  private final Transfer reading;
+  private final TransferBuffer writing;
+  private final TransferBuffer reading;
 
   /**
    * Begins a connection.
@@ -70,8 +70,8 @@ final class C3FileHandler implements AutoCloseable {
   C3FileHandler(FileTree files, Predicate<String> selected) {
     tree = files.tree();
     this.selected = selected;
-    writing = new Transfer(tree);
-    reading = new Transfer(tree);
+    writing = new TransferBuffer(tree);
+    reading = new TransferBuffer(tree);
   }
 
   /** Ends the connection. */
@@ -153,7 +153,8 @@ final class C3FileHandler implements AutoCloseable {
 
   private ListDirectoryResponse list(ListDirectoryRequest request) {
     try {
-      Tree.Listed found = tree.list(request.path(), request.types(), request.flags());
+      ControllerFileSystem.Listed found =
+          tree.list(request.path(), request.types(), request.flags());
       return new ListDirectoryResponse(request.id(), found.names(), found.infos(), Tail.SUCCESS);
     } catch (IOException e) {
       return new ListDirectoryResponse(request.id(), List.of(), List.of(), failure(e));
@@ -169,7 +170,7 @@ final class C3FileHandler implements AutoCloseable {
     }
   }
 
-  private FileProperties properties(Item item, Flags<FileProperty> wanted) {
+  private FileProperties properties(FileItem item, Flags<FileProperty> wanted) {
     FileProperties none = FileProperties.NONE;
     return new FileProperties(
         wanted.has(FileProperty.TYPE) ? Code.of(item.type()) : none.itemType(),

@@ -68,7 +68,7 @@ import no.hials.crosscom.protocol.file.WriteDataRequest;
 import no.hials.crosscom.protocol.file.WriteDataResponse;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.simulator.Controller;
-import no.hials.crosscom.simulator.files.FileTree;
+import no.hials.crosscom.simulator.FileTree;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -23,7 +23,7 @@ import no.hials.crosscom.protocol.file.CopyFileRequest;
 import no.hials.crosscom.protocol.file.ItemTime;
 import no.hials.crosscom.protocol.file.SetAttributesRequest;
 import no.hials.crosscom.protocol.file.WriteDataRequest;
-import no.hials.crosscom.simulator.files.FileTree;
+import no.hials.crosscom.simulator.FileTree;
 import org.assertj.core.api.SoftAssertions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

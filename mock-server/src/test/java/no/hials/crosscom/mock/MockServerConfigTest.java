@@ -13,8 +13,8 @@ import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.Version;
+import no.hials.crosscom.simulator.FileTree;
 import no.hials.crosscom.simulator.SimulationClock;
-import no.hials.crosscom.simulator.files.FileTree;
 import org.junit.jupiter.api.Test;
 
 class MockServerConfigTest {

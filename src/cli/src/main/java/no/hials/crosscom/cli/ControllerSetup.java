@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.FileTree;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.ProgramControl;
-import no.hials.crosscom.simulator.files.FileTree;
 
 /**
  * What a person would do at the pendant before the robot runs.

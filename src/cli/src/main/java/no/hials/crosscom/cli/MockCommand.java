@@ -19,9 +19,9 @@ import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.simulator.FileTree;
 import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.SimulationClock;
-import no.hials.crosscom.simulator.files.FileTree;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -30,14 +30,14 @@ import picocli.CommandLine.Option;
 @Command(
     name = "mock",
     description = {
-      "Simulates a controller with KUKAVARPROXY or C3 Bridge (KR 6 R900 sixx, KR C4) until Ctrl-C: its"
-          + " variables, its programs, its files and its robot.",
+      "Simulates a controller with KUKAVARPROXY or C3 Bridge (KR 6 R900 sixx, KR C4) until Ctrl-C:"
+          + " its variables, its programs, its files and its robot.",
       "The first line of stdout says on which port, behind the last colon."
     },
     footer = {
       "",
-      "Ctrl-C (SIGINT) and SIGTERM end it with exit code 0. Messages of the controller go to stderr."
-          + " On a terminal the last line shows the simulated time, mode and programs, the"
+      "Ctrl-C (SIGINT) and SIGTERM end it with exit code 0. Messages of the controller go to"
+          + " stderr. On a terminal the last line shows the simulated time, mode and programs, the"
           + " axes in degrees, clients and requests; not with --verbose.",
       "",
       "FAULT is NAME[:ARGUMENT][@REQUESTS][@VARIABLE][%%PROBABILITY]:",
@@ -96,8 +96,8 @@ final class MockCommand extends ConsoleCommand {
       paramLabel = "PORT",
       converter = Converters.ListeningPort.class,
       description = {
-        "UDP port on which C3 Bridge answers, to whatever port it was asked from; 0 for a free one. If"
-            + " not given, 7000, and none if that is in use."
+        "UDP port on which C3 Bridge answers, to whatever port it was asked from; 0 for a free one."
+            + " If not given, 7000, and none if that is in use."
       })
   private @Nullable Integer standardDiscovery;
 
@@ -138,8 +138,8 @@ final class MockCommand extends ConsoleCommand {
       paramLabel = "FILE.src",
       description = {
         "Load a program (.src, or .sub for the submit interpreter), with the data list of the same"
-            + " name beside it. It may stand there several times; the first .src and the first .sub are"
-            + " selected."
+            + " name beside it. It may stand there several times; the first .src and the first .sub"
+            + " are selected."
       })
   private List<Path> programs = new ArrayList<>();
 
@@ -160,8 +160,8 @@ final class MockCommand extends ConsoleCommand {
       paramLabel = "SPEED",
       converter = Converters.Speed.class,
       description = {
-        "How fast the time of programs and robot passes: 10 for ten times as fast, max for as fast as"
-            + " this machine can; real if not given."
+        "How fast the time of programs and robot passes: 10 for ten times as fast, max for as fast"
+            + " as this machine can; real if not given."
       })
   private SimulationClock speed = SimulationClock.real();
 
@@ -170,8 +170,8 @@ final class MockCommand extends ConsoleCommand {
       order = 4,
       paramLabel = "LATENCY",
       description = {
-        "How long a request takes: none (if not given), a time such as 5ms, krc4 as measured at a KR C4"
-            + " (median 2.2 ms), krc4-2014 as in the papers of 2014 (mean 5 ms)."
+        "How long a request takes: none (if not given), a time such as 5ms, krc4 as measured at a"
+            + " KR C4 (median 2.2 ms), krc4-2014 as in the papers of 2014 (mean 5 ms)."
       })
   private String latency = "none";
 

@@ -27,7 +27,7 @@ import no.hials.crosscom.protocol.file.EndWriteRequest;
 import no.hials.crosscom.protocol.file.FilePropertiesRequest;
 import no.hials.crosscom.protocol.file.ReadDataRequest;
 import no.hials.crosscom.protocol.file.WriteDataRequest;
-import no.hials.crosscom.simulator.files.FileTree;
+import no.hials.crosscom.simulator.FileTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 

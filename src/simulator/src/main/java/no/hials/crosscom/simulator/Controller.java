@@ -28,7 +28,6 @@ import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlStruct;
-import no.hials.crosscom.simulator.files.FileTree;
 import no.hials.crosscom.simulator.internal.core.ControllerCore;
 import no.hials.crosscom.simulator.internal.core.Pacemaker;
 import org.jspecify.annotations.Nullable;
@@ -67,7 +66,7 @@ public final class Controller implements AutoCloseable {
   private final ProgramControl submit;
   private final @Nullable Pacemaker pacemaker;
 
-  private volatile @Nullable TreePrograms treePrograms;
+  private volatile @Nullable FileTreePrograms programFiles;
 
   /** Called after a file was loaded. */
   private volatile LoadListener listener = (module, ending, text) -> {};
@@ -125,8 +124,8 @@ public final class Controller implements AutoCloseable {
    * @param files the files of the controller
    */
   public void connect(FileTree files) {
-    treePrograms = new TreePrograms(files, this);
-    listener = treePrograms::show;
+    programFiles = new FileTreePrograms(files, this);
+    listener = programFiles::show;
   }
 
   /**
@@ -138,7 +137,7 @@ public final class Controller implements AutoCloseable {
    * @throws IllegalStateException if no file tree is connected
    */
   public String loadFromFiles(String name) throws KrlFileException {
-    TreePrograms programs = treePrograms;
+    FileTreePrograms programs = programFiles;
     if (programs == null) {
       throw new IllegalStateException("no file tree is connected");
     }

@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.files;
+package no.hials.crosscom.simulator.internal.files;
 
 import java.time.Instant;
 import java.util.Locale;
@@ -18,8 +18,8 @@ import no.hials.crosscom.protocol.code.ItemType;
  * @param accessed when it was last read
  * @param modified when its content was last written
  */
-public record Item(
-    TreePath path,
+public record FileItem(
+    ControllerPath path,
     boolean directory,
     long size,
     int attributes,

@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.files;
+package no.hials.crosscom.simulator.internal.files;
 
 import java.util.Arrays;
 import no.hials.crosscom.protocol.ErrorCode;
@@ -8,11 +8,11 @@ import no.hials.crosscom.protocol.file.Bytes;
  * A buffer for the content of one file on its way, in the server's memory. It takes the announced
  * size from what the tree has for transfers, but memory only as data come. Not thread-safe.
  */
-public final class Transfer {
+public final class TransferBuffer {
   /** The most that one message brings (c3-bridge.md, "Common to all messages"). */
   public static final int MAX_CHUNK = 64_512;
 
-  private final Tree tree;
+  private final ControllerFileSystem tree;
   private byte[] data = {};
   private int size;
   private boolean open;
@@ -22,7 +22,7 @@ public final class Transfer {
    *
    * @param tree whose room it takes
    */
-  public Transfer(Tree tree) {
+  public TransferBuffer(ControllerFileSystem tree) {
     this.tree = tree;
   }
 

@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.files;
+package no.hials.crosscom.simulator.internal.files;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,9 +11,9 @@ import java.util.Set;
  *
  * @param names the names from {@code KRC:\} downwards; none for that itself
  */
-public record TreePath(List<String> names) {
+public record ControllerPath(List<String> names) {
   /** {@code KRC:\} itself. */
-  public static final TreePath ROOT = new TreePath(List.of());
+  public static final ControllerPath ROOT = new ControllerPath(List.of());
 
   private static final String DRIVE = "KRC:";
 
@@ -25,12 +25,12 @@ public record TreePath(List<String> names) {
   private static final Set<String> DEVICES = Set.of("CON", "PRN", "AUX", "NUL");
 
   /** Copies the names. */
-  public TreePath {
+  public ControllerPath {
     names = List.copyOf(names);
   }
 
   /** A name as a client wrote it: the names in it, and which of the two forms it had. */
-  record Parsed(TreePath path, boolean krcForm) {}
+  record Parsed(ControllerPath path, boolean krcForm) {}
 
   /** Takes {@code KRC:\R1\X.SRC} or {@code /R1/X.SRC}, with either kind of slash. */
   static Parsed parse(String text) throws FileRefusedException {
@@ -49,7 +49,7 @@ public record TreePath(List<String> names) {
     if (!names.isEmpty() && names.get(names.size() - 1).isEmpty()) {
       names.remove(names.size() - 1); // a slash at the end is measured (c3-vectors.tsv, type 21)
     }
-    TreePath path = ROOT;
+    ControllerPath path = ROOT;
     for (String name : names) {
       path = path.child(name);
     }
@@ -57,11 +57,11 @@ public record TreePath(List<String> names) {
   }
 
   /** Adds a name, which is checked. */
-  TreePath child(String name) throws FileRefusedException {
+  ControllerPath child(String name) throws FileRefusedException {
     if (!isSafe(name)) {
       throw FileRefusedException.argument(quoted(name) + " cannot be the name of a file");
     }
-    TreePath child = known(name);
+    ControllerPath child = known(name);
     if (child.fullName().length() > MAX_LENGTH) {
       throw FileRefusedException.argument(
           "a full name has at most "
@@ -73,10 +73,10 @@ public record TreePath(List<String> names) {
   }
 
   /** Adds the name of something that is there. */
-  TreePath known(String name) {
+  ControllerPath known(String name) {
     List<String> longer = new ArrayList<>(names);
     longer.add(name);
-    return new TreePath(longer);
+    return new ControllerPath(longer);
   }
 
   static boolean isSafe(String name) {
@@ -117,8 +117,8 @@ public record TreePath(List<String> names) {
   }
 
   /** The folder that this is in; the root is in itself. */
-  TreePath parent() {
-    return isRoot() ? this : new TreePath(names.subList(0, names.size() - 1));
+  ControllerPath parent() {
+    return isRoot() ? this : new ControllerPath(names.subList(0, names.size() - 1));
   }
 
   /** Gives the form {@code KRC:\R1\Program\x.src}, in the spelling of the names. */
@@ -127,13 +127,13 @@ public record TreePath(List<String> names) {
   }
 
   /** Whether another place is this one or below it. */
-  boolean contains(TreePath other) {
+  boolean contains(ControllerPath other) {
     return other.names.size() >= names.size()
-        && new TreePath(other.names.subList(0, names.size())).isSame(this);
+        && new ControllerPath(other.names.subList(0, names.size())).isSame(this);
   }
 
   /** Whether another place is this one; the case of letters does not matter. */
-  boolean isSame(TreePath other) {
+  boolean isSame(ControllerPath other) {
     return names.size() == other.names.size() && fullName().equalsIgnoreCase(other.fullName());
   }
 

@@ -4,6 +4,6 @@
  * that a client sends is trusted: names stay within the tree, and contents within a capacity.
  */
 @NullMarked
-package no.hials.crosscom.simulator.files;
+package no.hials.crosscom.simulator.internal.files;
 
 import org.jspecify.annotations.NullMarked;

@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.files;
+package no.hials.crosscom.simulator.internal.files;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -8,7 +8,7 @@ import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
 
 /** What a list has so far; it ends when an answer cannot hold more (c3-bridge.md, type 21). */
-final class Listing {
+final class DirectoryListing {
   /** What a u16 length can hold, less type, two counts and the footer. */
   private static final int ROOM = 0xFFFF - 1 - 2 * 2 - 3;
 
@@ -21,10 +21,10 @@ final class Listing {
    */
   private final boolean fullNames;
 
-  private final List<Item> items = new ArrayList<>();
+  private final List<FileItem> items = new ArrayList<>();
   private int length;
 
-  Listing(Flags<ItemType> types, Flags<ListFlag> flags) {
+  DirectoryListing(Flags<ItemType> types, Flags<ListFlag> flags) {
     this.types = types.bits();
     this.infos = infos(flags);
     this.fullNames = flags.has(ListFlag.RECURSIVE) || flags.has(ListFlag.EXPAND);
@@ -35,7 +35,7 @@ final class Listing {
     return flags.has(ListFlag.LONG) || flags.has(ListFlag.OLD_LONG);
   }
 
-  void add(Item item) throws FileRefusedException {
+  void add(FileItem item) throws FileRefusedException {
     // no types asks for all (c3-vectors.tsv, type 21)
     if (types != 0 && (types & item.type().code()) == 0) {
       return;
@@ -48,7 +48,7 @@ final class Listing {
     items.add(item);
   }
 
-  private String name(Item item) {
+  private String name(FileItem item) {
     return fullNames ? item.path().fullName() : item.path().name();
   }
 
@@ -57,6 +57,6 @@ final class Listing {
   }
 
   List<String> infos() {
-    return infos ? items.stream().map(Item::info).toList() : List.of();
+    return infos ? items.stream().map(FileItem::info).toList() : List.of();
   }
 }

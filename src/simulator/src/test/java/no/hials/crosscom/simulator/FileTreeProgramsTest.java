@@ -6,23 +6,22 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import no.hials.crosscom.simulator.files.FileTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-final class TreeProgramsTest {
+final class FileTreeProgramsTest {
   private Controller controller;
   private FileTree tree;
-  private TreePrograms programs;
+  private FileTreePrograms programs;
 
   @BeforeEach
   void start() throws IOException {
     controller = Cell.stepped(VariableTable.krc4());
     tree = FileTree.inMemory();
-    programs = new TreePrograms(tree, controller);
+    programs = new FileTreePrograms(tree, controller);
   }
 
   @AfterEach

@@ -13,9 +13,8 @@ import java.util.Map;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.Position;
-import no.hials.crosscom.simulator.files.FileTree;
-import no.hials.crosscom.simulator.files.Item;
-import no.hials.crosscom.simulator.files.Tree;
+import no.hials.crosscom.simulator.internal.files.ControllerFileSystem;
+import no.hials.crosscom.simulator.internal.files.FileItem;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -29,8 +28,8 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Thread-safe.
  */
-final class TreePrograms {
-  private static final Logger log = LoggerFactory.getLogger(TreePrograms.class);
+final class FileTreePrograms {
+  private static final Logger log = LoggerFactory.getLogger(FileTreePrograms.class);
 
   /** So that a text that is no program cannot fill the memory; assumed. */
   private static final int MAX_LENGTH = 4 << 20;
@@ -41,7 +40,7 @@ final class TreePrograms {
   /** What each module was loaded from, by its file's name in capital letters without the end. */
   private final Map<String, Module> loaded = new HashMap<>();
 
-  TreePrograms(FileTree files, Controller controller) {
+  FileTreePrograms(FileTree files, Controller controller) {
     this.files = files;
     this.controller = controller;
     try {
@@ -173,12 +172,12 @@ final class TreePrograms {
 
   /** Reads all modules; of files of the same name in several folders the first one counts. */
   private Map<String, Module> modules() throws IOException {
-    Tree tree = files.tree();
-    List<Item> items = new ArrayList<>(tree.modules());
+    ControllerFileSystem tree = files.tree();
+    List<FileItem> items = new ArrayList<>(tree.modules());
     // a data list belongs before its program
     items.sort((a, b) -> Boolean.compare(!isList(a), !isList(b)));
     Map<String, Module> modules = new LinkedHashMap<>();
-    for (Item item : items) {
+    for (FileItem item : items) {
       Module module = modules.computeIfAbsent(key(item.path().name()), key -> new Module());
       String end = end(item);
       if (!module.parts.containsKey(end)) {
@@ -189,11 +188,11 @@ final class TreePrograms {
     return modules;
   }
 
-  private static boolean isList(Item item) {
+  private static boolean isList(FileItem item) {
     return end(item).equals("dat");
   }
 
-  private static String end(Item item) {
+  private static String end(FileItem item) {
     String name = item.path().name();
     return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
   }

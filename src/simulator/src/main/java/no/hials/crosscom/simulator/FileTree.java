@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.files;
+package no.hials.crosscom.simulator;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import no.hials.crosscom.simulator.internal.data.BuiltInDataLists;
+import no.hials.crosscom.simulator.internal.files.ControllerFileSystem;
 
 /**
  * The files of the simulated controller, which clients reach with the messages 20 to 30 of C3
@@ -24,10 +25,10 @@ public final class FileTree {
   /** How many bytes a tree holds if nothing else is said: 64 MiB. */
   public static final long DEFAULT_CAPACITY = 64L << 20;
 
-  private final Tree tree;
+  private final ControllerFileSystem tree;
   private final boolean inMemory;
 
-  private FileTree(Tree tree, boolean inMemory) {
+  private FileTree(ControllerFileSystem tree, boolean inMemory) {
     this.tree = tree;
     this.inMemory = inMemory;
   }
@@ -51,7 +52,7 @@ public final class FileTree {
    * @return the tree
    */
   public static FileTree inMemory(java.time.Clock clock, long capacity) {
-    FileTree files = new FileTree(Tree.inMemory(clock, checked(capacity)), true);
+    FileTree files = new FileTree(ControllerFileSystem.inMemory(clock, checked(capacity)), true);
     try {
       files.put("KRC:\\R1\\Mada\\$machine.dat", BuiltInDataLists.text("$MACHINE.DAT"));
       files.put("KRC:\\R1\\System\\$config.dat", BuiltInDataLists.text("$CONFIG.DAT"));
@@ -88,7 +89,7 @@ public final class FileTree {
   public static FileTree over(Path folder, java.time.Clock clock, long capacity)
       throws IOException {
     Objects.requireNonNull(clock, "clock");
-    return new FileTree(Tree.over(folder, clock, checked(capacity)), false);
+    return new FileTree(ControllerFileSystem.over(folder, clock, checked(capacity)), false);
   }
 
   private static long checked(long capacity) {
@@ -103,7 +104,7 @@ public final class FileTree {
    *
    * @return the file system
    */
-  public Tree tree() {
+  public ControllerFileSystem tree() {
     return tree;
   }
 

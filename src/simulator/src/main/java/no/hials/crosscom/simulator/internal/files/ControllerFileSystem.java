@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.files;
+package no.hials.crosscom.simulator.internal.files;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -31,7 +31,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Thread-safe: one lock, which is held during access to the file system, too, as what a rule has
  * checked must not change before it is done.
  */
-public final class Tree {
+public final class ControllerFileSystem {
   private static final String PROGRAMS = "R1";
   private static final String PROGRAM_FOLDER = "Program";
   private static final List<String> FOLDERS =
@@ -46,17 +46,17 @@ public final class Tree {
           .bits();
 
   private final ReentrantLock lock = new ReentrantLock();
-  private final Store store;
+  private final ItemStore store;
   private final Clock clock;
   private final long capacity;
   private long transfers;
 
-  private Tree(Store store, Clock clock, long capacity) throws IOException {
+  private ControllerFileSystem(ItemStore store, Clock clock, long capacity) throws IOException {
     this.store = store;
     this.clock = clock;
     this.capacity = capacity;
     for (String folder : FOLDERS) {
-      makeFolders(TreePath.parse("/" + folder).path());
+      makeFolders(ControllerPath.parse("/" + folder).path());
     }
   }
 
@@ -67,9 +67,9 @@ public final class Tree {
    * @param capacity how many bytes it may hold; as much again are for transfers
    * @return the tree
    */
-  public static Tree inMemory(Clock clock, long capacity) {
+  public static ControllerFileSystem inMemory(Clock clock, long capacity) {
     try {
-      return new Tree(new MemoryStore(clock), clock, capacity);
+      return new ControllerFileSystem(new MemoryStore(clock), clock, capacity);
     } catch (IOException e) {
       throw new IllegalArgumentException("the folders need a larger capacity: " + e, e);
     }
@@ -85,8 +85,9 @@ public final class Tree {
    * @return the tree
    * @throws IOException if the folder cannot be used
    */
-  public static Tree over(Path folder, Clock clock, long capacity) throws IOException {
-    return new Tree(new FolderStore(folder, capacity), clock, capacity);
+  public static ControllerFileSystem over(Path folder, Clock clock, long capacity)
+      throws IOException {
+    return new ControllerFileSystem(new FolderStore(folder, capacity), clock, capacity);
   }
 
   private <T> T locked(Callable<T> work) throws IOException {
@@ -117,37 +118,38 @@ public final class Tree {
   // names
 
   /** Finds the place that a name means, whether something is there or not. */
-  private TreePath resolve(String name) throws IOException {
-    TreePath.Parsed parsed = TreePath.parse(name);
-    TreePath path = parsed.path();
+  private ControllerPath resolve(String name) throws IOException {
+    ControllerPath.Parsed parsed = ControllerPath.parse(name);
+    ControllerPath path = parsed.path();
     if (!parsed.krcForm() || path.names().size() != 2 || store.find(path) != null) {
       return path;
     }
-    Item module = search(path);
+    FileItem module = search(path);
     if (module != null) {
       return module.path();
     }
     // a new program of the short form belongs where c3-bridge.md, type 27, finds one
     boolean program = path.names().get(0).equalsIgnoreCase(PROGRAMS) && path.name().contains(".");
     return program
-        ? TreePath.ROOT.child(path.names().get(0)).child(PROGRAM_FOLDER).child(path.name())
+        ? ControllerPath.ROOT.child(path.names().get(0)).child(PROGRAM_FOLDER).child(path.name())
         : path;
   }
 
   /** Finds the file that the short form {@code /R1/X.SRC} means: programs first, then the rest. */
-  private @Nullable Item search(TreePath krcName) throws IOException {
-    Item top = store.find(krcName.parent());
+  private @Nullable FileItem search(ControllerPath krcName) throws IOException {
+    FileItem top = store.find(krcName.parent());
     if (top == null || !top.directory()) {
       return null;
     }
-    Item program = store.find(top.path().known(PROGRAM_FOLDER));
-    Item found = program != null && program.directory() ? search(program, krcName.name()) : null;
+    FileItem program = store.find(top.path().known(PROGRAM_FOLDER));
+    FileItem found =
+        program != null && program.directory() ? search(program, krcName.name()) : null;
     return found != null ? found : search(top, krcName.name());
   }
 
-  private @Nullable Item search(Item folder, String name) throws IOException {
-    for (Item item : store.children(folder.path())) {
-      Item found = item.directory() ? search(item, name) : item;
+  private @Nullable FileItem search(FileItem folder, String name) throws IOException {
+    for (FileItem item : store.children(folder.path())) {
+      FileItem found = item.directory() ? search(item, name) : item;
       if (found != null && found.path().name().equalsIgnoreCase(name)) {
         return found;
       }
@@ -155,17 +157,17 @@ public final class Tree {
     return null;
   }
 
-  private Item existing(String name) throws IOException {
-    TreePath path = resolve(name);
-    Item item = store.find(path);
+  private FileItem existing(String name) throws IOException {
+    ControllerPath path = resolve(name);
+    FileItem item = store.find(path);
     if (item == null) {
       throw FileRefusedException.missing(path);
     }
     return item;
   }
 
-  private Item existingFile(String name) throws IOException {
-    Item item = existing(name);
+  private FileItem existingFile(String name) throws IOException {
+    FileItem item = existing(name);
     if (item.directory()) {
       throw FileRefusedException.argument(item.path() + " is a folder");
     }
@@ -180,7 +182,7 @@ public final class Tree {
    * @throws IOException if it is not there
    */
   public String fullName(String name) throws IOException {
-    return locked(() -> TreePath.upper(existing(name).path().fullName()));
+    return locked(() -> ControllerPath.upper(existing(name).path().fullName()));
   }
 
   /**
@@ -193,15 +195,15 @@ public final class Tree {
   public String krcName(String name) throws IOException {
     return locked(
         () -> {
-          Item item = existing(name);
+          FileItem item = existing(name);
           List<String> names = item.path().names();
           if (!item.directory() && names.size() > 1) {
             String brief = "/" + names.get(0) + "/" + item.path().name();
             if (resolve(brief).isSame(item.path())) {
-              return TreePath.upper(brief);
+              return ControllerPath.upper(brief);
             }
           }
-          return TreePath.upper("/" + String.join("/", names));
+          return ControllerPath.upper("/" + String.join("/", names));
         });
   }
 
@@ -214,7 +216,7 @@ public final class Tree {
    * @return the item
    * @throws IOException if it is not there
    */
-  public Item item(String name) throws IOException {
+  public FileItem item(String name) throws IOException {
     return locked(() -> existing(name));
   }
 
@@ -241,7 +243,7 @@ public final class Tree {
   public Listed list(String name, Flags<ItemType> types, Flags<ListFlag> flags) throws IOException {
     return locked(
         () -> {
-          Listing listing = new Listing(types, flags);
+          DirectoryListing listing = new DirectoryListing(types, flags);
           list(existingFolder(name), flags.has(ListFlag.RECURSIVE), listing);
           return new Listed(listing.names(), listing.infos());
         });
@@ -255,16 +257,17 @@ public final class Tree {
    */
   public record Listed(List<String> names, List<String> infos) {}
 
-  private Item existingFolder(String name) throws IOException {
-    Item folder = existing(name);
+  private FileItem existingFolder(String name) throws IOException {
+    FileItem folder = existing(name);
     if (!folder.directory()) {
       throw FileRefusedException.argument(folder.path() + " is no folder");
     }
     return folder;
   }
 
-  private void list(Item folder, boolean recursive, Listing listing) throws IOException {
-    for (Item item : store.children(folder.path())) {
+  private void list(FileItem folder, boolean recursive, DirectoryListing listing)
+      throws IOException {
+    for (FileItem item : store.children(folder.path())) {
       listing.add(item);
       if (recursive && item.directory()) {
         list(item, true, listing);
@@ -294,16 +297,16 @@ public final class Tree {
    * @return the files
    * @throws IOException if the tree cannot be read
    */
-  public List<Item> modules() throws IOException {
+  public List<FileItem> modules() throws IOException {
     return locked(
         () -> {
-          List<Item> modules = new ArrayList<>();
-          Item top = store.find(TreePath.ROOT.known(PROGRAMS));
+          List<FileItem> modules = new ArrayList<>();
+          FileItem top = store.find(ControllerPath.ROOT.known(PROGRAMS));
           if (top != null && top.directory()) {
             modules(top, modules);
           }
-          TreePath first = TreePath.ROOT.known(PROGRAMS).known(PROGRAM_FOLDER);
-          List<Item> sorted = new ArrayList<>(modules);
+          ControllerPath first = ControllerPath.ROOT.known(PROGRAMS).known(PROGRAM_FOLDER);
+          List<FileItem> sorted = new ArrayList<>(modules);
           sorted.removeIf(item -> !first.contains(item.path()));
           modules.removeIf(item -> first.contains(item.path()));
           sorted.addAll(modules);
@@ -311,11 +314,11 @@ public final class Tree {
         });
   }
 
-  private void modules(Item folder, List<Item> modules) throws IOException {
-    for (Item item : store.children(folder.path())) {
+  private void modules(FileItem folder, List<FileItem> modules) throws IOException {
+    for (FileItem item : store.children(folder.path())) {
       if (item.directory()) {
         modules(item, modules);
-      } else if (Item.isModule(item.path().name())) {
+      } else if (FileItem.isModule(item.path().name())) {
         modules.add(item);
       }
     }
@@ -346,7 +349,7 @@ public final class Tree {
       throws IOException {
     lockedDo(
         () -> {
-          Item item = existing(name);
+          FileItem item = existing(name);
           int changed = mask.bits() & SETTABLE;
           store.setAttributes(item, (item.attributes() & ~changed) | (attributes.bits() & changed));
         });
@@ -365,7 +368,7 @@ public final class Tree {
       throws IOException {
     lockedDo(
         () -> {
-          TreePath path = resolve(name);
+          ControllerPath path = resolve(name);
           write(path, content, overwritten(path, flags, inUse));
         });
   }
@@ -380,28 +383,29 @@ public final class Tree {
   public void put(String name, byte[] content) throws IOException {
     lockedDo(
         () -> {
-          TreePath path = resolve(name);
+          ControllerPath path = resolve(name);
           makeFolders(path.parent());
-          Item old = store.find(path);
+          FileItem old = store.find(path);
           refuseFolder(path, old);
           write(path, content, old);
         });
   }
 
-  private void makeFolders(TreePath folder) throws IOException {
-    Item item = store.find(folder);
+  private void makeFolders(ControllerPath folder) throws IOException {
+    FileItem item = store.find(folder);
     if (item == null) {
       makeFolders(folder.parent());
-      reserve(Store.ITEM_COST, folder);
+      reserve(ItemStore.ITEM_COST, folder);
       store.makeFolder(own(folder));
     } else if (!item.directory()) {
       throw FileRefusedException.access(folder, "is no folder");
     }
   }
 
-  private void write(TreePath path, byte[] content, @Nullable Item old) throws IOException {
+  private void write(ControllerPath path, byte[] content, @Nullable FileItem old)
+      throws IOException {
     if (old == null) {
-      reserve(content.length + (long) Store.ITEM_COST, path);
+      reserve(content.length + (long) ItemStore.ITEM_COST, path);
       store.write(own(path), content);
     } else {
       reserve(content.length - old.size(), path);
@@ -410,29 +414,29 @@ public final class Tree {
   }
 
   /** Gives the place of something new with its folders in their own spelling. */
-  private TreePath own(TreePath path) throws IOException {
-    Item parent = store.find(path.parent());
+  private ControllerPath own(ControllerPath path) throws IOException {
+    FileItem parent = store.find(path.parent());
     if (parent == null || !parent.directory() || path.isRoot()) {
       throw FileRefusedException.missing(path.parent());
     }
     return parent.path().known(path.name());
   }
 
-  private void reserve(long bytes, TreePath path) throws IOException {
+  private void reserve(long bytes, ControllerPath path) throws IOException {
     if (bytes > 0 && bytes > capacity - store.used()) {
       throw tooLarge(path, capacity);
     }
   }
 
-  static FileRefusedException tooLarge(TreePath path, long limit) {
+  static FileRefusedException tooLarge(ControllerPath path, long limit) {
     return new FileRefusedException(
         ErrorCode.MEMORY, path + " does not fit, the limit is " + limit + " bytes in all");
   }
 
   /** Checks what a copy takes the place of; null if there is nothing. */
-  private @Nullable Item overwritten(TreePath path, Flags<CopyFlag> flags, Predicate<String> inUse)
-      throws IOException {
-    Item old = store.find(path);
+  private @Nullable FileItem overwritten(
+      ControllerPath path, Flags<CopyFlag> flags, Predicate<String> inUse) throws IOException {
+    FileItem old = store.find(path);
     if (old != null) {
       refuseFolder(path, old);
       if (!flags.has(CopyFlag.OVERWRITE)) {
@@ -446,16 +450,16 @@ public final class Tree {
     return old;
   }
 
-  private static void refuseFolder(TreePath path, @Nullable Item old) throws IOException {
+  private static void refuseFolder(ControllerPath path, @Nullable FileItem old) throws IOException {
     if (old != null && old.directory()) {
       throw FileRefusedException.access(path, "is a folder");
     }
   }
 
   /** Refuses an item that is, or has in it, a file of a selected module. */
-  private void refuseInUse(Item item, Predicate<String> inUse) throws IOException {
+  private void refuseInUse(FileItem item, Predicate<String> inUse) throws IOException {
     if (item.directory()) {
-      for (Item child : store.children(item.path())) {
+      for (FileItem child : store.children(item.path())) {
         refuseInUse(child, inUse);
       }
       return;
@@ -463,8 +467,8 @@ public final class Tree {
     List<String> names = item.path().names();
     String name = item.path().name();
     if (names.get(0).equalsIgnoreCase(PROGRAMS)
-        && Item.isModule(name)
-        && inUse.test(TreePath.upper(Item.base(name)))) {
+        && FileItem.isModule(name)
+        && inUse.test(ControllerPath.upper(FileItem.base(name)))) {
       throw FileRefusedException.access(item.path(), "is selected");
     }
   }
@@ -506,11 +510,11 @@ public final class Tree {
         });
   }
 
-  private void createFolder(TreePath path, boolean always) throws IOException {
-    Item old = store.find(path);
+  private void createFolder(ControllerPath path, boolean always) throws IOException {
+    FileItem old = store.find(path);
     if (old == null) {
-      TreePath own = own(path);
-      reserve(Store.ITEM_COST, path);
+      ControllerPath own = own(path);
+      reserve(ItemStore.ITEM_COST, path);
       store.makeFolder(own);
     } else if (!always || !old.directory()) {
       throw FileRefusedException.access(path, "is there already");
@@ -524,8 +528,8 @@ public final class Tree {
       String template,
       Predicate<String> inUse)
       throws IOException {
-    boolean ended = Item.isModule(name);
-    String base = ended ? Item.base(name) : name;
+    boolean ended = FileItem.isModule(name);
+    String base = ended ? FileItem.base(name) : name;
     List<String> ends = new ArrayList<>();
     for (ModulePart part : List.of(ModulePart.SUB, ModulePart.SRC, ModulePart.DAT)) {
       if (parts.has(part)) {
@@ -533,38 +537,39 @@ public final class Tree {
       }
     }
     if (ends.isEmpty() && ended) {
-      ends.add(Item.extension(name));
+      ends.add(FileItem.extension(name));
     }
     if (ends.isEmpty()) {
       throw FileRefusedException.argument("a module needs a part, the flags are " + parts);
     }
-    Map<TreePath, byte[]> files = new LinkedHashMap<>();
+    Map<ControllerPath, byte[]> files = new LinkedHashMap<>();
     for (String end : ends) {
-      TreePath path = resolve(base + "." + end);
+      ControllerPath path = resolve(base + "." + end);
       files.put(path, content(path, end, template));
     }
     createFiles(files, always, inUse);
   }
 
-  private byte[] content(TreePath path, String end, String template) throws IOException {
+  private byte[] content(ControllerPath path, String end, String template) throws IOException {
     if (!template.isEmpty()) {
-      String base = Item.isModule(template) ? Item.base(template) : template;
+      String base = FileItem.isModule(template) ? FileItem.base(template) : template;
       return store.read(existingFile(base + "." + end));
     }
-    String name = Item.base(path.name());
+    String name = FileItem.base(path.name());
     String text =
         end.equals("dat") ? "DEFDAT " + name + "\r\nENDDAT\r\n" : "DEF " + name + "( )\r\nEND\r\n";
     return ("&ACCESS RVP\r\n" + text).getBytes(StandardCharsets.ISO_8859_1);
   }
 
   /** Creates all of some files or none. */
-  private void createFiles(Map<TreePath, byte[]> files, boolean always, Predicate<String> inUse)
+  private void createFiles(
+      Map<ControllerPath, byte[]> files, boolean always, Predicate<String> inUse)
       throws IOException {
     long bytes = 0;
-    for (Map.Entry<TreePath, byte[]> file : files.entrySet()) {
-      TreePath path = file.getKey();
+    for (Map.Entry<ControllerPath, byte[]> file : files.entrySet()) {
+      ControllerPath path = file.getKey();
       own(path);
-      Item old = store.find(path);
+      FileItem old = store.find(path);
       refuseFolder(path, old);
       if (old != null && !always) {
         throw FileRefusedException.access(path, "is there already");
@@ -572,10 +577,10 @@ public final class Tree {
       if (old != null) {
         refuseInUse(old, inUse);
       }
-      bytes += file.getValue().length + (long) Store.ITEM_COST;
+      bytes += file.getValue().length + (long) ItemStore.ITEM_COST;
     }
     reserve(bytes, files.keySet().iterator().next());
-    for (Map.Entry<TreePath, byte[]> file : files.entrySet()) {
+    for (Map.Entry<ControllerPath, byte[]> file : files.entrySet()) {
       write(file.getKey(), file.getValue(), store.find(file.getKey()));
     }
   }
@@ -591,7 +596,7 @@ public final class Tree {
   public void delete(String name, boolean always, Predicate<String> inUse) throws IOException {
     lockedDo(
         () -> {
-          Item item = existing(name);
+          FileItem item = existing(name);
           refuseTop(item);
           refuseInUse(item, inUse);
           if (!always && item.readOnly()) {
@@ -604,15 +609,15 @@ public final class Tree {
         });
   }
 
-  private static void refuseTop(Item item) throws IOException {
+  private static void refuseTop(FileItem item) throws IOException {
     if (item.path().names().size() < 2) {
       throw FileRefusedException.access(item.path(), "belongs to the controller");
     }
   }
 
-  private void deleteAll(Item item) throws IOException {
+  private void deleteAll(FileItem item) throws IOException {
     if (item.directory()) {
-      for (Item child : store.children(item.path())) {
+      for (FileItem child : store.children(item.path())) {
         deleteAll(child);
       }
     }
@@ -634,10 +639,10 @@ public final class Tree {
       throws IOException {
     lockedDo(
         () -> {
-          Item item = existing(source);
-          TreePath path = resolve(destination);
+          FileItem item = existing(source);
+          ControllerPath path = resolve(destination);
           refuseWithin(item, path);
-          Item old = overwritten(path, flags, inUse);
+          FileItem old = overwritten(path, flags, inUse);
           if (!item.directory()) {
             write(path, store.read(item), old);
             return;
@@ -647,39 +652,39 @@ public final class Tree {
                 item.path() + " is a folder, the copy not recursive");
           }
           refuseFile(path, old);
-          TreePath own = own(path);
+          ControllerPath own = own(path);
           reserve(checkNames(item, own), path);
           copyFolder(item, own);
         });
   }
 
-  private static void refuseFile(TreePath path, @Nullable Item old) throws IOException {
+  private static void refuseFile(ControllerPath path, @Nullable FileItem old) throws IOException {
     if (old != null) {
       throw FileRefusedException.access(path, "is a file");
     }
   }
 
-  private static void refuseWithin(Item item, TreePath path) throws IOException {
+  private static void refuseWithin(FileItem item, ControllerPath path) throws IOException {
     if (item.directory() && item.path().contains(path)) {
       throw FileRefusedException.argument(path + " is within " + item.path());
     }
   }
 
   /** Checks that nothing in a folder gets too long a name; gives what a copy costs. */
-  private long checkNames(Item item, TreePath copy) throws IOException {
-    long cost = Store.ITEM_COST + item.size();
+  private long checkNames(FileItem item, ControllerPath copy) throws IOException {
+    long cost = ItemStore.ITEM_COST + item.size();
     if (item.directory()) {
-      for (Item child : store.children(item.path())) {
+      for (FileItem child : store.children(item.path())) {
         cost += checkNames(child, copy.child(child.path().name()));
       }
     }
     return cost;
   }
 
-  private void copyFolder(Item folder, TreePath copy) throws IOException {
+  private void copyFolder(FileItem folder, ControllerPath copy) throws IOException {
     store.makeFolder(copy);
-    for (Item child : store.children(folder.path())) {
-      TreePath path = copy.known(child.path().name());
+    for (FileItem child : store.children(folder.path())) {
+      ControllerPath path = copy.known(child.path().name());
       if (child.directory()) {
         copyFolder(child, path);
       } else {
@@ -702,17 +707,17 @@ public final class Tree {
       throws IOException {
     lockedDo(
         () -> {
-          Item item = existing(source);
-          TreePath path = resolve(destination);
+          FileItem item = existing(source);
+          ControllerPath path = resolve(destination);
           refuseTop(item);
           refuseInUse(item, inUse);
-          TreePath own = own(path);
+          ControllerPath own = own(path);
           if (item.path().isSame(path)) {
             store.move(item, own); // changes the case of the name
             return;
           }
           refuseWithin(item, path);
-          Item old = overwritten(path, flags, inUse);
+          FileItem old = overwritten(path, flags, inUse);
           if (item.directory()) {
             refuseFile(path, old);
             checkNames(item, own);

@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.files;
+package no.hials.crosscom.simulator.internal.files;
 
 import java.time.Clock;
 import java.time.Instant;
@@ -11,7 +11,7 @@ import no.hials.crosscom.protocol.code.FileAttribute;
 import org.jspecify.annotations.Nullable;
 
 /** Keeps all in memory; the times are those of a clock. */
-final class MemoryStore implements Store {
+final class MemoryStore implements ItemStore {
   private static final byte[] NOTHING = {};
 
   private final Clock clock;
@@ -42,12 +42,12 @@ final class MemoryStore implements Store {
       modified = now;
     }
 
-    Item item(TreePath path) {
-      return new Item(path, directory, content.length, attributes, created, accessed, modified);
+    FileItem item(ControllerPath path) {
+      return new FileItem(path, directory, content.length, attributes, created, accessed, modified);
     }
   }
 
-  private @Nullable Entry entry(TreePath path) {
+  private @Nullable Entry entry(ControllerPath path) {
     Entry entry = root;
     for (String name : path.names()) {
       entry = entry == null ? null : entry.children.get(name);
@@ -55,13 +55,13 @@ final class MemoryStore implements Store {
     return entry;
   }
 
-  private Entry existing(TreePath path) {
+  private Entry existing(ControllerPath path) {
     return Objects.requireNonNull(entry(path), path::fullName);
   }
 
   @Override
-  public @Nullable Item find(TreePath path) {
-    TreePath own = TreePath.ROOT;
+  public @Nullable FileItem find(ControllerPath path) {
+    ControllerPath own = ControllerPath.ROOT;
     Entry entry = root;
     for (String name : path.names()) {
       entry = entry.children.get(name);
@@ -74,21 +74,21 @@ final class MemoryStore implements Store {
   }
 
   @Override
-  public List<Item> children(TreePath folder) {
-    List<Item> items = new ArrayList<>();
+  public List<FileItem> children(ControllerPath folder) {
+    List<FileItem> items = new ArrayList<>();
     existing(folder).children.values().forEach(e -> items.add(e.item(folder.known(e.name))));
     return items;
   }
 
   @Override
-  public byte[] read(Item file) {
+  public byte[] read(FileItem file) {
     Entry entry = existing(file.path());
     entry.accessed = clock.instant();
     return entry.content;
   }
 
   @Override
-  public void write(TreePath path, byte[] content) {
+  public void write(ControllerPath path, byte[] content) {
     Entry entry = entry(path);
     if (entry == null) {
       entry = add(path, false);
@@ -100,11 +100,11 @@ final class MemoryStore implements Store {
   }
 
   @Override
-  public void makeFolder(TreePath path) {
+  public void makeFolder(ControllerPath path) {
     add(path, true);
   }
 
-  private Entry add(TreePath path, boolean directory) {
+  private Entry add(ControllerPath path, boolean directory) {
     Entry entry = new Entry(path.name(), directory, clock.instant());
     existing(path.parent()).children.put(path.name(), entry);
     used += ITEM_COST;
@@ -112,13 +112,13 @@ final class MemoryStore implements Store {
   }
 
   @Override
-  public void delete(Item item) {
+  public void delete(FileItem item) {
     existing(item.path().parent()).children.remove(item.path().name());
     used -= item.size() + ITEM_COST;
   }
 
   @Override
-  public void move(Item item, TreePath to) {
+  public void move(FileItem item, ControllerPath to) {
     Entry entry = existing(item.path());
     existing(item.path().parent()).children.remove(entry.name);
     entry.name = to.name();
@@ -126,7 +126,7 @@ final class MemoryStore implements Store {
   }
 
   @Override
-  public void setAttributes(Item item, int attributes) {
+  public void setAttributes(FileItem item, int attributes) {
     existing(item.path()).attributes = attributes;
   }
 

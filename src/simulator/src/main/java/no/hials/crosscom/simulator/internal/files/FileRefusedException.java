@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.files;
+package no.hials.crosscom.simulator.internal.files;
 
 import java.io.IOException;
 import no.hials.crosscom.protocol.ErrorCode;
@@ -29,11 +29,11 @@ public final class FileRefusedException extends IOException {
     return code;
   }
 
-  static FileRefusedException missing(TreePath path) {
+  static FileRefusedException missing(ControllerPath path) {
     return new FileRefusedException(ErrorCode.GENERAL, path + " is not there");
   }
 
-  static FileRefusedException access(TreePath path, String rule) {
+  static FileRefusedException access(ControllerPath path, String rule) {
     return new FileRefusedException(ErrorCode.ACCESS, path + " " + rule);
   }
 

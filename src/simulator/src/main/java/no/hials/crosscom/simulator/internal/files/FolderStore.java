@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.files;
+package no.hials.crosscom.simulator.internal.files;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
@@ -30,7 +30,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Who can change the folder at the same time from elsewhere can have it left; a client of the
  * server cannot.
  */
-final class FolderStore implements Store {
+final class FolderStore implements ItemStore {
   private final Path root;
   private final long maxFile;
 
@@ -50,8 +50,8 @@ final class FolderStore implements Store {
   }
 
   @Override
-  public @Nullable Item find(TreePath path) throws IOException {
-    Item item = item(TreePath.ROOT, root);
+  public @Nullable FileItem find(ControllerPath path) throws IOException {
+    FileItem item = item(ControllerPath.ROOT, root);
     for (String name : path.names()) {
       item = item == null || !item.directory() ? null : entries(item.path()).get(name);
     }
@@ -62,7 +62,7 @@ final class FolderStore implements Store {
   }
 
   /** Refuses a name under which there is a link or something else that is not seen. */
-  private void refuseLink(TreePath path) throws IOException {
+  private void refuseLink(ControllerPath path) throws IOException {
     Path folder = root;
     for (String name : path.names()) {
       Path found = null;
@@ -98,7 +98,7 @@ final class FolderStore implements Store {
         && !found.isOther();
   }
 
-  private Path file(TreePath path) throws FileRefusedException {
+  private Path file(ControllerPath path) throws FileRefusedException {
     try {
       Path file = root;
       for (String name : path.names()) {
@@ -111,8 +111,8 @@ final class FolderStore implements Store {
   }
 
   /** Of names that differ in case only, the first is there. */
-  private Map<String, Item> entries(TreePath folder) throws IOException {
-    Map<String, Item> items = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+  private Map<String, FileItem> entries(ControllerPath folder) throws IOException {
+    Map<String, FileItem> items = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
     List<Path> sorted = new ArrayList<>();
     try (DirectoryStream<Path> files = Files.newDirectoryStream(file(folder))) {
       files.forEach(sorted::add);
@@ -120,7 +120,7 @@ final class FolderStore implements Store {
     sorted.sort(null);
     for (Path file : sorted) {
       String name = fileName(file);
-      Item item = TreePath.isSafe(name) ? item(folder.known(name), file) : null;
+      FileItem item = ControllerPath.isSafe(name) ? item(folder.known(name), file) : null;
       if (item != null) {
         items.putIfAbsent(name, item);
       }
@@ -128,13 +128,13 @@ final class FolderStore implements Store {
     return items;
   }
 
-  private @Nullable Item item(TreePath path, Path file) throws IOException {
+  private @Nullable FileItem item(ControllerPath path, Path file) throws IOException {
     BasicFileAttributes found = attributes(file);
     if (!isPlain(found)) {
       return null;
     }
     int kind = (found.isDirectory() ? FileAttribute.DIRECTORY : FileAttribute.ARCHIVE).code();
-    return new Item(
+    return new FileItem(
         path,
         found.isDirectory(),
         found.isDirectory() ? 0 : found.size(),
@@ -144,31 +144,31 @@ final class FolderStore implements Store {
         found.lastModifiedTime().toInstant());
   }
 
-  private static String key(TreePath path) {
-    return TreePath.upper(path.fullName());
+  private static String key(ControllerPath path) {
+    return ControllerPath.upper(path.fullName());
   }
 
   @Override
-  public List<Item> children(TreePath folder) throws IOException {
+  public List<FileItem> children(ControllerPath folder) throws IOException {
     return List.copyOf(entries(folder).values());
   }
 
   @Override
-  public byte[] read(Item file) throws IOException {
+  public byte[] read(FileItem file) throws IOException {
     int limit = (int) Math.min(maxFile, Integer.MAX_VALUE - 64);
     try (var in =
         Files.newInputStream(
             file(file.path()), StandardOpenOption.READ, LinkOption.NOFOLLOW_LINKS)) {
       byte[] content = in.readNBytes(limit);
       if (in.read() >= 0) {
-        throw Tree.tooLarge(file.path(), limit);
+        throw ControllerFileSystem.tooLarge(file.path(), limit);
       }
       return content;
     }
   }
 
   @Override
-  public void write(TreePath path, byte[] content) throws IOException {
+  public void write(ControllerPath path, byte[] content) throws IOException {
     Path target = file(path);
     if (Files.exists(target, LinkOption.NOFOLLOW_LINKS) && !Files.isWritable(target)) {
       throw new AccessDeniedException(target.toString());
@@ -186,18 +186,18 @@ final class FolderStore implements Store {
   }
 
   @Override
-  public void makeFolder(TreePath path) throws IOException {
+  public void makeFolder(ControllerPath path) throws IOException {
     Files.createDirectory(file(path));
   }
 
   @Override
-  public void delete(Item item) throws IOException {
+  public void delete(FileItem item) throws IOException {
     Files.delete(file(item.path()));
     attributes.remove(key(item.path()));
   }
 
   @Override
-  public void move(Item item, TreePath to) throws IOException {
+  public void move(FileItem item, ControllerPath to) throws IOException {
     Files.move(file(item.path()), file(to));
     String from = key(item.path());
     Map<String, Integer> moved = new HashMap<>();
@@ -216,7 +216,7 @@ final class FolderStore implements Store {
   }
 
   @Override
-  public void setAttributes(Item item, int bits) {
+  public void setAttributes(FileItem item, int bits) {
     attributes.put(key(item.path()), bits);
   }
 

@@ -27,9 +27,9 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.ProgramControl;
-import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.ProgramState;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -69,7 +69,7 @@ final class C3ProgramHandler {
 
   /** Something that a controller can refuse. */
   private interface Work {
-    ErrorCode run() throws KrlFileException, ProgramFault;
+    ErrorCode run() throws KrlFileException, KrlExecutionException;
   }
 
   Response handle(Request request) {
@@ -109,8 +109,9 @@ final class C3ProgramHandler {
     } catch (KrlFileException e) {
       code = ErrorCode.GENERAL;
       why = e.getMessage();
-    } catch (ProgramFault e) {
-      code = e.number() == ProgramFault.WRONG_TYPE ? ErrorCode.ARGUMENT : ErrorCode.GENERAL;
+    } catch (KrlExecutionException e) {
+      code =
+          e.number() == KrlExecutionException.WRONG_TYPE ? ErrorCode.ARGUMENT : ErrorCode.GENERAL;
       why = e.getMessage();
     }
     if (code != ErrorCode.SUCCESS) {
@@ -199,7 +200,7 @@ final class C3ProgramHandler {
 
   // type 11
 
-  private ErrorCode move(MotionRequest request) throws ProgramFault {
+  private ErrorCode move(MotionRequest request) throws KrlExecutionException {
     MotionType type = request.motion().known().orElse(null);
     if (type == null) {
       return ErrorCode.NOT_IMPLEMENTED;
@@ -219,7 +220,7 @@ final class C3ProgramHandler {
    * C of {@code $BASE}; the key code says nothing more. A jog key stays pressed when its connection
    * ends, until some client releases it.
    */
-  private ErrorCode press(PendantKeyRequest request) throws ProgramFault {
+  private ErrorCode press(PendantKeyRequest request) throws KrlExecutionException {
     PendantKey key = request.key().known().orElse(null);
     if (key == null) {
       return ErrorCode.NOT_IMPLEMENTED;
@@ -256,7 +257,7 @@ final class C3ProgramHandler {
   }
 
   private ErrorCode jog(PendantKeyRequest request, MotionKind kind, KrlStruct target)
-      throws ProgramFault {
+      throws KrlExecutionException {
     Controller machine = controller.get();
     if (request.released()) {
       machine.releaseJog();

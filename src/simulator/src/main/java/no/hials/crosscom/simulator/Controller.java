@@ -398,10 +398,10 @@ public final class Controller implements AutoCloseable {
    *
    * @param kind the kind of motion
    * @param target the statement's position, such as an E6POS
-   * @throws ProgramFault if the motion is impossible
+   * @throws KrlExecutionException if the motion is impossible
    * @throws IllegalStateException if the robot cannot be moved now
    */
-  public void move(MotionKind kind, KrlStruct target) throws ProgramFault {
+  public void move(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     core.move(kind, target);
   }
 
@@ -411,10 +411,10 @@ public final class Controller implements AutoCloseable {
    *
    * @param kind the kind of motion
    * @param target the position at the end of the axis or direction
-   * @throws ProgramFault if the motion is impossible
+   * @throws KrlExecutionException if the motion is impossible
    * @throws IllegalStateException if the robot cannot be jogged now
    */
-  public void jog(MotionKind kind, KrlStruct target) throws ProgramFault {
+  public void jog(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     core.jog(kind, target);
   }
 

@@ -43,7 +43,7 @@ public final class ProgramControl {
       core.select(kind, name, arguments);
     } catch (LinkException e) {
       throw new KrlFileException(e.errors());
-    } catch (ProgramFault e) {
+    } catch (KrlExecutionException e) {
       throw new IllegalArgumentException(name + ": " + e.getMessage(), e);
     }
   }

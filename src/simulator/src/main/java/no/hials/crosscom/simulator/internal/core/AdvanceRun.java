@@ -10,7 +10,7 @@ import java.util.Set;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.motion.Interpolator;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand;
@@ -131,7 +131,7 @@ final class AdvanceRun {
 
   // what a program asks for
 
-  void move(MotionOrder order) throws ProgramFault {
+  void move(MotionOrder order) throws KrlExecutionException {
     if (waiting.isEmpty()) {
       take(order);
     } else {
@@ -139,17 +139,17 @@ final class AdvanceRun {
     }
   }
 
-  private void take(MotionOrder order) throws ProgramFault {
+  private void take(MotionOrder order) throws KrlExecutionException {
     readLimits();
     MotionCommand planned;
     try {
       planned = planner.plan(order);
       motion.add(planned);
     } catch (MotionRefusedException e) {
-      throw new ProgramFault(number(e.problem()), e.problem().message());
+      throw new KrlExecutionException(number(e.problem()), e.problem().message());
     } catch (IllegalArgumentException e) {
       // numbers with which nothing can be computed, such as a target of 1E38 mm
-      throw new ProgramFault(MessageWindow.BAD_MOTION, String.valueOf(e.getMessage()));
+      throw new KrlExecutionException(MessageWindow.BAD_MOTION, String.valueOf(e.getMessage()));
     }
     planner.startAt(motion.plannedEnd());
     orders.put(planned.id(), order);
@@ -282,7 +282,7 @@ final class AdvanceRun {
     try {
       take(order);
       return true;
-    } catch (ProgramFault e) {
+    } catch (KrlExecutionException e) {
       listener.failed(e.number(), order.position() + ": " + e.getMessage());
       return false;
     }

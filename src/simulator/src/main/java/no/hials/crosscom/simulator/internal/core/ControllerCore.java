@@ -20,9 +20,9 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.Message;
 import no.hials.crosscom.simulator.OperatingMode;
-import no.hials.crosscom.simulator.ProgramFault;
 import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
@@ -159,10 +159,10 @@ public final class ControllerCore {
    * @param name its name
    * @param arguments the values of its first parameters
    * @throws LinkException if there is no such program or something is wrong with it
-   * @throws ProgramFault if the arguments do not suit it
+   * @throws KrlExecutionException if the arguments do not suit it
    */
   public void select(Interpreter kind, String name, List<KrlValue> arguments)
-      throws LinkException, ProgramFault {
+      throws LinkException, KrlExecutionException {
     lock.lock();
     try {
       KrlInterpreter interpreter = interpreter(kind);
@@ -496,10 +496,10 @@ public final class ControllerCore {
    *
    * @param kind the kind of motion; not a circle
    * @param target a Cartesian or an axis position, or for a relative motion a difference
-   * @throws ProgramFault if the robot cannot go there
+   * @throws KrlExecutionException if the robot cannot go there
    * @throws IllegalStateException if the state of the controller does not allow it
    */
-  public void move(MotionKind kind, KrlStruct target) throws ProgramFault {
+  public void move(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     lock.lock();
     try {
       requireReleased("move");
@@ -518,10 +518,10 @@ public final class ControllerCore {
    *
    * @param kind PTP to an axis position far away, or LIN_REL by a difference far out
    * @param target the position
-   * @throws ProgramFault if the robot cannot go there at all
+   * @throws KrlExecutionException if the robot cannot go there at all
    * @throws IllegalStateException if the state of the controller does not allow it
    */
-  public void jog(MotionKind kind, KrlStruct target) throws ProgramFault {
+  public void jog(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     lock.lock();
     try {
       requireReleased("jog");
@@ -545,7 +545,8 @@ public final class ControllerCore {
         });
   }
 
-  private void moveLocked(Manual why, MotionKind kind, KrlStruct target) throws ProgramFault {
+  private void moveLocked(Manual why, MotionKind kind, KrlStruct target)
+      throws KrlExecutionException {
     MotionOrder order =
         new MotionOrder(
             kind,
@@ -714,13 +715,15 @@ public final class ControllerCore {
     abstract Interpreter kind();
 
     @Override
-    public void pulse(int output, boolean level, double seconds) throws ProgramFault {
+    public void pulse(int output, boolean level, double seconds) throws KrlExecutionException {
       if (!(seconds > 0)) {
-        throw new ProgramFault(
-            ProgramFault.OUT_OF_RANGE, "a pulse takes more than 0 s, was given " + seconds);
+        throw new KrlExecutionException(
+            KrlExecutionException.OUT_OF_RANGE,
+            "a pulse takes more than 0 s, was given " + seconds);
       }
       if (!timers.pulse(output, level, time + Math.round(seconds * 1000))) {
-        throw new ProgramFault(ProgramFault.BAD_INDEX, "there is no $OUT[" + output + "]");
+        throw new KrlExecutionException(
+            KrlExecutionException.BAD_INDEX, "there is no $OUT[" + output + "]");
       }
     }
 
@@ -753,7 +756,7 @@ public final class ControllerCore {
     }
 
     @Override
-    public void fault(ProgramFault fault, Position position) {
+    public void fault(KrlExecutionException fault, Position position) {
       messages.add(
           Message.Kind.ACKNOWLEDGEMENT, fault.number(), position + ": " + fault.getMessage(), time);
       variables.error(fault.number(), kind());
@@ -783,7 +786,7 @@ public final class ControllerCore {
     }
 
     @Override
-    public void move(MotionOrder order) throws ProgramFault {
+    public void move(MotionOrder order) throws KrlExecutionException {
       motions.move(order);
     }
 
@@ -826,9 +829,9 @@ public final class ControllerCore {
     }
 
     @Override
-    public void move(MotionOrder order) throws ProgramFault {
-      throw new ProgramFault(
-          ProgramFault.NOT_ALLOWED, "the submit interpreter cannot move the robot");
+    public void move(MotionOrder order) throws KrlExecutionException {
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED, "the submit interpreter cannot move the robot");
     }
 
     @Override

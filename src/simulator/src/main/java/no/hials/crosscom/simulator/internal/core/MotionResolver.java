@@ -8,7 +8,7 @@ import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Statement;
 import no.hials.crosscom.protocol.value.KrlStruct;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone;
 import no.hials.crosscom.simulator.internal.motion.AxisRates;
@@ -88,7 +88,7 @@ final class MotionResolver {
   }
 
   /** Makes a motion of a statement. */
-  MotionCommand plan(MotionOrder order) throws ProgramFault {
+  MotionCommand plan(MotionOrder order) throws KrlExecutionException {
     planned++;
     return switch (order.kind()) {
       case PTP, PTP_REL -> pointToPoint(order);
@@ -104,7 +104,7 @@ final class MotionResolver {
     };
   }
 
-  private MotionCommand pointToPoint(MotionOrder order) throws ProgramFault {
+  private MotionCommand pointToPoint(MotionOrder order) throws KrlExecutionException {
     KrlStruct target = order.target();
     Axes axes;
     if (PositionValues.isAxes(target)) {
@@ -123,18 +123,18 @@ final class MotionResolver {
    * Finds the axes of a PTP motion's Cartesian target. Without Status and Turn, and for an
    * increment, the arm stays as it is (krl.md 3: S and T apply to PTP; for PTP_REL assumed).
    */
-  private Axes inverse(MotionOrder order, Frame tcp) throws ProgramFault {
+  private Axes inverse(MotionOrder order, Frame tcp) throws KrlExecutionException {
     try {
       if (order.kind().relative()) {
         return robot.inverse(tcp.times(tool().inverse()), last);
       }
       return inverse(order.target(), last);
     } catch (UnreachableException e) {
-      throw new ProgramFault(MessageWindow.WORK_ENVELOPE, e.getMessage());
+      throw new KrlExecutionException(MessageWindow.WORK_ENVELOPE, e.getMessage());
     }
   }
 
-  private MotionCommand circular(MotionOrder order) throws ProgramFault {
+  private MotionCommand circular(MotionOrder order) throws KrlExecutionException {
     KrlStruct auxiliary = order.auxiliary();
     if (auxiliary == null) {
       throw new IllegalArgumentException("a circle needs an auxiliary point");
@@ -155,11 +155,12 @@ final class MotionResolver {
    * its angles turn the TCP about these axes, too. With {@code #TOOL} it is in those of the tool
    * (both assumed).
    */
-  private Frame frame(MotionOrder order, KrlStruct target) throws ProgramFault {
+  private Frame frame(MotionOrder order, KrlStruct target) throws KrlExecutionException {
     if (PositionValues.isAxes(target)) {
       if (order.kind().relative()) {
-        throw new ProgramFault(
-            ProgramFault.WRONG_TYPE, order.kind() + " needs a Cartesian increment, was given axes");
+        throw new KrlExecutionException(
+            KrlExecutionException.WRONG_TYPE,
+            order.kind() + " needs a Cartesian increment, was given axes");
       }
       return robot.forward(PositionValues.toAxes(target, last)).times(tool());
     }

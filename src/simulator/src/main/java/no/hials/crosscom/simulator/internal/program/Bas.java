@@ -5,7 +5,7 @@ import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Scope;
@@ -28,7 +28,7 @@ final class Bas {
 
   static @Nullable KrlValue call(
       KrlVirtualMachine machine, SymbolTable names, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     KrlValue command = Builtins.value(arguments, 0);
     if (!(command instanceof KrlEnum constant)) {
       throw KrlVirtualMachine.wrongType("a command of BAS", command);
@@ -38,7 +38,7 @@ final class Bas {
     return null;
   }
 
-  private void execute(String command, KrlValue argument) throws ProgramFault {
+  private void execute(String command, KrlValue argument) throws KrlExecutionException {
     switch (command) {
       case "INITMOV" -> initialise();
       case "ACC_CP" -> set("$ACC.CP", argument);
@@ -61,12 +61,12 @@ final class Bas {
         set("$VEL.CP", argument);
       }
       default ->
-          throw new ProgramFault(
-              ProgramFault.NOT_ALLOWED, "BAS(#" + command + ") is not supported");
+          throw new KrlExecutionException(
+              KrlExecutionException.NOT_ALLOWED, "BAS(#" + command + ") is not supported");
     }
   }
 
-  private void initialise() throws ProgramFault {
+  private void initialise() throws KrlExecutionException {
     setAxes("$VEL_AXIS", new KrlInt(100));
     setAxes("$ACC_AXIS", new KrlInt(100));
     setAxes("$GEAR_JERK", new KrlInt(100));
@@ -82,7 +82,7 @@ final class Bas {
     tool(1);
   }
 
-  private void tool(int number) throws ProgramFault {
+  private void tool(int number) throws KrlExecutionException {
     set("$TOOL", get(number == 0 ? "$NULLFRAME" : "TOOL_DATA[" + number + "]"));
     if (number > 0) {
       set("$LOAD", get("LOAD_DATA[" + number + "]"));
@@ -90,19 +90,19 @@ final class Bas {
     set("$ACT_TOOL", new KrlInt(number));
   }
 
-  private void base(int number) throws ProgramFault {
+  private void base(int number) throws KrlExecutionException {
     set("$BASE", get(number == 0 ? "$WORLD" : "BASE_DATA[" + number + "]"));
     set("$ACT_BASE", new KrlInt(number));
   }
 
-  private void frames() throws ProgramFault {
+  private void frames() throws KrlExecutionException {
     tool(number(get("FDAT_ACT.TOOL_NO")));
     base(number(get("FDAT_ACT.BASE_NO")));
     set("$IPO_MODE", get("FDAT_ACT.IPO_FRAME"));
   }
 
   /** What the inline form leaves open keeps its value. */
-  private void ptpData() throws ProgramFault {
+  private void ptpData() throws KrlExecutionException {
     setAxesIfGiven("$VEL_AXIS", "PDAT_ACT.VEL");
     setAxesIfGiven("$ACC_AXIS", "PDAT_ACT.ACC");
     KrlValue mode = find("PDAT_ACT.APO_MODE");
@@ -110,7 +110,7 @@ final class Bas {
     setIfGiven(distance ? "$APO.CDIS" : "$APO.CPTP", "PDAT_ACT.APO_DIST");
   }
 
-  private void pathData() throws ProgramFault {
+  private void pathData() throws KrlExecutionException {
     if (!scope.knows("LDAT_ACT")) {
       return;
     }
@@ -124,55 +124,55 @@ final class Bas {
     setIfGiven("$CIRC_TYPE", "LDAT_ACT.CIRC_TYP");
   }
 
-  private void setIfGiven(String name, String from) throws ProgramFault {
+  private void setIfGiven(String name, String from) throws KrlExecutionException {
     KrlValue value = find(from);
     if (value != null) {
       set(name, value);
     }
   }
 
-  private void setAxesIfGiven(String array, String from) throws ProgramFault {
+  private void setAxesIfGiven(String array, String from) throws KrlExecutionException {
     KrlValue percent = find(from);
     if (percent != null) {
       setAxes(array, percent);
     }
   }
 
-  private static int number(KrlValue value) throws ProgramFault {
+  private static int number(KrlValue value) throws KrlExecutionException {
     return (int) Math.rint(KrlVirtualMachine.number(value));
   }
 
-  private void setAxes(String array, KrlValue percent) throws ProgramFault {
+  private void setAxes(String array, KrlValue percent) throws KrlExecutionException {
     for (int axis = 1; axis <= AXES; axis++) {
       set(array + "[" + axis + "]", percent);
     }
   }
 
-  private KrlValue get(String name) throws ProgramFault {
+  private KrlValue get(String name) throws KrlExecutionException {
     try {
       return scope.read(VariablePath.parse(name));
     } catch (RefusedException e) {
-      throw ProgramFault.of("BAS: " + name, e);
+      throw KrlExecutionException.of("BAS: " + name, e);
     }
   }
 
   /** Gives the value of what there has to be, or null if it has none. */
-  private @Nullable KrlValue find(String name) throws ProgramFault {
+  private @Nullable KrlValue find(String name) throws KrlExecutionException {
     try {
       return scope.read(VariablePath.parse(name));
     } catch (RefusedException e) {
       if (e.reason() == Refusal.NOT_INITIALISED) {
         return null;
       }
-      throw ProgramFault.of("BAS: " + name, e);
+      throw KrlExecutionException.of("BAS: " + name, e);
     }
   }
 
-  private void set(String name, KrlValue value) throws ProgramFault {
+  private void set(String name, KrlValue value) throws KrlExecutionException {
     try {
       scope.write(VariablePath.parse(name), value, Scope.Writer.PROGRAM);
     } catch (RefusedException e) {
-      throw ProgramFault.of("BAS: " + name, e);
+      throw KrlExecutionException.of("BAS: " + name, e);
     }
   }
 }

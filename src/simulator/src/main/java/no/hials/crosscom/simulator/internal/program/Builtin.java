@@ -2,7 +2,7 @@ package no.hials.crosscom.simulator.internal.program;
 
 import java.util.List;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -38,6 +38,6 @@ record Builtin(String name, boolean function, List<Kind> parameters, int optiona
      */
     @Nullable KrlValue call(
         KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-        throws ProgramFault;
+        throws KrlExecutionException;
   }
 }

@@ -14,7 +14,7 @@ import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
@@ -118,7 +118,7 @@ final class Builtins {
     return (KrlValue) Objects.requireNonNull(arguments[at]);
   }
 
-  private static double number(@Nullable Object[] arguments, int at) throws ProgramFault {
+  private static double number(@Nullable Object[] arguments, int at) throws KrlExecutionException {
     return KrlVirtualMachine.number(value(arguments, at));
   }
 
@@ -126,34 +126,34 @@ final class Builtins {
     return (Reference) Objects.requireNonNull(arguments[at]);
   }
 
-  private static Storage storage(Reference reference) throws ProgramFault {
+  private static Storage storage(Reference reference) throws KrlExecutionException {
     try {
       return reference.storage(WHOLE);
     } catch (RefusedException e) {
-      throw ProgramFault.of(reference.name(WHOLE), e);
+      throw KrlExecutionException.of(reference.name(WHOLE), e);
     }
   }
 
-  private static String text(@Nullable Object[] arguments, int at) throws ProgramFault {
+  private static String text(@Nullable Object[] arguments, int at) throws KrlExecutionException {
     if (arguments[at] instanceof KrlString string) {
       return string.text();
     }
     Reference reference = reference(arguments, at);
     Optional<String> characters = storage(reference).characters();
     if (characters.isEmpty()) {
-      throw new ProgramFault(
-          ProgramFault.NOT_INITIALISED,
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_INITIALISED,
           reference.name(WHOLE) + ": needs a CHAR array with a value");
     }
     return characters.get();
   }
 
-  private static int capacity(@Nullable Object[] arguments, int at) throws ProgramFault {
+  private static int capacity(@Nullable Object[] arguments, int at) throws KrlExecutionException {
     Reference reference = reference(arguments, at);
     int capacity = storage(reference).capacity();
     if (capacity == 0) {
-      throw new ProgramFault(
-          ProgramFault.WRONG_TYPE, reference.name(WHOLE) + ": needs a CHAR array");
+      throw new KrlExecutionException(
+          KrlExecutionException.WRONG_TYPE, reference.name(WHOLE) + ": needs a CHAR array");
     }
     return capacity;
   }
@@ -162,41 +162,44 @@ final class Builtins {
 
   private static KrlValue squareRoot(
       KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     double number = number(arguments, 0);
     if (number < 0) {
-      throw new ProgramFault(
-          ProgramFault.OUT_OF_RANGE, "SQRT takes a number of at least 0, was given " + number);
+      throw new KrlExecutionException(
+          KrlExecutionException.OUT_OF_RANGE,
+          "SQRT takes a number of at least 0, was given " + number);
     }
     return Operators.real(Math.sqrt(number));
   }
 
   private static KrlValue arcCosine(
       KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     double number = number(arguments, 0);
     if (Math.abs(number) > 1) {
-      throw new ProgramFault(
-          ProgramFault.OUT_OF_RANGE, "ACOS takes a number from -1 to 1, was given " + number);
+      throw new KrlExecutionException(
+          KrlExecutionException.OUT_OF_RANGE,
+          "ACOS takes a number from -1 to 1, was given " + number);
     }
     return Operators.real(Math.toDegrees(Math.acos(number)));
   }
 
   private static KrlValue arcTangent(
       KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     double y = number(arguments, 0);
     double x = number(arguments, 1);
     if (y == 0 && x == 0) {
-      throw new ProgramFault(
-          ProgramFault.OUT_OF_RANGE, "ATAN2 takes two numbers of which one is not 0");
+      throw new KrlExecutionException(
+          KrlExecutionException.OUT_OF_RANGE, "ATAN2 takes two numbers of which one is not 0");
     }
     return Operators.real(Math.toDegrees(Math.atan2(y, x)));
   }
 
   // positions
 
-  private static KrlStruct struct(@Nullable Object[] arguments, int at) throws ProgramFault {
+  private static KrlStruct struct(@Nullable Object[] arguments, int at)
+      throws KrlExecutionException {
     KrlValue value = value(arguments, at);
     if (value instanceof KrlStruct struct) {
       return struct;
@@ -206,7 +209,7 @@ final class Builtins {
 
   private static KrlValue forward(
       KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     Optional<KrlStruct> result = machine.environment().forward(struct(arguments, 0));
     reference(arguments, 1).write(result.isPresent() ? DONE : FAILED);
     // an aggregate without fields changes nothing where it is assigned
@@ -215,7 +218,7 @@ final class Builtins {
 
   private static KrlValue inverse(
       KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     Optional<KrlStruct> result =
         machine.environment().inverse(struct(arguments, 0), struct(arguments, 1));
     reference(arguments, 2).write(result.isPresent() ? DONE : FAILED);
@@ -224,7 +227,7 @@ final class Builtins {
 
   private static KrlValue varState(
       KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     String name = text(arguments, 0).strip().toUpperCase(Locale.ROOT);
     try {
       VariablePath path = VariablePath.parse(name);
@@ -246,7 +249,7 @@ final class Builtins {
 
   private static KrlValue clear(
       KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     capacity(arguments, 0);
     reference(arguments, 0).write(new KrlString(""));
     return new KrlBool(true);
@@ -254,7 +257,7 @@ final class Builtins {
 
   private static KrlValue copy(
       KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     String text = text(arguments, 1);
     boolean fits = text.length() <= capacity(arguments, 0);
     if (fits) {
@@ -265,7 +268,7 @@ final class Builtins {
 
   private static KrlValue add(
       KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     String all = text(arguments, 0) + text(arguments, 1);
     String fitting = all.substring(0, Math.min(all.length(), capacity(arguments, 0)));
     reference(arguments, 0).write(new KrlString(fitting));
@@ -274,7 +277,7 @@ final class Builtins {
 
   /** Gives a text as it is compared: without {@code #CASE_SENS} the case of letters is the same. */
   private static String folded(@Nullable Object[] arguments, int at, int caseAt)
-      throws ProgramFault {
+      throws KrlExecutionException {
     String text = text(arguments, at);
     boolean sensitive =
         arguments[caseAt] instanceof KrlEnum constant
@@ -284,7 +287,7 @@ final class Builtins {
 
   private static KrlValue find(
       KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws ProgramFault {
+      throws KrlExecutionException {
     KrlValue start = value(arguments, 0);
     if (!(start instanceof KrlInt from)) {
       throw KrlVirtualMachine.wrongType("INT", start);

@@ -10,7 +10,7 @@ import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Index;
 import no.hials.crosscom.simulator.internal.data.Scope;
@@ -37,7 +37,7 @@ final class ExpressionCompiler {
   /** Gives the path of a variable's part; its indices are on the stack. */
   @FunctionalInterface
   interface PathSource {
-    VariablePath take(KrlVirtualMachine machine) throws ProgramFault;
+    VariablePath take(KrlVirtualMachine machine) throws KrlExecutionException;
   }
 
   void compile(Expression expression) {
@@ -68,7 +68,7 @@ final class ExpressionCompiler {
   private void real(Expression.RealLiteral literal) {
     try {
       code.constant(literal.position(), Operators.real(literal.value()));
-    } catch (ProgramFault e) {
+    } catch (KrlExecutionException e) {
       context.error(literal.position(), String.valueOf(e.getMessage()));
     }
   }
@@ -107,7 +107,8 @@ final class ExpressionCompiler {
   }
 
   private static KrlStruct struct(
-      @Nullable String type, List<String> names, KrlVirtualMachine machine) throws ProgramFault {
+      @Nullable String type, List<String> names, KrlVirtualMachine machine)
+      throws KrlExecutionException {
     KrlValue[] values = new KrlValue[names.size()];
     for (int i = values.length - 1; i >= 0; i--) {
       values[i] = machine.pop();
@@ -119,7 +120,8 @@ final class ExpressionCompiler {
       }
       return new KrlStruct(type, fields);
     } catch (IllegalArgumentException e) {
-      throw new ProgramFault(ProgramFault.WRONG_TYPE, String.valueOf(e.getMessage()));
+      throw new KrlExecutionException(
+          KrlExecutionException.WRONG_TYPE, String.valueOf(e.getMessage()));
     }
   }
 
@@ -178,7 +180,7 @@ final class ExpressionCompiler {
   }
 
   private static VariablePath indexed(List<VariablePath.Step> steps, KrlVirtualMachine machine)
-      throws ProgramFault {
+      throws KrlExecutionException {
     VariablePath.Step[] result = new VariablePath.Step[steps.size()];
     for (int i = result.length - 1; i >= 0; i--) {
       VariablePath.Step step = steps.get(i);
@@ -296,11 +298,12 @@ final class ExpressionCompiler {
   }
 
   private static void pushContents(
-      KrlVirtualMachine machine, StorageLocation location, VariablePath path) throws ProgramFault {
+      KrlVirtualMachine machine, StorageLocation location, VariablePath path)
+      throws KrlExecutionException {
     try {
       machine.push(location.storage(machine.frame(), path));
     } catch (RefusedException e) {
-      throw ProgramFault.of(location.name(machine.frame(), path), e);
+      throw KrlExecutionException.of(location.name(machine.frame(), path), e);
     }
   }
 
@@ -345,7 +348,7 @@ final class ExpressionCompiler {
   }
 
   private void execute(KrlVirtualMachine machine, Builtin builtin, boolean valueWanted)
-      throws ProgramFault {
+      throws KrlExecutionException {
     @Nullable Object[] arguments = new Object[builtin.parameters().size()];
     for (int i = arguments.length - 1; i >= 0; i--) {
       arguments[i] = machine.popArgument();

@@ -7,7 +7,7 @@ import java.util.Optional;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 
 /** Computes with values of the types FRAME, POS and E6POS. */
 final class FrameArithmetic {
@@ -19,17 +19,17 @@ final class FrameArithmetic {
    * Gives the place of one frame that is given in another: {@code left:right}. Assumed: the result
    * has the type of the right operand, and its Status, Turn and external axes.
    */
-  static KrlValue product(KrlValue left, KrlValue right) throws ProgramFault {
+  static KrlValue product(KrlValue left, KrlValue right) throws KrlExecutionException {
     Frame result = frame(left).times(frame(right));
     return replaced((KrlStruct) right, result);
   }
 
   /** Gives the inverse of a frame, with the type of the operand. */
-  static KrlValue inverse(KrlValue operand) throws ProgramFault {
+  static KrlValue inverse(KrlValue operand) throws KrlExecutionException {
     return replaced((KrlStruct) operand, frame(operand).inverse());
   }
 
-  private static Frame frame(KrlValue value) throws ProgramFault {
+  private static Frame frame(KrlValue value) throws KrlExecutionException {
     if (!(value instanceof KrlStruct struct)
         || struct.fields().stream()
             .noneMatch(field -> COMPONENTS.contains(field.name().toUpperCase(Locale.ROOT)))) {
@@ -40,15 +40,16 @@ final class FrameArithmetic {
       String name = COMPONENTS.get(i);
       Optional<KrlValue> component = struct.get(name);
       if (component.isEmpty()) {
-        throw new ProgramFault(
-            ProgramFault.NOT_INITIALISED, "component " + name + " has no value yet of " + struct);
+        throw new KrlExecutionException(
+            KrlExecutionException.NOT_INITIALISED,
+            "component " + name + " has no value yet of " + struct);
       }
       numbers[i] = KrlVirtualMachine.number(component.get());
     }
     return new Frame(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]);
   }
 
-  private static KrlStruct replaced(KrlStruct struct, Frame frame) throws ProgramFault {
+  private static KrlStruct replaced(KrlStruct struct, Frame frame) throws KrlExecutionException {
     double[] numbers = {frame.x(), frame.y(), frame.z(), frame.a(), frame.b(), frame.c()};
     List<KrlStruct.Field> fields = new ArrayList<>(struct.fields().size());
     for (int i = 0; i < numbers.length; i++) {

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeMap;
 import no.hials.crosscom.lang.Statement.InterruptCommand;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import org.jspecify.annotations.Nullable;
 
 /** The interrupts that a program has declared, and the triggers that have come and not begun. */
@@ -39,12 +39,12 @@ final class Interrupts {
     }
   }
 
-  static void checkPriority(int priority) throws ProgramFault {
+  static void checkPriority(int priority) throws KrlExecutionException {
     if (priority < 1
         || priority > LAST
         || (priority >= FIRST_OF_SYSTEM && priority <= LAST_OF_SYSTEM)) {
-      throw new ProgramFault(
-          ProgramFault.OUT_OF_RANGE,
+      throw new KrlExecutionException(
+          KrlExecutionException.OUT_OF_RANGE,
           "the priority of an interrupt is 1 to 39 or 81 to 128, is " + priority);
     }
   }
@@ -54,7 +54,7 @@ final class Interrupts {
     triggers.clear();
   }
 
-  void declare(Declaration declaration, CallFrame owner) throws ProgramFault {
+  void declare(Declaration declaration, CallFrame owner) throws KrlExecutionException {
     checkPriority(declaration.priority());
     declared.put(declaration.priority(), new Interrupt(declaration, owner));
   }
@@ -69,16 +69,18 @@ final class Interrupts {
   }
 
   void command(InterruptCommand command, int priority, KrlVirtualMachine machine)
-      throws ProgramFault {
+      throws KrlExecutionException {
     Interrupt interrupt = declared.get(priority);
     if (interrupt == null) {
-      throw new ProgramFault(
-          ProgramFault.NOT_ALLOWED, "no interrupt with priority " + priority + " is declared here");
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED,
+          "no interrupt with priority " + priority + " is declared here");
     }
     command(command, interrupt, machine);
   }
 
-  void commandAll(InterruptCommand command, KrlVirtualMachine machine) throws ProgramFault {
+  void commandAll(InterruptCommand command, KrlVirtualMachine machine)
+      throws KrlExecutionException {
     for (Interrupt interrupt : declared.values()) {
       command(command, interrupt, machine);
     }
@@ -86,7 +88,7 @@ final class Interrupts {
 
   private static void command(
       InterruptCommand command, Interrupt interrupt, KrlVirtualMachine machine)
-      throws ProgramFault {
+      throws KrlExecutionException {
     switch (command) {
       case ON -> {
         if (!interrupt.on) {
@@ -105,12 +107,12 @@ final class Interrupts {
   }
 
   private static boolean isTrue(Interrupt interrupt, KrlVirtualMachine machine)
-      throws ProgramFault {
+      throws KrlExecutionException {
     return machine.condition(interrupt.declaration.condition(), interrupt.owner);
   }
 
   /** Looks for rising edges. Assumed: while the program is stopped nobody looks. */
-  void watch(KrlVirtualMachine machine) throws ProgramFault {
+  void watch(KrlVirtualMachine machine) throws KrlExecutionException {
     for (Interrupt interrupt : declared.values()) {
       if (interrupt.on) {
         boolean now = isTrue(interrupt, machine);

@@ -5,7 +5,7 @@ import java.util.Optional;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.ProgramState;
 import org.jspecify.annotations.Nullable;
 
@@ -52,10 +52,11 @@ public final class KrlInterpreter {
    * @param newArguments the values of the main routine's first parameters; those behind them stay
    *     without a value
    * @return false if the one selected is active; then nothing has changed
-   * @throws ProgramFault if the arguments are too many or not of the types of the parameters; then
-   *     nothing has changed
+   * @throws KrlExecutionException if the arguments are too many or not of the types of the
+   *     parameters; then nothing has changed
    */
-  public boolean select(Program newProgram, List<KrlValue> newArguments) throws ProgramFault {
+  public boolean select(Program newProgram, List<KrlValue> newArguments)
+      throws KrlExecutionException {
     if (state == ProgramState.ACTIVE) {
       return false;
     }
@@ -107,7 +108,7 @@ public final class KrlInterpreter {
     }
     try {
       machine.begin(selected.main(), arguments);
-    } catch (ProgramFault e) {
+    } catch (KrlExecutionException e) {
       throw new IllegalStateException("the arguments fitted when the program was selected", e);
     }
     state = ProgramState.RESET;
@@ -146,7 +147,7 @@ public final class KrlInterpreter {
       } else if (machine.halted()) {
         state = ProgramState.STOP;
       }
-    } catch (ProgramFault fault) {
+    } catch (KrlExecutionException fault) {
       state = ProgramState.STOP;
       environment.fault(fault, machine.faultPosition());
     }

@@ -11,7 +11,7 @@ import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
@@ -77,10 +77,10 @@ final class KrlVirtualMachine {
   }
 
   /** Sets the machine to the beginning of a routine. */
-  void begin(CompiledRoutine routine, List<KrlValue> arguments) throws ProgramFault {
+  void begin(CompiledRoutine routine, List<KrlValue> arguments) throws KrlExecutionException {
     if (arguments.size() > routine.parameters().size()) {
-      throw new ProgramFault(
-          ProgramFault.WRONG_TYPE,
+      throw new KrlExecutionException(
+          KrlExecutionException.WRONG_TYPE,
           routine.name()
               + " has "
               + routine.parameters().size()
@@ -105,7 +105,7 @@ final class KrlVirtualMachine {
   }
 
   /** Executes instructions until one waits, the program halts or ends, or so many are executed. */
-  void run(int maxInstructions) throws ProgramFault {
+  void run(int maxInstructions) throws KrlExecutionException {
     waiting = false;
     halted = false;
     faultPosition = null;
@@ -121,7 +121,7 @@ final class KrlVirtualMachine {
         executed++;
         frame.fetch().execute(this);
       }
-    } catch (ProgramFault fault) {
+    } catch (KrlExecutionException fault) {
       recover();
       throw fault;
     }
@@ -210,7 +210,7 @@ final class KrlVirtualMachine {
     return (KrlValue) Objects.requireNonNull(popArgument());
   }
 
-  boolean popBool() throws ProgramFault {
+  boolean popBool() throws KrlExecutionException {
     KrlValue value = pop();
     if (value instanceof KrlBool bool) {
       return bool.value();
@@ -218,7 +218,7 @@ final class KrlVirtualMachine {
     throw wrongType("BOOL", value);
   }
 
-  int popInt() throws ProgramFault {
+  int popInt() throws KrlExecutionException {
     KrlValue value = pop();
     if (value instanceof KrlInt number) {
       return number.value();
@@ -226,11 +226,11 @@ final class KrlVirtualMachine {
     throw wrongType("INT", value);
   }
 
-  double popNumber() throws ProgramFault {
+  double popNumber() throws KrlExecutionException {
     return number(pop());
   }
 
-  static double number(KrlValue value) throws ProgramFault {
+  static double number(KrlValue value) throws KrlExecutionException {
     if (value instanceof KrlInt number) {
       return number.value();
     }
@@ -240,9 +240,10 @@ final class KrlVirtualMachine {
     throw wrongType("a number", value);
   }
 
-  static ProgramFault wrongType(String expected, KrlValue value) {
-    return new ProgramFault(
-        ProgramFault.WRONG_TYPE, "needs " + expected + ", was given " + value.print().strip());
+  static KrlExecutionException wrongType(String expected, KrlValue value) {
+    return new KrlExecutionException(
+        KrlExecutionException.WRONG_TYPE,
+        "needs " + expected + ", was given " + value.print().strip());
   }
 
   // for instructions: the flow
@@ -267,10 +268,10 @@ final class KrlVirtualMachine {
   }
 
   /** Calls a routine, whose arguments are on the stack. */
-  void call(CompiledRoutine routine, boolean resultWanted) throws ProgramFault {
+  void call(CompiledRoutine routine, boolean resultWanted) throws KrlExecutionException {
     if (calls == MAX_CALLS) {
-      throw new ProgramFault(
-          ProgramFault.CALL_STACK,
+      throw new KrlExecutionException(
+          KrlExecutionException.CALL_STACK,
           "calls may nest " + MAX_CALLS + " deep, " + routine.name() + " is one too many");
     }
     int count = routine.parameters().size();
@@ -283,7 +284,7 @@ final class KrlVirtualMachine {
   }
 
   private static void bind(CallFrame frame, int slot, @Nullable Object argument)
-      throws ProgramFault {
+      throws KrlExecutionException {
     CompiledRoutine.Parameter parameter = frame.routine().parameters().get(slot);
     if (parameter.out()) {
       frame.setReference(
@@ -302,7 +303,7 @@ final class KrlVirtualMachine {
   }
 
   /** Ends a function. */
-  void returnValue(KrlValue value) throws ProgramFault {
+  void returnValue(KrlValue value) throws KrlExecutionException {
     CallFrame frame = frame();
     Storage result = frame.routine().body().result();
     if (result == null) {
@@ -312,7 +313,7 @@ final class KrlVirtualMachine {
     try {
       converted = result.store(RESULT, value).value();
     } catch (RefusedException e) {
-      throw ProgramFault.of("the value of " + frame.routine().name(), e);
+      throw KrlExecutionException.of("the value of " + frame.routine().name(), e);
     }
     leave(frame);
     if (frame.resultWanted()) {
@@ -374,7 +375,7 @@ final class KrlVirtualMachine {
   }
 
   /** Evaluates a condition, whose instructions neither call nor wait. */
-  boolean condition(CompiledCode condition, CallFrame owner) throws ProgramFault {
+  boolean condition(CompiledCode condition, CallFrame owner) throws KrlExecutionException {
     CallFrame interrupted = frame();
     CallFrame frame = new CallFrame(owner, condition, interrupted, null, height);
     top = frame;
@@ -383,7 +384,7 @@ final class KrlVirtualMachine {
         frame.fetch().execute(this);
       }
       return popBool();
-    } catch (ProgramFault fault) {
+    } catch (KrlExecutionException fault) {
       faultPosition = frame.executed();
       drop(frame.stackBase());
       throw fault;
@@ -392,12 +393,13 @@ final class KrlVirtualMachine {
     }
   }
 
-  void brake(boolean maximum) throws ProgramFault {
+  void brake(boolean maximum) throws KrlExecutionException {
     requireRobot("BRAKE");
     Interruption interruption = interruption();
     if (interruption == null) {
-      throw new ProgramFault(
-          ProgramFault.NOT_ALLOWED, "BRAKE is allowed in the routine of an interrupt only");
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED,
+          "BRAKE is allowed in the routine of an interrupt only");
     }
     hold(interruption, maximum);
   }
@@ -410,20 +412,21 @@ final class KrlVirtualMachine {
   }
 
   /** Cancels the routine of an interrupt and what it has interrupted, down to its declaration. */
-  void resume() throws ProgramFault {
+  void resume() throws KrlExecutionException {
     requireRobot("RESUME");
     CallFrame action = interruptingFrame();
     Interruption interruption = action == null ? null : action.interruption();
     if (action == null || interruption == null || interruption.isTrigger()) {
-      throw new ProgramFault(
-          ProgramFault.NOT_ALLOWED, "RESUME is allowed in the routine of an interrupt only");
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED,
+          "RESUME is allowed in the routine of an interrupt only");
     }
     CallFrame declaring = interruption.owner();
     CallFrame cancelled = calledBy(declaring);
     // assumed: as on KSS, a program that is to be cancelled runs below the level of declaration
     if (cancelled == null || cancelled == action || cancelled.resultWanted()) {
-      throw new ProgramFault(
-          ProgramFault.NOT_ALLOWED,
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED,
           "RESUME cancels a subprogram called by the routine that has declared the interrupt,"
               + " none is running");
     }
@@ -448,10 +451,10 @@ final class KrlVirtualMachine {
 
   // for instructions: the robot
 
-  private void requireRobot(String what) throws ProgramFault {
+  private void requireRobot(String what) throws KrlExecutionException {
     if (kind == Interpreter.SUBMIT) {
-      throw new ProgramFault(
-          ProgramFault.NOT_ALLOWED, what + " is not allowed in the submit interpreter");
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED, what + " is not allowed in the submit interpreter");
     }
   }
 
@@ -470,7 +473,7 @@ final class KrlVirtualMachine {
   }
 
   /** Waits until one more motion may be handed over. */
-  void awaitAdvance() throws ProgramFault {
+  void awaitAdvance() throws KrlExecutionException {
     requireRobot("a motion");
     Interruption interruption = interruption();
     if (interruption != null) {
@@ -489,7 +492,7 @@ final class KrlVirtualMachine {
     }
   }
 
-  void trigger(TriggerOrder trigger) throws ProgramFault {
+  void trigger(TriggerOrder trigger) throws KrlExecutionException {
     requireRobot("TRIGGER");
     nextTriggers.add(trigger);
   }

@@ -7,7 +7,7 @@ import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 
 /**
  * What KRL's operators compute. Assumed, since krl.md 4 only lists them: INT with INT gives INT, a
@@ -20,7 +20,7 @@ final class Operators {
   /** An operator with two operands. */
   @FunctionalInterface
   interface Operator {
-    KrlValue apply(KrlValue left, KrlValue right) throws ProgramFault;
+    KrlValue apply(KrlValue left, KrlValue right) throws KrlExecutionException;
   }
 
   /** Gives what an operator does. */
@@ -46,32 +46,33 @@ final class Operators {
     };
   }
 
-  private static KrlValue sum(KrlValue left, KrlValue right) throws ProgramFault {
+  private static KrlValue sum(KrlValue left, KrlValue right) throws KrlExecutionException {
     if (left instanceof KrlInt a && right instanceof KrlInt b) {
       return integer((long) a.value() + b.value());
     }
     return real(number(left) + number(right));
   }
 
-  private static KrlValue difference(KrlValue left, KrlValue right) throws ProgramFault {
+  private static KrlValue difference(KrlValue left, KrlValue right) throws KrlExecutionException {
     if (left instanceof KrlInt a && right instanceof KrlInt b) {
       return integer((long) a.value() - b.value());
     }
     return real(number(left) - number(right));
   }
 
-  private static KrlValue product(KrlValue left, KrlValue right) throws ProgramFault {
+  private static KrlValue product(KrlValue left, KrlValue right) throws KrlExecutionException {
     if (left instanceof KrlInt a && right instanceof KrlInt b) {
       return integer((long) a.value() * b.value());
     }
     return real(number(left) * number(right));
   }
 
-  private static KrlValue quotient(KrlValue left, KrlValue right) throws ProgramFault {
+  private static KrlValue quotient(KrlValue left, KrlValue right) throws KrlExecutionException {
     double divisor = number(right);
     if (divisor == 0) {
-      throw new ProgramFault(
-          ProgramFault.DIVISION_BY_ZERO, "a divisor must not be 0, divided " + left + " by it");
+      throw new KrlExecutionException(
+          KrlExecutionException.DIVISION_BY_ZERO,
+          "a divisor must not be 0, divided " + left + " by it");
     }
     if (left instanceof KrlInt a && right instanceof KrlInt b) {
       return integer((long) a.value() / b.value());
@@ -79,62 +80,63 @@ final class Operators {
     return real(number(left) / divisor);
   }
 
-  static KrlValue negative(KrlValue operand) throws ProgramFault {
+  static KrlValue negative(KrlValue operand) throws KrlExecutionException {
     return operand instanceof KrlInt number
         ? integer(-(long) number.value())
         : real(-number(operand));
   }
 
-  static KrlValue positive(KrlValue operand) throws ProgramFault {
+  static KrlValue positive(KrlValue operand) throws KrlExecutionException {
     number(operand);
     return operand;
   }
 
-  static KrlValue not(KrlValue operand) throws ProgramFault {
+  static KrlValue not(KrlValue operand) throws KrlExecutionException {
     return new KrlBool(!bool(operand));
   }
 
-  static KrlValue bitwiseNot(KrlValue operand) throws ProgramFault {
+  static KrlValue bitwiseNot(KrlValue operand) throws KrlExecutionException {
     return new KrlInt(~bits(operand));
   }
 
-  static KrlInt integer(long result) throws ProgramFault {
+  static KrlInt integer(long result) throws KrlExecutionException {
     if (result != (int) result) {
-      throw new ProgramFault(
-          ProgramFault.OVERFLOW, "an INT has 32 bits, the result would be " + result);
+      throw new KrlExecutionException(
+          KrlExecutionException.OVERFLOW, "an INT has 32 bits, the result would be " + result);
     }
     return new KrlInt((int) result);
   }
 
   /** Rounds to a REAL. Doubles hold sums, products and quotients of two floats well enough. */
-  static KrlReal real(double result) throws ProgramFault {
+  static KrlReal real(double result) throws KrlExecutionException {
     float rounded = (float) result;
     if (!Float.isFinite(rounded)) {
-      throw new ProgramFault(
-          ProgramFault.OVERFLOW, "a REAL is at most 3.4E+38, the result would be " + result);
+      throw new KrlExecutionException(
+          KrlExecutionException.OVERFLOW,
+          "a REAL is at most 3.4E+38, the result would be " + result);
     }
     return new KrlReal(rounded);
   }
 
-  private static double number(KrlValue value) throws ProgramFault {
+  private static double number(KrlValue value) throws KrlExecutionException {
     return KrlVirtualMachine.number(value);
   }
 
-  private static int bits(KrlValue value) throws ProgramFault {
+  private static int bits(KrlValue value) throws KrlExecutionException {
     if (value instanceof KrlInt number) {
       return number.value();
     }
     throw KrlVirtualMachine.wrongType("INT", value);
   }
 
-  private static boolean bool(KrlValue value) throws ProgramFault {
+  private static boolean bool(KrlValue value) throws KrlExecutionException {
     if (value instanceof KrlBool bool) {
       return bool.value();
     }
     throw KrlVirtualMachine.wrongType("BOOL", value);
   }
 
-  static boolean areEqual(KrlValue left, KrlValue right) throws ProgramFault {
+  static boolean areEqual(KrlValue left, KrlValue right) throws KrlExecutionException {
     if (left instanceof KrlBool a && right instanceof KrlBool b) {
       return a.value() == b.value();
     }
@@ -145,7 +147,7 @@ final class Operators {
   }
 
   /** Compares two numbers or two CHARs. */
-  static int compare(KrlValue left, KrlValue right) throws ProgramFault {
+  static int compare(KrlValue left, KrlValue right) throws KrlExecutionException {
     if (left instanceof KrlInt a && right instanceof KrlInt b) {
       return Integer.compare(a.value(), b.value());
     }
@@ -158,8 +160,8 @@ final class Operators {
     if (isNumber(left) && isNumber(right)) {
       return Double.compare(number(left), number(right));
     }
-    throw new ProgramFault(
-        ProgramFault.WRONG_TYPE,
+    throw new KrlExecutionException(
+        KrlExecutionException.WRONG_TYPE,
         "only two numbers, two CHAR, two BOOL or two ENUM can be compared, and only numbers and"
             + " CHAR by order; was given "
             + left.print().strip()

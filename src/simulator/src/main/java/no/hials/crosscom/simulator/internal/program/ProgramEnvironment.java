@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.program;
 import java.util.Optional;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlStruct;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 
 /** What the interpreter of a program asks of the controller around it. */
 public interface ProgramEnvironment {
@@ -40,9 +40,9 @@ public interface ProgramEnvironment {
    * Takes a motion to be executed behind those handed over before.
    *
    * @param order the motion
-   * @throws ProgramFault if it is not possible; it stops the program
+   * @throws KrlExecutionException if it is not possible; it stops the program
    */
-  void move(MotionOrder order) throws ProgramFault;
+  void move(MotionOrder order) throws KrlExecutionException;
 
   /**
    * Brakes the robot on its path and puts the motions that were handed over aside. Those handed
@@ -70,9 +70,9 @@ public interface ProgramEnvironment {
    * @param output the number of the output
    * @param level what it becomes
    * @param seconds how long
-   * @throws ProgramFault if it is not possible; it stops the program
+   * @throws KrlExecutionException if it is not possible; it stops the program
    */
-  void pulse(int output, boolean level, double seconds) throws ProgramFault;
+  void pulse(int output, boolean level, double seconds) throws KrlExecutionException;
 
   /**
    * Computes where given axis positions bring the tool, by {@code $TOOL} and {@code $BASE}.
@@ -97,5 +97,5 @@ public interface ProgramEnvironment {
    * @param fault the fault
    * @param position where it is
    */
-  void fault(ProgramFault fault, Position position);
+  void fault(KrlExecutionException fault, Position position);
 }

@@ -1,7 +1,7 @@
 package no.hials.crosscom.simulator.internal.program;
 
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
@@ -31,11 +31,11 @@ record Reference(StorageLocation location, CallFrame frame, VariablePath path) {
     return location.name(frame, path.then(inner));
   }
 
-  KrlValue read() throws ProgramFault {
+  KrlValue read() throws KrlExecutionException {
     return location.read(frame, path);
   }
 
-  void write(KrlValue value) throws ProgramFault {
+  void write(KrlValue value) throws KrlExecutionException {
     location.write(frame, path, value);
   }
 }

@@ -17,7 +17,7 @@ import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
@@ -64,8 +64,9 @@ final class StatementCompiler {
       code.emit(
           end,
           machine -> {
-            throw new ProgramFault(
-                ProgramFault.NO_RESULT, "function " + name + " must end with RETURN and a value");
+            throw new KrlExecutionException(
+                KrlExecutionException.NO_RESULT,
+                "function " + name + " must end with RETURN and a value");
           });
     } else {
       code.emit(end, KrlVirtualMachine::returnNothing);
@@ -316,21 +317,23 @@ final class StatementCompiler {
         machine -> machine.frame().setTemporary(temporary, new KrlInt(machine.popInt())));
   }
 
-  private static void checkStep(KrlValue step) throws ProgramFault {
+  private static void checkStep(KrlValue step) throws KrlExecutionException {
     if (step.equals(ZERO)) {
       // assumed: krl.md 4 does not say what a step of 0 does
-      throw new ProgramFault(ProgramFault.OUT_OF_RANGE, "the STEP of FOR must not be 0");
+      throw new KrlExecutionException(
+          KrlExecutionException.OUT_OF_RANGE, "the STEP of FOR must not be 0");
     }
   }
 
-  private static KrlBool goesOn(KrlVirtualMachine machine, int last, int step) throws ProgramFault {
+  private static KrlBool goesOn(KrlVirtualMachine machine, int last, int step)
+      throws KrlExecutionException {
     int counter = machine.popInt();
     int end = ((KrlInt) machine.frame().temporary(last)).value();
     boolean down = ((KrlInt) machine.frame().temporary(step)).value() < 0;
     return new KrlBool(down ? counter >= end : counter <= end);
   }
 
-  private static void count(KrlVirtualMachine machine, int step) throws ProgramFault {
+  private static void count(KrlVirtualMachine machine, int step) throws KrlExecutionException {
     int width = ((KrlInt) machine.frame().temporary(step)).value();
     machine.push(Operators.integer((long) machine.popInt() + width));
   }
@@ -500,7 +503,7 @@ final class StatementCompiler {
   }
 
   private static MotionOrder order(KrlVirtualMachine machine, Statement.Motion motion)
-      throws ProgramFault {
+      throws KrlExecutionException {
     OptionalDouble angle =
         motion.circularAngle() == null
             ? OptionalDouble.empty()
@@ -521,7 +524,7 @@ final class StatementCompiler {
         machine.takeTriggers());
   }
 
-  private static KrlStruct point(KrlValue value) throws ProgramFault {
+  private static KrlStruct point(KrlValue value) throws KrlExecutionException {
     if (value instanceof KrlStruct struct) {
       return struct;
     }

@@ -2,7 +2,7 @@ package no.hials.crosscom.simulator.internal.program;
 
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.Storage;
@@ -27,24 +27,25 @@ sealed interface StorageLocation {
   }
 
   /** Reads a value, which must be there. */
-  default KrlValue read(CallFrame frame, VariablePath path) throws ProgramFault {
+  default KrlValue read(CallFrame frame, VariablePath path) throws KrlExecutionException {
     try {
       KrlValue value = value(frame, path);
       if (value instanceof KrlStruct struct && struct.fields().isEmpty()) {
-        throw new ProgramFault(
-            ProgramFault.NOT_INITIALISED, name(frame, path) + ": has no value yet");
+        throw new KrlExecutionException(
+            KrlExecutionException.NOT_INITIALISED, name(frame, path) + ": has no value yet");
       }
       return value;
     } catch (RefusedException e) {
-      throw ProgramFault.of(name(frame, path), e);
+      throw KrlExecutionException.of(name(frame, path), e);
     }
   }
 
-  default void write(CallFrame frame, VariablePath path, KrlValue value) throws ProgramFault {
+  default void write(CallFrame frame, VariablePath path, KrlValue value)
+      throws KrlExecutionException {
     try {
       store(frame, path, value);
     } catch (RefusedException e) {
-      throw ProgramFault.of(name(frame, path), e);
+      throw KrlExecutionException.of(name(frame, path), e);
     }
   }
 

@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.program;
 
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 
 /**
  * A {@code TRIGGER} with its values. The controller gives it back to {@link KrlInterpreter#fire}
@@ -16,10 +16,10 @@ public final class TriggerOrder {
   private final Interruption interruption;
 
   TriggerOrder(boolean onPath, double distance, double delayMillis, Interruption interruption)
-      throws ProgramFault {
+      throws KrlExecutionException {
     if (!onPath && distance != 0 && distance != 1) {
-      throw new ProgramFault(
-          ProgramFault.OUT_OF_RANGE, "DISTANCE is 0 (start) or 1 (end), is " + distance);
+      throw new KrlExecutionException(
+          KrlExecutionException.OUT_OF_RANGE, "DISTANCE is 0 (start) or 1 (end), is " + distance);
     }
     this.interruption = interruption;
     this.onPath = onPath;
@@ -31,7 +31,7 @@ public final class TriggerOrder {
    * Gives the priority of a trigger's action. An assignment and a pulse end at once and come before
    * all else; a subprogram has that of an interrupt, which PRIO=-1 leaves to the controller.
    */
-  static int priority(boolean calls, int given) throws ProgramFault {
+  static int priority(boolean calls, int given) throws KrlExecutionException {
     if (!calls) {
       return 0;
     }

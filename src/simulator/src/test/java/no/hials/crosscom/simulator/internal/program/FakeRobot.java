@@ -9,7 +9,7 @@ import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
@@ -80,9 +80,9 @@ final class FakeRobot implements ProgramEnvironment {
   }
 
   @Override
-  public void move(MotionOrder order) throws ProgramFault {
+  public void move(MotionOrder order) throws KrlExecutionException {
     if (refuses) {
-      throw new ProgramFault(1234, "the target is out of reach");
+      throw new KrlExecutionException(1234, "the target is out of reach");
     }
     motions.addLast(order);
     orders.add(order);
@@ -133,7 +133,7 @@ final class FakeRobot implements ProgramEnvironment {
   }
 
   @Override
-  public void fault(ProgramFault fault, Position position) {
+  public void fault(KrlExecutionException fault, Position position) {
     faults.add(new Fault(fault.number(), String.valueOf(fault.getMessage()), position));
   }
 }

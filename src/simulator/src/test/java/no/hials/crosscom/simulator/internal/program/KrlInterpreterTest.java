@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.tuple;
 import java.util.List;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter.Level;
 import org.junit.jupiter.api.Test;
@@ -87,7 +87,7 @@ class KrlInterpreterTest {
     Program program = rig.library.program("TEST");
 
     assertThatThrownBy(() -> rig.interpreter.select(program, List.of(new KrlInt(1), new KrlInt(2))))
-        .isInstanceOf(ProgramFault.class)
+        .isInstanceOf(KrlExecutionException.class)
         .hasMessage("TEST has 1 parameters, was given 2");
     assertThatThrownBy(() -> rig.interpreter.select(program, List.of(new KrlBool(true))))
         .hasMessage("N: needs INT, was given TRUE");

@@ -12,7 +12,7 @@ import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.ProgramFault;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.DataListLoader;
@@ -135,7 +135,7 @@ final class Rig {
   Rig select(String module, KrlValue... arguments) {
     try {
       assertThat(interpreter.select(library.program(module), List.of(arguments))).isTrue();
-    } catch (LinkException | ProgramFault e) {
+    } catch (LinkException | KrlExecutionException e) {
       throw new AssertionError(e);
     }
     return this;

@@ -1,7 +1,7 @@
 package no.hials.crosscom.simulator;
 
 /** Says why a program cannot go on. It stops with a message. */
-public final class ProgramFault extends Exception {
+public final class KrlExecutionException extends Exception {
   private static final long serialVersionUID = 1L;
 
   /*
@@ -46,7 +46,7 @@ public final class ProgramFault extends Exception {
    * @param number the number of the message
    * @param text the rule that broke, what was expected and what was found
    */
-  public ProgramFault(int number, String text) {
+  public KrlExecutionException(int number, String text) {
     // without a stack trace: the position in the program is what matters
     super(text, null, false, false);
     this.number = number;
@@ -59,7 +59,7 @@ public final class ProgramFault extends Exception {
    * @param refused why
    * @return the fault
    */
-  public static ProgramFault of(String name, RefusedException refused) {
+  public static KrlExecutionException of(String name, RefusedException refused) {
     int number =
         switch (refused.reason()) {
           case NOT_INITIALISED -> NOT_INITIALISED;
@@ -68,7 +68,7 @@ public final class ProgramFault extends Exception {
           case OUT_OF_RANGE, TOO_LONG -> OUT_OF_RANGE;
           case UNKNOWN_VARIABLE, UNKNOWN_COMPONENT, NO_VALUE, WRONG_TYPE, WHOLE_ARRAY -> WRONG_TYPE;
         };
-    return new ProgramFault(number, name + ": " + refused.getMessage());
+    return new KrlExecutionException(number, name + ": " + refused.getMessage());
   }
 
   /**

@@ -64,7 +64,7 @@ final class C3ProgramHandler {
 
   /** Prepares for a change of the files: the controller has to see it. */
   void watchFiles() {
-    controller.get();
+    Controller unused = controller.get();
   }
 
   /** Something that a controller can refuse. */

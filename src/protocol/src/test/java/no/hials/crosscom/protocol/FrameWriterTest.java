@@ -3,6 +3,7 @@ package no.hials.crosscom.protocol;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.nio.CharBuffer;
 import java.util.Arrays;
 import no.hials.crosscom.protocol.variable.WriteRequest;
 import org.junit.jupiter.api.Test;
@@ -24,7 +25,7 @@ class FrameWriterTest {
   @Test
   void aFrameTakesThePlaceOfALongerOne() {
     writer.write("A", "x".repeat(200));
-    writer.write("B", new StringBuilder("1"));
+    writer.write("B", CharBuffer.wrap("1"));
 
     assertThat(frame()).isEqualTo(Codec.encode(new WriteRequest(0, "B", "1")));
   }

@@ -73,10 +73,10 @@ public final class CheckBeforeMoving {
     for (VariableResult result : client.readVariables(mode, state, program, least, most)) {
       result.orThrow(); // what could not be read is no permission
     }
-    if (!mode.getValue().equals("#T1")) {
+    if (!"#T1".equals(mode.getValue())) {
       return Optional.of("the mode must be #T1, is " + mode.getValue());
     }
-    if (!program.getValue().equals("FOLLOW_AXIS") || !state.getValue().equals("#P_ACTIVE")) {
+    if (!"FOLLOW_AXIS".equals(program.getValue()) || !"#P_ACTIVE".equals(state.getValue())) {
       return Optional.of(program.getValue() + " is " + state.getValue());
     }
     double min = least.doubleValue() + MARGIN;

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Objects;
 import java.util.concurrent.locks.ReentrantLock;
 
 /** Writes each access that {@code bench} measures as a line of a CSV file. */
@@ -35,7 +36,7 @@ final class BenchCsv implements Bench.Sink, AutoCloseable {
           failure.isEmpty() ? Times.millis(Duration.ofNanos(took)) : "",
           failure);
     } catch (UncheckedIOException e) {
-      throw new OutputException(file.toString(), e.getCause());
+      throw new OutputException(file.toString(), Objects.requireNonNull(e.getCause()));
     } finally {
       lock.unlock();
     }

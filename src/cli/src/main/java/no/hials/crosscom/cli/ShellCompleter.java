@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import org.jline.reader.Candidate;
@@ -107,7 +108,7 @@ final class ShellCompleter implements Completer {
         .forEach((name, help) -> all.add(candidate(name, help.substring(21), true)));
     for (String name : ShellCommands.names()) {
       CommandLine command = Main.commandLine(console, name).getSubcommands().get(name);
-      all.add(candidate(name, description(command), true));
+      all.add(candidate(name, description(Objects.requireNonNull(command)), true));
     }
     return all;
   }

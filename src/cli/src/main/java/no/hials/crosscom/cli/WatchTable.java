@@ -75,10 +75,10 @@ final class WatchTable {
     }
 
     private static String change(@Nullable KrlValue before, String textBefore, KrlValue now) {
-      if (isNumber(before) && isNumber(now)) {
+      if (before != null && isNumber(before) && isNumber(now)) {
         // of the controller's digits, since those of a float would show its rounding
         BigDecimal change =
-            new BigDecimal(now.print()).subtract(new BigDecimal(String.valueOf(before.print())));
+            new BigDecimal(now.print()).subtract(new BigDecimal(before.print()));
         return (change.signum() > 0 ? "+" : "") + change.toPlainString();
       }
       return "from " + textBefore;
@@ -104,7 +104,7 @@ final class WatchTable {
     }
   }
 
-  private static boolean isNumber(@Nullable KrlValue value) {
+  private static boolean isNumber(KrlValue value) {
     return value instanceof KrlInt || value instanceof KrlReal;
   }
 

@@ -1,5 +1,7 @@
 package no.hials.crosscom.internal;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * An operation that can be cancelled while it runs.
  *
@@ -11,8 +13,8 @@ public interface CancellableOperation<T> {
    * Does it.
    *
    * @param cancellation to be asked on the way
-   * @return the result
+   * @return the result, or null if it has none
    * @throws Exception if it fails
    */
-  T run(Cancellation cancellation) throws Exception;
+  @Nullable T run(Cancellation cancellation) throws Exception;
 }

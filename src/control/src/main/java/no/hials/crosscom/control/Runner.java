@@ -165,8 +165,7 @@ final class Runner<P> {
     space.check(guard, actual, true);
     feedback.check(actual, readEnd);
     Input input = input();
-    boolean moving = input != null;
-    double[] sent = moving ? move(actual, input, elapsed, begin) : hold(actual);
+    double[] sent = input == null ? hold(actual) : move(actual, input, elapsed, begin);
     space.setTarget(sent);
     long writeBegin = time.nanoTime();
     channel.write(space.target(), beat ? heartbeat.next() : null);
@@ -178,7 +177,7 @@ final class Runner<P> {
         sinceLast / 1e6,
         readNanos / 1e6,
         writeNanos / 1e6,
-        moving,
+        input != null,
         space.numbers(previous == null ? actual : previous),
         sent,
         space.numbers(actual));
@@ -258,7 +257,7 @@ final class Runner<P> {
             lawPeriods * period / 1e9, period / 1e9, channel.joints(), channel.frame(), input);
     P desired = ask(state, actual);
     checkAge("the age of %s after the law must be at most %s %s, is %s", begin);
-    P from = first || space.isVelocity() ? actual : previous;
+    P from = previous == null || space.isVelocity() ? actual : previous;
     checkStep(from, desired, space.isVelocity() || first ? 1 : elapsed);
     space.check(guard, desired, false);
     previous = desired;

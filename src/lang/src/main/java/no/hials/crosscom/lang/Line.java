@@ -2,6 +2,7 @@ package no.hials.crosscom.lang;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Set;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
@@ -80,7 +81,8 @@ record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
     try {
       return parser.line().content();
     } catch (ParseCancellationException e) {
-      ErrorWords.report((RecognitionException) e.getCause(), this, errors);
+      RecognitionException cause = (RecognitionException) Objects.requireNonNull(e.getCause());
+      ErrorWords.report(cause, this, errors);
       return null;
     }
   }

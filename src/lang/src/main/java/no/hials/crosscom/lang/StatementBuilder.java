@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Set;
 import no.hials.crosscom.lang.Statement.Approximation;
 import no.hials.crosscom.lang.Statement.InterruptCommand;
@@ -209,7 +210,9 @@ final class StatementBuilder {
       case KrlGrammarParser.WHILE ->
           (block, until) -> new Statement.While(position, values.get(0), List.copyOf(block.body()));
       case KrlGrammarParser.REPEAT ->
-          (block, until) -> new Statement.Repeat(position, List.copyOf(block.body()), until);
+          (block, until) ->
+              new Statement.Repeat(
+                  position, List.copyOf(block.body()), Objects.requireNonNull(until));
       default -> (block, until) -> new Statement.Loop(position, List.copyOf(block.body()));
     };
   }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedSet;
@@ -464,7 +465,7 @@ public final class VariableTable {
     try {
       return KrlValue.parse(text.strip());
     } catch (KrlSyntaxException e) {
-      throw new RefusedException(Refusal.NO_VALUE, e.getMessage());
+      throw new RefusedException(Refusal.NO_VALUE, Objects.requireNonNull(e.getMessage()));
     }
   }
 }

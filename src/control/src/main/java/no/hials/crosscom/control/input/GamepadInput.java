@@ -8,6 +8,7 @@ import com.studiohartman.jamepad.ControllerManager;
 import com.studiohartman.jamepad.ControllerUnpluggedException;
 import java.io.IOException;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -88,7 +89,7 @@ public final class GamepadInput implements InputDevice {
       gamepad.start.get(LONGEST_START_SECONDS, TimeUnit.SECONDS);
       return gamepad;
     } catch (ExecutionException e) {
-      throw new IOException(e.getCause().getMessage(), e.getCause());
+      throw new IOException(Objects.requireNonNull(e.getCause()).getMessage(), e.getCause());
     } catch (java.util.concurrent.TimeoutException e) {
       gamepad.closed = true;
       throw new IOException("the gamepad does not answer", e);

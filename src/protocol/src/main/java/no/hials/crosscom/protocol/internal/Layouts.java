@@ -3,6 +3,7 @@ package no.hials.crosscom.protocol.internal;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import no.hials.crosscom.protocol.MalformedFrameException;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.PlainResponse;
@@ -88,13 +89,13 @@ public final class Layouts {
   /** Writes the fields of a request or an answer. */
   @SuppressWarnings("unchecked") // a class is put in with a writer of its own messages
   public static <M> void write(M message, FieldWriter out) {
-    ((Writer<M>) ALL.writers.get(message.getClass())).write(message, out);
+    ((Writer<M>) known(ALL.writers, message.getClass())).write(message, out);
   }
 
   /** Reads the fields of a request. */
   public static Request readRequest(MessageType type, int id, FieldReader in)
       throws MalformedFrameException {
-    return ALL.requests.get(type).read(id, in);
+    return known(ALL.requests, type).read(id, in);
   }
 
   /**
@@ -105,6 +106,10 @@ public final class Layouts {
       throws MalformedFrameException {
     return in.isEmpty() && !tail.success() && !type.isKnownTo(ServerType.KUKAVARPROXY)
         ? new PlainResponse(id, type, tail)
-        : ALL.answers.get(type).read(id, in, tail);
+        : known(ALL.answers, type).read(id, in, tail);
+  }
+
+  private static <K, V> V known(Map<K, V> layouts, K message) {
+    return Objects.requireNonNull(layouts.get(message), () -> "no layout of " + message);
   }
 }

@@ -1,5 +1,6 @@
 package no.hials.crosscom.simulator.internal.core;
 
+import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.Set;
 import no.hials.crosscom.kinematics.Axes;
@@ -130,7 +131,7 @@ final class MotionResolver {
       }
       return inverse(order.target(), last);
     } catch (UnreachableException e) {
-      throw new KrlExecutionException(MessageWindow.WORK_ENVELOPE, e.getMessage());
+      throw new KrlExecutionException(MessageWindow.WORK_ENVELOPE, Objects.requireNonNull(e.getMessage()));
     }
   }
 

@@ -84,7 +84,7 @@ public final class ConstantExpressions {
       try {
         fields.add(new KrlStruct.Field(field.name(), value));
       } catch (IllegalArgumentException e) {
-        throw new KrlErrorException(field.position(), e.getMessage());
+        throw new KrlErrorException(field.position(), String.valueOf(e.getMessage()));
       }
     }
     return new KrlStruct(aggregate.type(), fields);

@@ -250,14 +250,12 @@ public final class DataListLoader {
 
   private List<Integer> lengths(Declaration.Variables group, Declaration.Declarator source)
       throws KrlErrorException {
-    boolean takesLengthOfText =
-        Scope.key(group.type()).equals(Type.Base.CHAR.name())
-            && source.dimensions().size() == 1
-            && source.dimensions().get(0) == null
-            && source.initial() instanceof Expression.TextLiteral text
-            && !text.text().isEmpty();
-    if (takesLengthOfText) {
-      return List.of(((Expression.TextLiteral) source.initial()).text().length());
+    if (Scope.key(group.type()).equals(Type.Base.CHAR.name())
+        && source.dimensions().size() == 1
+        && source.dimensions().get(0) == null
+        && source.initial() instanceof Expression.TextLiteral text
+        && !text.text().isEmpty()) {
+      return List.of(text.text().length());
     }
     return dimensions(source);
   }

@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
@@ -56,7 +57,7 @@ final class Arm {
     try {
       return unlimited.inverse(isFlange ? tcp : tcp.times(flangeInTool), near);
     } catch (UnreachableException e) {
-      throw new NoPointException(new OutOfReach(e.getMessage()));
+      throw new NoPointException(new OutOfReach(Objects.requireNonNull(e.getMessage())));
     }
   }
 

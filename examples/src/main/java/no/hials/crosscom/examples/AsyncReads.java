@@ -32,15 +32,15 @@ public final class AsyncReads {
       throws ExecutionException, InterruptedException, TimeoutException {
     // Nothing is gained in time: the server answers one request after the other. But this thread
     // is free meanwhile, as that of a window must be.
-    CompletableFuture<String> mode = client.readTextAsync("$MODE_OP");
-    CompletableFuture<String> override = client.readTextAsync("$OV_PRO");
+    CompletableFuture<String> mode = client.async(c -> c.readText("$MODE_OP"));
+    CompletableFuture<String> override = client.async(c -> c.readText("$OV_PRO"));
     System.out.println("asked for the mode and the override");
 
     CompletableFuture<String> both = mode.thenCombine(override, (m, o) -> m + " at " + o + " %");
     System.out.println(both.get(10, TimeUnit.SECONDS));
 
     try {
-      client.readTextAsync("NO_SUCH_VARIABLE").get(10, TimeUnit.SECONDS);
+      client.async(c -> c.readText("NO_SUCH_VARIABLE")).get(10, TimeUnit.SECONDS);
     } catch (ExecutionException e) {
       // what the plain method would throw is the cause
       if (e.getCause() instanceof CrossComAccessException refused) {

@@ -64,8 +64,8 @@ public final class TwoRobots {
   private static void follow(CrossComClient leader, CrossComClient follower, boolean print)
       throws IOException, ExecutionException, InterruptedException {
     // Each client waits for its own controller: two at once take the time of the slower one.
-    CompletableFuture<double[]> lead = leader.readJointAnglesAsync();
-    CompletableFuture<double[]> actual = follower.readJointAnglesAsync();
+    CompletableFuture<double[]> lead = leader.async(c -> c.readJointAngles());
+    CompletableFuture<double[]> actual = follower.async(c -> c.readJointAngles());
     CompletableFuture.allOf(lead, actual).get();
 
     KRLE6Axis target = new KRLE6Axis("JOV_AXIS");

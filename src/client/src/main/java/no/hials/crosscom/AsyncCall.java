@@ -1,54 +1,48 @@
 package no.hials.crosscom;
 
-import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import no.hials.crosscom.internal.CancellableOperation;
+import no.hials.crosscom.internal.Cancellation;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An operation that another thread does, and its result.
+ * An operation in another thread, and its result.
  *
- * <p>Cancelling wins or loses against sending, never half: if {@link #cancel} gives true, nothing
- * was sent; if the operation has begun, it gives false and the operation goes on.
+ * <p>The operation can be cancelled until it commits itself: before its first exchange, or if it
+ * transfers a file, before the transfer takes effect. If {@link #cancel} returns true, nothing was
+ * sent or has effect; if the operation has committed itself, it returns false and the operation
+ * goes on.
  */
-final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T> {
-  /** Set by whoever is first: the operation that begins, or the caller who cancels. */
-  private final AtomicBoolean decided = new AtomicBoolean();
-
-  private final ReconnectingConnection link;
-  private @Nullable Thread runner;
-
-  private final Executor callbacks;
-
-  private AsyncCall(ReconnectingConnection link, Executor callbacks) {
-    this.link = link;
-    this.callbacks = callbacks;
+final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
+    implements Cancellation {
+  private enum State {
+    OPEN,
+    COMMITTED,
+    CANCELLED
   }
 
-  @Override
-  public Executor defaultExecutor() {
-    return callbacks;
+  private final AtomicReference<State> state = new AtomicReference<>(State.OPEN);
+  private final Executor callbacks;
+
+  private AsyncCall(Executor callbacks) {
+    this.callbacks = callbacks;
   }
 
   /**
    * Queues an operation.
    *
-   * @param executor does it, in one thread
-   * @param callbacks completes the result, and so runs what the program does with it; the common
-   *     pool would not do, as it may have one thread only
-   * @param link asks {@link #begin} before it sends
+   * @param executor runs it
+   * @param callbacks completes the result, and so runs the program's code that follows on it; the
+   *     common pool may have only one thread
    * @param operation the operation
    */
   static <T extends @Nullable Object> CompletableFuture<T> submit(
-      ThreadPoolExecutor executor,
-      Executor callbacks,
-      ReconnectingConnection link,
-      Callable<T> operation) {
-    AsyncCall<T> call = new AsyncCall<>(link, callbacks);
+      Executor executor, Executor callbacks, CancellableOperation<T> operation) {
+    AsyncCall<T> call = new AsyncCall<>(callbacks);
     try {
       executor.execute(() -> call.run(operation));
     } catch (RejectedExecutionException e) {
@@ -57,44 +51,52 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T> {
     return call;
   }
 
-  private void run(Callable<T> operation) {
+  private void run(CancellableOperation<T> operation) {
     if (isDone()) {
       return;
     }
     T result;
-    runner = Thread.currentThread();
-    link.setUnsent(this);
     try {
-      result = operation.call();
+      result = operation.run(this);
     } catch (Exception | Error e) {
-      // what follows on the future is the program's code, which must not hold up other operations
+      // the program's code that follows on the future must not hold up other operations
       callbacks.execute(() -> completeExceptionally(e));
       return;
     } finally {
-      link.setUnsent(null);
+      // a client or an object of it that the program keeps can be used from now on
+      state.compareAndSet(State.OPEN, State.COMMITTED);
     }
     callbacks.execute(() -> complete(result));
   }
 
-  /** Says whether the calling thread does this operation. */
-  boolean isOwn() {
-    return runner == Thread.currentThread();
+  @Override
+  public Executor defaultExecutor() {
+    return callbacks;
   }
 
-  /**
-   * Begins the operation, now that its turn has come, unless it was cancelled.
-   *
-   * @throws CancellationException if it was
-   */
-  void begin() {
-    if (isDone() || !decided.compareAndSet(false, true)) {
-      throw new CancellationException("cancelled before it was sent");
+  @Override
+  public void check() {
+    if (isDone()) {
+      throw cancelled();
     }
+  }
+
+  @Override
+  public void commit() {
+    if (state.get() != State.COMMITTED
+        && (isDone() || !state.compareAndSet(State.OPEN, State.COMMITTED))) {
+      throw cancelled();
+    }
+  }
+
+  private static CancellationException cancelled() {
+    return new CancellationException("cancelled before it was sent");
   }
 
   @Override
   public boolean cancel(boolean mayInterruptIfRunning) {
     return isCancelled()
-        || (decided.compareAndSet(false, true) && super.cancel(mayInterruptIfRunning));
+        || (state.compareAndSet(State.OPEN, State.CANCELLED)
+            && super.cancel(mayInterruptIfRunning));
   }
 }

@@ -1,11 +1,10 @@
 package no.hials.crosscom;
 
-import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
-import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.internal.CancellableOperation;
+import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
@@ -19,55 +18,57 @@ import org.slf4j.LoggerFactory;
 final class C3Channel implements MessageChannel {
   private static final Logger LOG = LoggerFactory.getLogger(C3Channel.class);
 
-  private final ReconnectingConnection link;
-  private final ServerDetector detection;
-  private final ReentrantLock lock;
-  private final ThreadPoolExecutor async;
-  private final ThreadPoolExecutor transfers;
+  private final ReconnectingConnection connection;
+  private final ServerDetector detector;
+  private final Executor transfers;
   private final Executor callbacks;
+  private final Cancellation call;
+  private final ReentrantLock lock;
 
   /** Whether all exchanges take place on one connection. */
   private final boolean pinned;
 
   private @Nullable Connection pin;
 
-  C3Channel(
-      ReconnectingConnection link,
-      ThreadPoolExecutor async,
-      ThreadPoolExecutor transfers,
-      Executor callbacks) {
-    this(link, new ServerDetector(link), async, transfers, callbacks, false);
+  C3Channel(ReconnectingConnection connection, Executor transfers, Executor callbacks) {
+    this(
+        connection,
+        new ServerDetector(connection),
+        transfers,
+        callbacks,
+        Cancellation.NEVER,
+        false);
   }
 
   private C3Channel(
-      ReconnectingConnection link,
-      ServerDetector detection,
-      ThreadPoolExecutor async,
-      ThreadPoolExecutor transfers,
+      ReconnectingConnection connection,
+      ServerDetector detector,
+      Executor transfers,
       Executor callbacks,
+      Cancellation call,
       boolean pinned) {
-    this.link = link;
-    this.detection = detection;
-    this.lock = link.lock();
-    this.async = async;
+    this.connection = connection;
+    this.detector = detector;
     this.transfers = transfers;
     this.callbacks = callbacks;
+    this.call = call;
+    this.lock = connection.lock();
     this.pinned = pinned;
+  }
+
+  /** Creates a channel that commits a call before its first exchange. */
+  C3Channel forCall(Cancellation chosen) {
+    return new C3Channel(connection, detector, transfers, callbacks, chosen, false);
   }
 
   @Override
   public MessageChannel onOneConnection() {
-    return new C3Channel(link, detection, async, transfers, callbacks, true);
-  }
-
-  @Override
-  public <T extends @Nullable Object> CompletableFuture<T> async(Callable<T> operation) {
-    return AsyncCall.submit(async, callbacks, link, operation);
+    return new C3Channel(connection, detector, transfers, callbacks, call, true);
   }
 
   @Override
   public <T> CompletableFuture<T> asyncTransfer(CancellableOperation<T> operation) {
-    return TransferCall.submit(transfers, callbacks, operation);
+    return AsyncCall.submit(transfers, callbacks, operation);
   }
 
   @Override
@@ -125,45 +126,45 @@ final class C3Channel implements MessageChannel {
             server.require(type, what);
             checkPin(what);
             if (pinned) {
-              pin = link.connection();
+              pin = connection.connection();
             }
-            return link.send(frame, type, effect, what, answer);
+            return connection.send(frame, type, effect, what, answer);
           };
       if (effect == Repeatability.READ) {
         return answer(sent);
       }
       answer(server -> server.require(type, what)); // may be repeated, but what follows may not
-      return sent.to(detection);
+      return sent.to(detector);
     } finally {
       lock.unlock();
     }
   }
 
   private void begin(String what) throws CrossComException {
-    link.begin(what);
-    link.checkOpen();
+    connection.begin(what, call);
+    connection.checkOpen();
     checkPin(what);
-    link.makeUsable();
+    connection.makeUsable();
     checkPin(what);
   }
 
   /** Asks, and asks once again if the connection breaks meanwhile. The lock is held. */
   private <T> T answer(Question<T> question) throws CrossComException {
     try {
-      return question.to(detection);
+      return question.to(detector);
     } catch (CrossComConnectionLostException e) {
-      if (pin != null || !link.mayRepeat(Repeatability.READ)) {
+      if (pin != null || !connection.mayRepeat(Repeatability.READ)) {
         throw e;
       }
       LOG.debug("asking again on a new connection, since: {}", e.getMessage());
-      link.connect();
-      return question.to(detection);
+      connection.connect();
+      return question.to(detector);
     }
   }
 
   private void checkPin(String what) throws CrossComConnectionLostException {
     Connection chosen = pin;
-    if (chosen != null && (chosen != link.connection() || chosen.isClosed())) {
+    if (chosen != null && (chosen != connection.connection() || chosen.isClosed())) {
       throw new CrossComConnectionLostException(
           "the "
               + what

@@ -10,11 +10,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLArray;
@@ -27,6 +27,7 @@ import no.hials.crosscom.c3.Information;
 import no.hials.crosscom.c3.Motion;
 import no.hials.crosscom.c3.Pendant;
 import no.hials.crosscom.c3.Programs;
+import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -65,18 +66,19 @@ import org.jspecify.annotations.Nullable;
  */
 public final class CrossComClient implements Closeable {
   private final ClientConfig config;
-  private final ReconnectingConnection link;
-  private final C3Channel messages;
+  private final ReconnectingConnection connection;
+  private final ThreadPoolExecutor async;
+  private final ThreadPoolExecutor transfers;
+  private final Executor callbacks;
+  private final Set<Watch> watches;
+  private final ReentrantLock transferTurn;
+  private final C3Channel channel;
+  private final VariableExchange variables;
   private final Programs programs;
   private final Motion motion;
   private final Pendant pendant;
   private final ControllerFiles files;
   private final Information information;
-  private final ThreadPoolExecutor async;
-  private final ThreadPoolExecutor transfers;
-  private final Executor callbacks;
-  private final VariableExchange variables;
-  private final Set<Watch> watches = ConcurrentHashMap.newKeySet();
 
   /**
    * Connects, with the default times: 5 s for connecting, 3 s for a request.
@@ -100,18 +102,38 @@ public final class CrossComClient implements Closeable {
    */
   public CrossComClient(ClientConfig config) throws CrossComException {
     this.config = Objects.requireNonNull(config, "config");
-    this.link = new ReconnectingConnection(config);
-    this.callbacks = Threads.forCallbacks("crosscom-callback-" + config.port());
+    this.connection = new ReconnectingConnection(config);
     this.async = Threads.lazy("crosscom-async-" + config.port());
     this.transfers = Threads.lazy("crosscom-files-" + config.port());
-    this.messages = new C3Channel(link, async, transfers, callbacks);
-    this.variables = new VariableExchange(config, link, messages);
-    this.programs = new Programs(messages);
-    this.motion = new Motion(messages);
-    this.pendant = new Pendant(messages);
-    this.files = new ControllerFiles(messages);
-    this.information = new Information(messages);
-    link.start();
+    this.callbacks = Threads.forCallbacks("crosscom-callback-" + config.port());
+    this.watches = ConcurrentHashMap.newKeySet();
+    this.transferTurn = new ReentrantLock(true);
+    this.channel = new C3Channel(connection, transfers, callbacks);
+    this.variables = new VariableExchange(config, connection, channel, Cancellation.NEVER);
+    this.programs = new Programs(channel);
+    this.motion = new Motion(channel);
+    this.pendant = new Pendant(channel);
+    this.files = new ControllerFiles(channel, transferTurn);
+    this.information = new Information(channel);
+    connection.start();
+  }
+
+  /** Creates a view of a client that commits a call before its first exchange. */
+  private CrossComClient(CrossComClient client, Cancellation call) {
+    this.config = client.config;
+    this.connection = client.connection;
+    this.async = client.async;
+    this.transfers = client.transfers;
+    this.callbacks = client.callbacks;
+    this.watches = client.watches;
+    this.transferTurn = client.transferTurn;
+    this.channel = client.channel.forCall(call);
+    this.variables = new VariableExchange(config, connection, channel, call);
+    this.programs = new Programs(channel);
+    this.motion = new Motion(channel);
+    this.pendant = new Pendant(channel);
+    this.files = new ControllerFiles(channel, transferTurn);
+    this.information = new Information(channel);
   }
 
   /**
@@ -131,16 +153,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComException if an exchange failed
    */
   public Server getServer() throws IOException {
-    return messages.find("request for the kind of server", ServerDetector::server);
-  }
-
-  /**
-   * Does what {@link #getServer} does, in another thread.
-   *
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Server> getServerAsync() {
-    return callAsync(this::getServer);
+    return channel.find("request for the kind of server", ServerDetector::server);
   }
 
   /**
@@ -325,7 +338,7 @@ public final class CrossComClient implements Closeable {
    * @return the watch, which runs already; it is to be closed
    */
   public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener) {
-    Watch watch = new Watch(variables, link, watchConfig, watches::remove);
+    Watch watch = new Watch(variables, connection, watchConfig, watches::remove);
     watches.add(watch);
     watch.addListener(listener);
     watch.start();
@@ -512,172 +525,46 @@ public final class CrossComClient implements Closeable {
     return (bytes[off] & 0xFF) << 8 | (bytes[off + 1] & 0xFF);
   }
 
-  // --- the same in another thread
+  // --- in another thread
 
   /**
-   * Does what {@link #readVariable(KRLVariable)} does, in another thread.
+   * Runs operations in another thread, after those that wait there already, and returns their
+   * result:
    *
-   * @param variable names what to read and gets the value
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> readVariableAsync(KRLVariable variable) {
-    return doAsync(() -> readVariable(variable));
-  }
-
-  /**
-   * Does what {@link #writeVariable(KRLVariable)} does, in another thread.
+   * <pre>{@code
+   * CompletableFuture<String> mode = client.async(c -> c.readText("$MODE_OP"));
+   * }</pre>
    *
-   * @param variable names what to write and has the value
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> writeVariableAsync(KRLVariable variable) {
-    return doAsync(() -> writeVariable(variable));
-  }
-
-  /**
-   * Does what {@link #writeFields} does, in another thread.
+   * <p>Cancelling the future before the first exchange means that nothing is sent. Later it does
+   * nothing and returns false. That holds for the client that the function gets, which is a view of
+   * this one with the same connection. The function takes its values when it runs, so a variable
+   * must not be changed meanwhile.
    *
-   * @param struct names what to write and has the values
-   * @param fields names of its fields, at least one
-   * @return the result to come; cancelling it before it is sent means that it is not sent
+   * @param function uses the client that it gets
+   * @param <T> the type of the result
+   * @return the result to come; if the function throws, the future fails with the same exception
    */
-  public CompletableFuture<Void> writeFieldsAsync(KRLStruct struct, String... fields) {
-    return doAsync(() -> writeFields(struct, fields));
+  public <T extends @Nullable Object> CompletableFuture<T> async(CrossComFunction<T> function) {
+    return AsyncCall.submit(
+        async, callbacks, call -> function.apply(new CrossComClient(this, call)));
   }
 
   /**
-   * Does what {@link #readVariable(KRLArray, ArrayProgress)} does, in another thread.
+   * Runs operations without a result in another thread, as {@link #async} does:
    *
-   * @param array names what to read and gets the elements
-   * @param progress hears how far it has come
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> readVariableAsync(KRLArray array, ArrayProgress progress) {
-    return doAsync(() -> readVariable(array, progress));
-  }
-
-  /**
-   * Does what {@link #writeVariable(KRLArray, ArrayProgress)} does, in another thread.
+   * <pre>{@code
+   * client.asyncRun(c -> c.programs().start(Interpreter.ROBOT));
+   * }</pre>
    *
-   * @param array names what to write and has the elements
-   * @param progress hears how far it has come
-   * @return the result to come; cancelling it before it is sent means that it is not sent
+   * @param action uses the client that it gets
+   * @return the end to come; if the action throws, the future fails with the same exception
    */
-  public CompletableFuture<Void> writeVariableAsync(KRLArray array, ArrayProgress progress) {
-    return doAsync(() -> writeVariable(array, progress));
-  }
-
-  /**
-   * Does what {@link #readVariables(List)} does, in another thread.
-   *
-   * @param variables what to read
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<List<VariableResult>> readVariablesAsync(
-      List<? extends KRLVariable> variables) {
-    return callAsync(() -> readVariables(variables));
-  }
-
-  /**
-   * Does what {@link #writeVariables(List)} does, in another thread.
-   *
-   * @param variables what to write
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<List<VariableResult>> writeVariablesAsync(
-      List<? extends KRLVariable> variables) {
-    return callAsync(() -> writeVariables(variables));
-  }
-
-  /**
-   * Does what {@link #readText} does, in another thread.
-   *
-   * @param name the variable's name
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<String> readTextAsync(String name) {
-    return callAsync(() -> readText(name));
-  }
-
-  /**
-   * Does what {@link #writeText} does, in another thread.
-   *
-   * @param name the variable's name
-   * @param value KRL text
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> writeTextAsync(String name, String value) {
-    return doAsync(() -> writeText(name, value));
-  }
-
-  /**
-   * Does what {@link #readValue} does, in another thread.
-   *
-   * @param name the variable's name
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<KrlValue> readValueAsync(String name) {
-    return callAsync(() -> readValue(name));
-  }
-
-  /**
-   * Does what {@link #simpleRead} does, in another thread.
-   *
-   * @param name the variable's name
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<String> simpleReadAsync(String name) {
-    return callAsync(() -> simpleRead(name));
-  }
-
-  /**
-   * Does what {@link #simpleWrite} does, in another thread.
-   *
-   * @param name the variable's name
-   * @param val the value as KRL text
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<String> simpleWriteAsync(String name, String val) {
-    return callAsync(() -> simpleWrite(name, val));
-  }
-
-  /**
-   * Does what {@link #readJointAngles} does, in another thread.
-   *
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<double[]> readJointAnglesAsync() {
-    return callAsync(() -> readJointAngles());
-  }
-
-  /**
-   * Does what {@link #readJointTorques} does, in another thread.
-   *
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<double[]> readJointTorquesAsync() {
-    return callAsync(() -> readJointTorques());
-  }
-
-  /** Does something that may fail. */
-  @FunctionalInterface
-  private interface Action {
-    void run() throws IOException;
-  }
-
-  private CompletableFuture<Void> doAsync(Action action) {
-    return AsyncCall.<@Nullable Void>submit(
-        async,
-        callbacks,
-        link,
-        () -> {
-          action.run();
+  public CompletableFuture<Void> asyncRun(CrossComAction action) {
+    return this.<@Nullable Void>async(
+        client -> {
+          action.run(client);
           return null;
         });
-  }
-
-  private <T> CompletableFuture<T> callAsync(Callable<T> call) {
-    return AsyncCall.submit(async, callbacks, link, call);
   }
 
   // --- what programs of the original call on the client as on a Socket
@@ -698,7 +585,7 @@ public final class CrossComClient implements Closeable {
    * @return true if so
    */
   public boolean isClosed() {
-    return link.isClosed();
+    return connection.isClosed();
   }
 
   /**
@@ -707,7 +594,7 @@ public final class CrossComClient implements Closeable {
    * @return the address connected to
    */
   public InetAddress getInetAddress() {
-    return link.connection().remoteAddress();
+    return connection.connection().remoteAddress();
   }
 
   /**
@@ -725,7 +612,7 @@ public final class CrossComClient implements Closeable {
    * @return 1 to 65535; another one after the connection was made anew
    */
   public int getLocalPort() {
-    return link.connection().localPort();
+    return connection.connection().localPort();
   }
 
   /**
@@ -739,7 +626,7 @@ public final class CrossComClient implements Closeable {
     if (millis < 0) {
       throw new IllegalArgumentException("time-out must be 0 or more ms, is " + millis);
     }
-    link.setTimeout(Duration.ofMillis(millis).toNanos());
+    connection.setTimeout(Duration.ofMillis(millis).toNanos());
   }
 
   /**
@@ -749,7 +636,7 @@ public final class CrossComClient implements Closeable {
    * @throws SocketException never; declared for programs of the original, which may catch it
    */
   public int getSoTimeout() throws SocketException {
-    return (int) Duration.ofNanos(link.timeoutNanos()).toMillis();
+    return (int) Duration.ofNanos(connection.timeoutNanos()).toMillis();
   }
 
   /**
@@ -761,7 +648,7 @@ public final class CrossComClient implements Closeable {
    */
   @Override
   public void close() throws IOException {
-    link.close();
+    connection.close();
     watches.forEach(Watch::close);
     transfers.shutdown();
     async.shutdown(); // what is queued fails soon, saying that the client is closed

@@ -7,6 +7,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.ConnectionEvent.Kind;
+import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.TypedResponse;
@@ -33,9 +34,6 @@ final class ReconnectingConnection {
   private volatile Connection connection;
   private volatile long timeoutNanos;
   private volatile boolean closed;
-
-  /** An operation of another thread that can still be cancelled. */
-  private volatile @Nullable AsyncCall<?> unsent;
 
   /** What is connecting, if anything, so that it can be ended. */
   private volatile @Nullable SocketChannel connecting;
@@ -68,11 +66,6 @@ final class ReconnectingConnection {
     }
   }
 
-  /** Makes an operation ask before its first exchange whether it was cancelled. */
-  void setUnsent(@Nullable AsyncCall<?> call) {
-    unsent = call;
-  }
-
   ReentrantLock lock() {
     return lock;
   }
@@ -103,11 +96,12 @@ final class ReconnectingConnection {
    * @param length the request's length
    * @param type its type
    * @param name the variable, for error messages
+   * @param call committed before anything is sent
    * @return the answer, valid until the next exchange
    */
-  Answer exchange(byte[] frame, int length, MessageType type, String name)
+  Answer exchange(byte[] frame, int length, MessageType type, String name, Cancellation call)
       throws CrossComException {
-    begin(name);
+    begin(name, call);
     makeUsable();
     Repeatability effect = type == MessageType.WRITE ? Repeatability.CHANGE : Repeatability.READ;
     try {
@@ -130,7 +124,7 @@ final class ReconnectingConnection {
   }
 
   /** Begins an operation, unless its thread is interrupted or it was cancelled. */
-  void begin(String name) throws CrossComException {
+  void begin(String name, Cancellation call) throws CrossComException {
     if (Thread.currentThread().isInterrupted()) {
       // an exchange would close the connection, and could not say whether anything was sent
       throw new CrossComConnectionLostException(
@@ -138,11 +132,7 @@ final class ReconnectingConnection {
           null,
           false);
     }
-    AsyncCall<?> call = unsent;
-    if (call != null && call.isOwn()) {
-      call.begin();
-      unsent = null;
-    }
+    call.commit();
   }
 
   /** Sends a request on the current connection, and waits for its answer. The lock is held. */

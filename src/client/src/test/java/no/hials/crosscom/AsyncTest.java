@@ -43,33 +43,35 @@ class AsyncTest extends RobotTest {
   }
 
   @Test
-  void everyOperationHasATwin() throws Exception {
+  void everyOperationCanBeDoneInAnotherThread() throws Exception {
     KRLInt i = new KRLInt("MYINT");
     i.setValue(5);
-    client.writeVariableAsync(i).get();
+    client.asyncRun(c -> c.writeVariable(i)).get();
     i.setValue(0);
-    client.readVariableAsync(i).get();
+    client.asyncRun(c -> c.readVariable(i)).get();
     assertThat(i.getValue()).isEqualTo(5);
-    client.writeTextAsync("MYINT", "6").get();
-    assertThat(client.readTextAsync("MYINT").get()).isEqualTo("6");
-    assertThat(client.readValueAsync("MYINT").get()).hasToString("6");
-    client.writeFieldsAsync(new KRLFrame("MYFRAME").setX(1), "X").get();
-    assertThat(client.readVariablesAsync(List.of(i)).get()).allMatch(VariableResult::isOk);
-    assertThat(client.writeVariablesAsync(List.of(i)).get()).allMatch(VariableResult::isOk);
+    client.asyncRun(c -> c.writeText("MYINT", "6")).get();
+    assertThat(client.async(c -> c.readText("MYINT")).get()).isEqualTo("6");
+    assertThat(client.async(c -> c.readValue("MYINT")).get()).hasToString("6");
+    client.asyncRun(c -> c.writeFields(new KRLFrame("MYFRAME").setX(1), "X")).get();
+    assertThat(client.async(c -> c.readVariables(List.of(i))).get()).allMatch(VariableResult::isOk);
+    assertThat(client.async(c -> c.writeVariables(List.of(i))).get())
+        .allMatch(VariableResult::isOk);
     KRLIntArray ints = new KRLIntArray("MYINTS");
-    client.readVariableAsync(ints, (done, total) -> {}).get();
-    client.writeVariableAsync(ints, (done, total) -> {}).get();
-    assertThat(client.simpleReadAsync("MYINT").get()).endsWith("#value=6");
-    assertThat(client.simpleWriteAsync("MYINT", "7").get()).endsWith("#value=7");
-    assertThat(client.readJointAnglesAsync().get()).containsExactly(0, -90, 90, 0, 0, 0);
-    assertThat(client.readJointTorquesAsync().get()).hasSize(6);
+    client.asyncRun(c -> c.readVariable(ints, (done, total) -> {})).get();
+    client.asyncRun(c -> c.writeVariable(ints, (done, total) -> {})).get();
+    assertThat(client.async(c -> c.simpleRead("MYINT")).get()).endsWith("#value=6");
+    assertThat(client.async(c -> c.simpleWrite("MYINT", "7")).get()).endsWith("#value=7");
+    assertThat(client.async(c -> c.readJointAngles()).get()).containsExactly(0, -90, 90, 0, 0, 0);
+    assertThat(client.async(c -> c.readJointTorques()).get()).hasSize(6);
   }
 
   @Test
   void operationsAreDoneInTheOrderInWhichTheyWereAskedFor() throws Exception {
     CompletableFuture<?>[] all = new CompletableFuture<?>[50];
     for (int i = 0; i < all.length; i++) {
-      all[i] = client.writeTextAsync("MYINT", String.valueOf(i));
+      String value = String.valueOf(i);
+      all[i] = client.asyncRun(c -> c.writeText("MYINT", value));
     }
     CompletableFuture.allOf(all).get();
 
@@ -81,18 +83,18 @@ class AsyncTest extends RobotTest {
   @Test
   void aFailureIsThatOfTheOperation() {
     assertThatExceptionOfType(ExecutionException.class)
-        .isThrownBy(() -> client.readTextAsync("NOSUCHVAR").get())
+        .isThrownBy(() -> client.async(c -> c.readText("NOSUCHVAR")).get())
         .withCauseInstanceOf(CrossComAccessException.class);
     assertThatExceptionOfType(ExecutionException.class)
-        .isThrownBy(() -> client.readTextAsync(" ").get())
+        .isThrownBy(() -> client.async(c -> c.readText(" ")).get())
         .withCauseInstanceOf(IllegalArgumentException.class);
   }
 
   @Test
   void whatIsCancelledBeforeItIsSentIsNotSent() throws Exception {
     holdFirstRequest();
-    CompletableFuture<String> first = client.readTextAsync("$OV_PRO");
-    CompletableFuture<Void> write = client.writeTextAsync("MYINT", "9");
+    CompletableFuture<String> first = client.async(c -> c.readText("$OV_PRO"));
+    CompletableFuture<Void> write = client.asyncRun(c -> c.writeText("MYINT", "9"));
     asked.await();
 
     assertThat(write.cancel(false)).isTrue();
@@ -101,7 +103,7 @@ class AsyncTest extends RobotTest {
 
     assertThat(first.get()).isEqualTo("100");
     assertThatExceptionOfType(CancellationException.class).isThrownBy(write::get);
-    assertThat(client.readTextAsync("MYINT").get()).isEqualTo("0");
+    assertThat(client.async(c -> c.readText("MYINT")).get()).isEqualTo("0");
     assertThat(robot.requests())
         .extracting(RecordedRequest::name)
         .containsExactly("$OV_PRO", "MYINT");
@@ -112,7 +114,7 @@ class AsyncTest extends RobotTest {
     holdFirstRequest();
     CompletableFuture<String> sync = readSynchronouslyInAnotherThread();
     asked.await();
-    CompletableFuture<Void> write = client.writeTextAsync("MYINT", "9");
+    CompletableFuture<Void> write = client.asyncRun(c -> c.writeText("MYINT", "9"));
 
     assertThat(write.cancel(false)).isTrue();
     release.countDown();
@@ -123,10 +125,17 @@ class AsyncTest extends RobotTest {
   }
 
   @Test
+  void theClientOfAFunctionCanBeUsedAfterwards() throws Exception {
+    CrossComClient view = client.async(c -> c).get();
+
+    assertThat(view.readText("MYINT")).isEqualTo("0");
+  }
+
+  @Test
   void whatIsQueuedWhenTheClientIsClosedFails() throws Exception {
     holdFirstRequest();
-    CompletableFuture<String> first = client.readTextAsync("$OV_PRO");
-    CompletableFuture<String> second = client.readTextAsync("$OV_JOG");
+    CompletableFuture<String> first = client.async(c -> c.readText("$OV_PRO"));
+    CompletableFuture<String> second = client.async(c -> c.readText("$OV_JOG"));
     asked.await();
     client.close();
     release.countDown(); // the answer may come at the moment of closing
@@ -136,7 +145,7 @@ class AsyncTest extends RobotTest {
         .satisfiesAnyOf(
             o -> assertThat(o).isEqualTo("100"),
             o -> assertThat(o).isInstanceOf(CrossComClosedException.class));
-    for (CompletableFuture<String> future : List.of(second, client.readTextAsync("X"))) {
+    for (CompletableFuture<String> future : List.of(second, client.async(c -> c.readText("X")))) {
       assertThatExceptionOfType(ExecutionException.class)
           .isThrownBy(future::get)
           .withCauseInstanceOf(CrossComClosedException.class);
@@ -150,7 +159,7 @@ class AsyncTest extends RobotTest {
     holdFirstRequest();
     CompletableFuture<Void> blocked =
         client
-            .readTextAsync("$OV_PRO")
+            .async(c -> c.readText("$OV_PRO"))
             .thenAccept(
                 value -> {
                   try {
@@ -161,7 +170,7 @@ class AsyncTest extends RobotTest {
                 });
     release.countDown();
 
-    assertThat(client.readTextAsync("$OV_JOG").get()).isEqualTo("10");
+    assertThat(client.async(c -> c.readText("$OV_JOG")).get()).isEqualTo("10");
     assertThat(blocked).isNotDone();
     never.countDown();
     blocked.get();
@@ -172,11 +181,13 @@ class AsyncTest extends RobotTest {
     KRLIntArray ints = new KRLIntArray("MYINTS");
     ints.setValue(1, 2, 3);
     client
-        .writeVariableAsync(
-            ints,
-            (done, total) ->
-                // another thread uses the client, and this one waits for it
-                assertThat(readSynchronouslyInAnotherThread().join()).isEqualTo("100"))
+        .asyncRun(
+            c ->
+                c.writeVariable(
+                    ints,
+                    (done, total) ->
+                        // another thread uses the client, and this one waits for it
+                        assertThat(readSynchronouslyInAnotherThread().join()).isEqualTo("100")))
         .get();
 
     assertThat(robot.variables().get("MYINTS[3]")).isEqualTo("3");

@@ -118,7 +118,7 @@ class C3BridgeTest {
     assertThat(server.version()).isEqualTo(new Version(1, 4, 0));
     assertThat(server.knows(MessageType.MOTION)).isTrue();
     assertThat(server.knows(MessageType.READ_ARRAY)).isFalse();
-    assertThat(client.getServerAsync().get()).isEqualTo(server);
+    assertThat(client.async(c -> c.getServer()).get()).isEqualTo(server);
     assertThat(types()).containsExactly(MessageType.READ, MessageType.READ, MessageType.FEATURES);
 
     robot.disconnectClients();
@@ -335,14 +335,14 @@ class C3BridgeTest {
         c -> c.programs().start(Interpreter.ROBOT),
         c -> c.programs().select("/R1/MAIN"),
         c -> c.motion().ptp(target),
-        c -> c.motion().linAsync(target).get(),
-        c -> c.motion().ptpRelAsync(axes).get(),
+        c -> c.asyncRun(it -> it.motion().lin(target)).get(),
+        c -> c.asyncRun(it -> it.motion().ptpRel(axes)).get(),
         c -> c.pendant().press(KeyAction.stop(Interpreter.ROBOT)),
         c -> c.pendant().hold(KeyAction.jog(1, 2, true)).close(),
         c -> c.information().get(),
         c -> c.information().features(),
         c -> c.information().benchmarkRead(1, List.of("MYINT")),
-        c -> c.information().confirmAllAsync().get());
+        c -> c.asyncRun(it -> it.information().confirmAll()).get());
   }
 
   @ParameterizedTest
@@ -386,18 +386,18 @@ class C3BridgeTest {
     client.programs().cancel(Interpreter.ROBOT);
     assertThat(client.readText("$PRO_STATE1")).isEqualTo("#P_FREE");
 
-    client.programs().runAsync("/R1/WORK", "", true).get();
+    client.asyncRun(c -> c.programs().run("/R1/WORK", "", true)).get();
     assertThat(client.readText("$PRO_STATE1")).isEqualTo("#P_ACTIVE");
-    client.programs().stopAsync(Interpreter.ROBOT).get();
-    client.programs().resetAsync(Interpreter.ROBOT).get();
-    client.programs().cancelAsync(Interpreter.ROBOT).get();
-    client.programs().selectAsync("WORK").get();
-    client.programs().startAsync(Interpreter.ROBOT).get();
+    client.asyncRun(c -> c.programs().stop(Interpreter.ROBOT)).get();
+    client.asyncRun(c -> c.programs().reset(Interpreter.ROBOT)).get();
+    client.asyncRun(c -> c.programs().cancel(Interpreter.ROBOT)).get();
+    client.asyncRun(c -> c.programs().select("WORK")).get();
+    client.asyncRun(c -> c.programs().start(Interpreter.ROBOT)).get();
     client.programs().stop(Interpreter.ROBOT);
-    client.programs().selectAsync("WORK", "", true).get();
+    client.asyncRun(c -> c.programs().select("WORK", "", true)).get();
     client.programs().run("WORK");
     client.programs().stop(Interpreter.ROBOT);
-    client.programs().runAsync("WORK").get();
+    client.asyncRun(c -> c.programs().run("WORK")).get();
 
     assertThat(requests(ProgramSelectRequest.class).get(0))
         .isEqualTo(
@@ -465,12 +465,12 @@ class C3BridgeTest {
             c -> c.motion().ptpRel(offset),
             c -> c.motion().ptpRel(axes),
             c -> c.motion().linRel(offset),
-            c -> c.motion().ptpAsync(offset).get(),
-            c -> c.motion().ptpAsync(axes).get(),
-            c -> c.motion().linAsync(offset).get(),
-            c -> c.motion().ptpRelAsync(offset).get(),
-            c -> c.motion().ptpRelAsync(axes).get(),
-            c -> c.motion().linRelAsync(offset).get());
+            c -> c.asyncRun(it -> it.motion().ptp(offset)).get(),
+            c -> c.asyncRun(it -> it.motion().ptp(axes)).get(),
+            c -> c.asyncRun(it -> it.motion().lin(offset)).get(),
+            c -> c.asyncRun(it -> it.motion().ptpRel(offset)).get(),
+            c -> c.asyncRun(it -> it.motion().ptpRel(axes)).get(),
+            c -> c.asyncRun(it -> it.motion().linRel(offset)).get());
     for (Need motion : motions) {
       try {
         motion.on(client);
@@ -534,9 +534,10 @@ class C3BridgeTest {
     assertThat(requests(PendantKeyRequest.class))
         .allMatch(r -> r.number() == 3 && r.keyCode() == 2 && r.direction());
 
-    client.pendant().holdAsync(jog).get().closeAsync().get();
-    client.pendant().pressAsync(jog).get();
-    client.pendant().releaseAsync(jog).get();
+    PressedKey held = client.async(c -> c.pendant().hold(jog)).get();
+    client.asyncRun(c -> held.close()).get();
+    client.asyncRun(c -> c.pendant().press(jog)).get();
+    client.asyncRun(c -> c.pendant().release(jog)).get();
     assertThat(releases()).containsExactly(false, true, false, true, false, true);
   }
 
@@ -606,30 +607,32 @@ class C3BridgeTest {
     assertThat(info.host()).isEqualTo("VM");
 
     robot.clearFaults();
-    assertThat(client.information().getAsync().get().build().known())
+    assertThat(client.async(c -> c.information().get()).get().build().known())
         .contains(BuildType.OPEN_SOURCE);
   }
 
   @Test
   void featuresBenchmarksAndConfirmation() throws Exception {
     assertThat(client.information().features()).isEqualTo(client.getServer().features());
-    assertThat(client.information().featuresAsync().get()).isEqualTo(client.getServer().features());
+    assertThat(client.async(c -> c.information().features()).get())
+        .isEqualTo(client.getServer().features());
 
     BenchmarkResult read = client.information().benchmarkRead(3, List.of("MYINT", "MYBOOL"));
     assertThat(read.variables()).isEqualTo(2);
     assertThat(read.iterations()).isEqualTo(3);
     assertThat(read.duration()).isBetween(Duration.ZERO, LONG);
-    assertThat(client.information().benchmarkReadAsync(3, List.of("MYINT")).get().variables())
+    assertThat(
+            client.async(c -> c.information().benchmarkRead(3, List.of("MYINT"))).get().variables())
         .isEqualTo(1);
     client.information().benchmarkWrite(1, Map.of("MYINT", "77"));
     assertThat(robot.variables().get("MYINT")).isEqualTo("77");
-    client.information().benchmarkWriteAsync(1, Map.of("MYINT", "78")).get();
+    client.async(c -> c.information().benchmarkWrite(1, Map.of("MYINT", "78"))).get();
     assertThatIllegalArgumentException()
         .isThrownBy(() -> client.information().benchmarkRead(1, List.of()))
         .withMessage("a benchmark must have 1 to 10 variables, has 0");
 
     client.information().confirmAll();
-    client.information().confirmAllAsync().get();
+    client.asyncRun(c -> c.information().confirmAll()).get();
     assertThat(types()).endsWith(MessageType.CONFIRM_ALL, MessageType.CONFIRM_ALL);
   }
 }

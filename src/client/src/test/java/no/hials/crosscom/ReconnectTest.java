@@ -388,7 +388,7 @@ class ReconnectTest extends RobotTest {
         }
       }
       full.accept().close();
-      CompletableFuture<String> read = its.readTextAsync("$OV_PRO");
+      CompletableFuture<String> read = its.async(c -> c.readText("$OV_PRO"));
       ConnectionEvent event;
       do {
         event = events.poll(60, TimeUnit.SECONDS);

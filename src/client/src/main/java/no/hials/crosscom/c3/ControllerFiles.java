@@ -10,6 +10,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComTransferException;
@@ -79,10 +80,11 @@ public final class ControllerFiles {
    * For the client.
    *
    * @param link sends the messages
+   * @param turn held by the transfer that is under way
    */
-  public ControllerFiles(MessageChannel link) {
+  public ControllerFiles(MessageChannel link, ReentrantLock turn) {
     this.link = link;
-    this.transfers = new Transfers(link);
+    this.transfers = new Transfers(link, turn);
   }
 
   // --- directories and properties
@@ -538,176 +540,6 @@ public final class ControllerFiles {
   // --- the same in another thread
 
   /**
-   * Does what {@link #list(String)} does, in another thread.
-   *
-   * @param directory its name
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<List<FileEntry>> listAsync(String directory) {
-    return link.async(() -> list(directory));
-  }
-
-  /**
-   * Does what {@link #list(String, Set, Set)} does, in another thread.
-   *
-   * @param directory its name
-   * @param types the types of items to list; none for all
-   * @param flags how
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<List<FileEntry>> listAsync(
-      String directory, Set<ItemType> types, Set<ListFlag> flags) {
-    return link.async(() -> list(directory, types, flags));
-  }
-
-  /**
-   * Does what {@link #exists(String)} does, in another thread.
-   *
-   * @param name its name
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Boolean> existsAsync(String name) {
-    return link.async(() -> exists(name));
-  }
-
-  /**
-   * Does what {@link #getProperties} does, in another thread.
-   *
-   * @param name its name
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<FileInfo> getPropertiesAsync(String name) {
-    return link.async(() -> getProperties(name));
-  }
-
-  /**
-   * Does what {@link #getFullName} does, in another thread.
-   *
-   * @param path such as {@code /R1/TEST.SRC}
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<String> getFullNameAsync(String path) {
-    return link.async(() -> getFullName(path));
-  }
-
-  /**
-   * Does what {@link #getKrcName} does, in another thread.
-   *
-   * @param path such as {@code KRC:\R1\PROGRAM\TEST.SRC}
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<String> getKrcNameAsync(String path) {
-    return link.async(() -> getKrcName(path));
-  }
-
-  /**
-   * Does what {@link #createFile} does, in another thread.
-   *
-   * @param name its name
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> createFileAsync(String name) {
-    return doAsync(() -> createFile(name));
-  }
-
-  /**
-   * Does what {@link #createDirectory} does, in another thread.
-   *
-   * @param name its name
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> createDirectoryAsync(String name) {
-    return doAsync(() -> createDirectory(name));
-  }
-
-  /**
-   * Does what {@link #createModule} does, in another thread.
-   *
-   * @param name its name, without {@code .SRC} and {@code .DAT}
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> createModuleAsync(String name) {
-    return doAsync(() -> createModule(name));
-  }
-
-  /**
-   * Does what {@link #create} does, in another thread.
-   *
-   * @param name its name
-   * @param type what it is to be
-   * @param parts what a module is to have; none for other types
-   * @param template the file or module from which to take the content; null for none
-   * @param always whether one that is there already is replaced
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> createAsync(
-      String name,
-      ItemType type,
-      Set<ModulePart> parts,
-      @Nullable String template,
-      boolean always) {
-    return doAsync(() -> create(name, type, parts, template, always));
-  }
-
-  /**
-   * Does what {@link #delete(String)} does, in another thread.
-   *
-   * @param name its name
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> deleteAsync(String name) {
-    return doAsync(() -> delete(name));
-  }
-
-  /**
-   * Does what {@link #delete(String, boolean)} does, in another thread.
-   *
-   * @param name its name
-   * @param always whether to do so although it is read-only
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> deleteAsync(String name, boolean always) {
-    return doAsync(() -> delete(name, always));
-  }
-
-  /**
-   * Does what {@link #copy} does, in another thread.
-   *
-   * @param source the file
-   * @param destination the name of the copy
-   * @param flags how
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> copyAsync(String source, String destination, CopyFlag... flags) {
-    return doAsync(() -> copy(source, destination, flags));
-  }
-
-  /**
-   * Does what {@link #move} does, in another thread.
-   *
-   * @param source the file
-   * @param destination its new name
-   * @param flags how
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> moveAsync(String source, String destination, CopyFlag... flags) {
-    return doAsync(() -> move(source, destination, flags));
-  }
-
-  /**
-   * Does what {@link #setAttributes} does, in another thread.
-   *
-   * @param name its name
-   * @param set the attributes to be set
-   * @param cleared the attributes to be cleared
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> setAttributesAsync(
-      String name, Set<FileAttribute> set, Set<FileAttribute> cleared) {
-    return doAsync(() -> setAttributes(name, set, cleared));
-  }
-
-  /**
    * Does what {@link #upload(Path, String, TransferConfig)} does, in another thread.
    *
    * @param source the file
@@ -799,24 +631,10 @@ public final class ControllerFiles {
         cancellation -> new String(transfers.download(checked(name), config, cancellation), TEXT));
   }
 
-  /** Does something that may fail. */
-  @FunctionalInterface
-  private interface Action {
-    void run() throws IOException;
-  }
-
   /** Transfers something. */
   @FunctionalInterface
   private interface CancellableAction {
     void run(Cancellation cancellation) throws IOException;
-  }
-
-  private CompletableFuture<Void> doAsync(Action action) {
-    return link.async(
-        () -> {
-          action.run();
-          return null;
-        });
   }
 
   private CompletableFuture<Void> transferAsync(CancellableAction action) {

@@ -15,7 +15,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.internal.Versions;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Version;
@@ -113,29 +112,6 @@ public final class Discovery {
    */
   public static List<FoundServer> find(DiscoveryConfig config) throws IOException {
     return new Discovery(config).run();
-  }
-
-  /**
-   * Does what {@link #find} does, in a daemon thread of its own, {@code crosscom-discovery}.
-   *
-   * @param config whom to ask, and how
-   * @return the result to come; cancelling it does not end the search
-   */
-  public static CompletableFuture<List<FoundServer>> findAsync(DiscoveryConfig config) {
-    CompletableFuture<List<FoundServer>> result = new CompletableFuture<>();
-    Thread thread =
-        new Thread(
-            () -> {
-              try {
-                result.complete(find(config));
-              } catch (IOException | RuntimeException | Error e) {
-                result.completeExceptionally(e);
-              }
-            },
-            "crosscom-discovery");
-    thread.setDaemon(true);
-    thread.start();
-    return result;
   }
 
   private List<FoundServer> run() throws IOException {

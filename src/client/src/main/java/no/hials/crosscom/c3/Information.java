@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
@@ -141,58 +140,5 @@ public final class Information {
       throw new IllegalArgumentException(
           "a benchmark must have 1 to " + MAX_BENCHMARK + " variables, has " + count);
     }
-  }
-
-  // --- the same in another thread
-
-  /**
-   * Does what {@link #get} does, in another thread.
-   *
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<BridgeInfo> getAsync() {
-    return link.async(this::get);
-  }
-
-  /**
-   * Does what {@link #features} does, in another thread.
-   *
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Features> featuresAsync() {
-    return link.async(this::features);
-  }
-
-  /**
-   * Does what {@link #confirmAll} does, in another thread.
-   *
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> confirmAllAsync() {
-    return link.asyncRun(this::confirmAll);
-  }
-
-  /**
-   * Does what {@link #benchmarkRead} does, in another thread.
-   *
-   * @param iterations how often, 0 to 4294967295
-   * @param names the variables, 1 to 10
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<BenchmarkResult> benchmarkReadAsync(
-      long iterations, List<String> names) {
-    return link.async(() -> benchmarkRead(iterations, names));
-  }
-
-  /**
-   * Does what {@link #benchmarkWrite} does, in another thread.
-   *
-   * @param iterations how often, 0 to 4294967295
-   * @param values KRL texts by the variables' names, 1 to 10
-   * @return the result to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<BenchmarkResult> benchmarkWriteAsync(
-      long iterations, Map<String, String> values) {
-    return link.async(() -> benchmarkWrite(iterations, values));
   }
 }

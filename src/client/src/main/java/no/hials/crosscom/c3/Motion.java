@@ -1,7 +1,6 @@
 package no.hials.crosscom.c3;
 
 import java.util.Arrays;
-import java.util.concurrent.CompletableFuture;
 import java.util.function.Predicate;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
@@ -128,71 +127,5 @@ public final class Motion {
           position.getName() + " is no position: none of its fields was set or read");
     }
     return position.getStringValueOf(fields);
-  }
-
-  // --- the same in another thread; the position is taken at once
-
-  /**
-   * Does what {@link #ptp(KRLFrame)} does, in another thread, with the values of now.
-   *
-   * @param target a FRAME, POS or E6POS, in mm and degrees
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> ptpAsync(KRLFrame target) {
-    return moveAsync(MotionType.PTP, text(target));
-  }
-
-  /**
-   * Does what {@link #ptp(KRLAxis)} does, in another thread, with the values of now.
-   *
-   * @param target an AXIS or E6AXIS, in degrees, or mm for linear axes
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> ptpAsync(KRLAxis target) {
-    return moveAsync(MotionType.PTP, text(target));
-  }
-
-  /**
-   * Does what {@link #lin} does, in another thread, with the values of now.
-   *
-   * @param target a FRAME, POS or E6POS, in mm and degrees
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> linAsync(KRLFrame target) {
-    return moveAsync(MotionType.LIN, text(target));
-  }
-
-  /**
-   * Does what {@link #ptpRel(KRLFrame)} does, in another thread, with the values of now.
-   *
-   * @param offset a FRAME, POS or E6POS, in mm and degrees
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> ptpRelAsync(KRLFrame offset) {
-    return moveAsync(MotionType.PTP_REL, text(offset));
-  }
-
-  /**
-   * Does what {@link #ptpRel(KRLAxis)} does, in another thread, with the values of now.
-   *
-   * @param offset an AXIS or E6AXIS, in degrees, or mm for linear axes
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> ptpRelAsync(KRLAxis offset) {
-    return moveAsync(MotionType.PTP_REL, text(offset));
-  }
-
-  /**
-   * Does what {@link #linRel} does, in another thread, with the values of now.
-   *
-   * @param offset a FRAME, POS or E6POS, in mm and degrees
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> linRelAsync(KRLFrame offset) {
-    return moveAsync(MotionType.LIN_REL, text(offset));
-  }
-
-  private CompletableFuture<Void> moveAsync(MotionType type, String position) {
-    return link.asyncRun(() -> move(type, position));
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.c3;
 
-import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
@@ -71,7 +70,7 @@ public final class Pendant {
    *     that says why not
    */
   public PressedKey hold(KeyAction key) throws CrossComException {
-    PressedKey pressed = new PressedKey(this, link, key);
+    PressedKey pressed = new PressedKey(this, key);
     try {
       press(key);
     } catch (CrossComException e) {
@@ -96,37 +95,5 @@ public final class Pendant {
         new PendantKeyRequest(0, key.key(), key.number(), key.keyCode(), key.direction(), released),
         PendantKeyResponse.class,
         (released ? "release of " : "press of ") + key);
-  }
-
-  /**
-   * Does what {@link #press} does, in another thread.
-   *
-   * @param key which
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> pressAsync(KeyAction key) {
-    return link.asyncRun(() -> press(key));
-  }
-
-  /**
-   * Does what {@link #release} does, in another thread, after the operations that wait there
-   * already.
-   *
-   * @param key which
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> releaseAsync(KeyAction key) {
-    return link.asyncRun(() -> release(key));
-  }
-
-  /**
-   * Does what {@link #hold} does, in another thread.
-   *
-   * @param key which
-   * @return the key to come, to be closed; cancelling it before it is sent means that it is not
-   *     sent, and when cancelling gives false, the key will be pressed and has to be closed
-   */
-  public CompletableFuture<PressedKey> holdAsync(KeyAction key) {
-    return link.async(() -> hold(key));
   }
 }

@@ -1,20 +1,16 @@
 package no.hials.crosscom.c3;
 
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
 import no.hials.crosscom.CrossComException;
-import no.hials.crosscom.internal.MessageChannel;
 
 /** A pressed key of the pendant, which is released when this is closed. For several threads. */
 public final class PressedKey implements AutoCloseable {
   private final Pendant pendant;
-  private final MessageChannel link;
   private final KeyAction key;
   private final AtomicBoolean released = new AtomicBoolean();
 
-  PressedKey(Pendant pendant, MessageChannel link, KeyAction key) {
+  PressedKey(Pendant pendant, KeyAction key) {
     this.pendant = pendant;
-    this.link = link;
     this.key = key;
   }
 
@@ -68,14 +64,5 @@ public final class PressedKey implements AutoCloseable {
         throw again;
       }
     }
-  }
-
-  /**
-   * Does what {@link #close} does, in another thread, after the operations that wait there already.
-   *
-   * @return the end to come
-   */
-  public CompletableFuture<Void> closeAsync() {
-    return link.asyncRun(this::close);
   }
 }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.c3;
 
 import java.util.Objects;
-import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
@@ -150,91 +149,5 @@ public final class Programs {
             force),
         ProgramControlResponse.class,
         noun + " of program " + name);
-  }
-
-  // --- the same in another thread
-
-  /**
-   * Does what {@link #reset} does, in another thread.
-   *
-   * @param interpreter whose program
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> resetAsync(Interpreter interpreter) {
-    return link.asyncRun(() -> reset(interpreter));
-  }
-
-  /**
-   * Does what {@link #start} does, in another thread.
-   *
-   * @param interpreter whose program
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> startAsync(Interpreter interpreter) {
-    return link.asyncRun(() -> start(interpreter));
-  }
-
-  /**
-   * Does what {@link #stop} does, in another thread, after the operations that wait there already.
-   *
-   * @param interpreter whose program
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> stopAsync(Interpreter interpreter) {
-    return link.asyncRun(() -> stop(interpreter));
-  }
-
-  /**
-   * Does what {@link #cancel} does, in another thread.
-   *
-   * @param interpreter whose program
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> cancelAsync(Interpreter interpreter) {
-    return link.asyncRun(() -> cancel(interpreter));
-  }
-
-  /**
-   * Does what {@link #select(String)} does, in another thread.
-   *
-   * @param name such as {@code /R1/MAIN}
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> selectAsync(String name) {
-    return link.asyncRun(() -> select(name));
-  }
-
-  /**
-   * Does what {@link #select(String, String, boolean)} does, in another thread.
-   *
-   * @param name such as {@code /R1/MAIN}
-   * @param parameters what the program is called with; empty for none
-   * @param force whether to select even if another program is selected (assumed)
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> selectAsync(String name, String parameters, boolean force) {
-    return link.asyncRun(() -> select(name, parameters, force));
-  }
-
-  /**
-   * Does what {@link #run(String)} does, in another thread.
-   *
-   * @param name such as {@code /R1/MAIN}
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> runAsync(String name) {
-    return link.asyncRun(() -> run(name));
-  }
-
-  /**
-   * Does what {@link #run(String, String, boolean)} does, in another thread.
-   *
-   * @param name such as {@code /R1/MAIN}
-   * @param parameters what the program is called with; empty for none
-   * @param force whether to select even if another program is selected (assumed)
-   * @return the end to come; cancelling it before it is sent means that it is not sent
-   */
-  public CompletableFuture<Void> runAsync(String name, String parameters, boolean force) {
-    return link.asyncRun(() -> run(name, parameters, force));
   }
 }

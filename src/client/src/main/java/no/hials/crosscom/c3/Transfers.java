@@ -23,10 +23,11 @@ final class Transfers {
   private final MessageChannel link;
 
   /** Held for a whole transfer, but guards nothing that others than transfers use. */
-  private final ReentrantLock turn = new ReentrantLock(true);
+  private final ReentrantLock turn;
 
-  Transfers(MessageChannel link) {
+  Transfers(MessageChannel link, ReentrantLock turn) {
     this.link = link;
+    this.turn = turn;
   }
 
   void upload(byte[] content, String name, TransferConfig config, Cancellation cancellation)

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  * @param <T> what it gives
  */
 @FunctionalInterface
-public interface CancellableOperation<T> {
+public interface CancellableOperation<T extends @Nullable Object> {
   /**
    * Does it.
    *

@@ -22,9 +22,10 @@ public interface Cancellation {
   void check();
 
   /**
-   * Makes sure that the operation is not cancelled, neither now nor from now on.
+   * Makes sure that the operation is not cancelled, neither now nor later. Calling it again does
+   * nothing.
    *
-   * @throws CancellationException if it is
+   * @throws CancellationException if the operation is cancelled
    */
   void commit();
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.internal;
 
-import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.CrossComConnectionLostException;
 import no.hials.crosscom.CrossComException;
@@ -11,7 +10,6 @@ import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.TypedResponse;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Lets the parts of the client send the messages that only C3 Bridge knows. For several threads:
@@ -62,29 +60,6 @@ public interface MessageChannel {
   void require(MessageType type, String what) throws CrossComException;
 
   /**
-   * Does an operation in the client's thread for such.
-   *
-   * @param operation what to do; its exchanges by this link
-   * @param <T> what it gives
-   * @return the result to come; cancelling it before its first exchange means that nothing is sent
-   */
-  <T extends @Nullable Object> CompletableFuture<T> async(Callable<T> operation);
-
-  /**
-   * Does an operation without a result in the client's thread for such.
-   *
-   * @param operation what to do; its exchanges by this link
-   * @return the end to come; cancelling it before its first exchange means that nothing is sent
-   */
-  default CompletableFuture<Void> asyncRun(Action operation) {
-    return this.<@Nullable Void>async(
-        () -> {
-          operation.run();
-          return null;
-        });
-  }
-
-  /**
    * Does an operation of many exchanges in the client's thread for such, one after the other.
    *
    * @param operation what to do; its exchanges by this link
@@ -103,15 +78,4 @@ public interface MessageChannel {
    * @return the exception
    */
   CrossComTransferException transferFailed(String what, String file, long bytes, String why);
-
-  /** An operation without a result. */
-  @FunctionalInterface
-  interface Action {
-    /**
-     * Does it.
-     *
-     * @throws CrossComException if it failed
-     */
-    void run() throws CrossComException;
-  }
 }

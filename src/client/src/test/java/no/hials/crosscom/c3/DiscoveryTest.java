@@ -66,7 +66,7 @@ class DiscoveryTest {
               cfg ->
                   cfg.standardPort(robot.standardDiscoveryPort().getAsInt())
                       .legacyPorts(robot.discoveryPort().getAsInt(), 0));
-      List<FoundServer> found = Discovery.findAsync(config).get();
+      List<FoundServer> found = Discovery.find(config);
 
       assertThat(found)
           .containsExactly(

@@ -438,31 +438,38 @@ class FilesTest extends FilesRobotTest {
   void theTwinsDoTheSame() throws Exception {
     tree.put(FILE, "12345");
 
-    assertThat(files.existsAsync(FILE).get(60, TimeUnit.SECONDS)).isTrue();
-    assertThat(files.getPropertiesAsync(FILE).get(60, TimeUnit.SECONDS).size()).isEqualTo(5);
-    assertThat(files.listAsync(PROGRAM).get(60, TimeUnit.SECONDS)).isNotEmpty();
-    assertThat(files.listAsync(PROGRAM, Set.of(), Set.of(ListFlag.LONG)).get(60, TimeUnit.SECONDS))
+    assertThat(client.async(c -> c.files().exists(FILE)).get(60, TimeUnit.SECONDS)).isTrue();
+    assertThat(client.async(c -> c.files().getProperties(FILE)).get(60, TimeUnit.SECONDS).size())
+        .isEqualTo(5);
+    assertThat(client.async(c -> c.files().list(PROGRAM)).get(60, TimeUnit.SECONDS)).isNotEmpty();
+    assertThat(
+            client
+                .async(c -> c.files().list(PROGRAM, Set.of(), Set.of(ListFlag.LONG)))
+                .get(60, TimeUnit.SECONDS))
         .isEqualTo(files.list(PROGRAM));
-    assertThat(files.getKrcNameAsync(FILE).get(60, TimeUnit.SECONDS))
+    assertThat(client.async(c -> c.files().getKrcName(FILE)).get(60, TimeUnit.SECONDS))
         .isEqualTo(files.getKrcName(FILE));
-    assertThat(files.getFullNameAsync("/R1/test.src").get(60, TimeUnit.SECONDS))
+    assertThat(client.async(c -> c.files().getFullName("/R1/test.src")).get(60, TimeUnit.SECONDS))
         .isEqualTo(files.getFullName("/R1/test.src"));
-    files.copyAsync(FILE, OTHER).get(60, TimeUnit.SECONDS);
+    client.asyncRun(c -> c.files().copy(FILE, OTHER)).get(60, TimeUnit.SECONDS);
     assertThat(tree.exists(OTHER)).isTrue();
-    files.deleteAsync(OTHER).get(60, TimeUnit.SECONDS);
+    client.asyncRun(c -> c.files().delete(OTHER)).get(60, TimeUnit.SECONDS);
     assertThat(tree.exists(OTHER)).isFalse();
-    files.moveAsync(FILE, OTHER).get(60, TimeUnit.SECONDS);
+    client.asyncRun(c -> c.files().move(FILE, OTHER)).get(60, TimeUnit.SECONDS);
     assertThat(tree.exists(FILE)).isFalse();
-    files
-        .setAttributesAsync(OTHER, Set.of(FileAttribute.READ_ONLY), Set.of())
+    client
+        .asyncRun(c -> c.files().setAttributes(OTHER, Set.of(FileAttribute.READ_ONLY), Set.of()))
         .get(60, TimeUnit.SECONDS);
-    files.deleteAsync(OTHER, true).get(60, TimeUnit.SECONDS);
+    client.asyncRun(c -> c.files().delete(OTHER, true)).get(60, TimeUnit.SECONDS);
     assertThat(tree.exists(OTHER)).isFalse();
-    files.createFileAsync(PROGRAM + "\\a.txt").get(60, TimeUnit.SECONDS);
-    files.createDirectoryAsync(PROGRAM + "\\sub").get(60, TimeUnit.SECONDS);
-    files.createModuleAsync(PROGRAM + "\\job").get(60, TimeUnit.SECONDS);
-    files
-        .createAsync(PROGRAM + "\\s", ItemType.MODULE, Set.of(ModulePart.SRC), null, false)
+    client.asyncRun(c -> c.files().createFile(PROGRAM + "\\a.txt")).get(60, TimeUnit.SECONDS);
+    client.asyncRun(c -> c.files().createDirectory(PROGRAM + "\\sub")).get(60, TimeUnit.SECONDS);
+    client.asyncRun(c -> c.files().createModule(PROGRAM + "\\job")).get(60, TimeUnit.SECONDS);
+    client
+        .asyncRun(
+            c ->
+                c.files()
+                    .create(PROGRAM + "\\s", ItemType.MODULE, Set.of(ModulePart.SRC), null, false))
         .get(60, TimeUnit.SECONDS);
     assertThat(tree.list(PROGRAM))
         .map(name -> name.toLowerCase(java.util.Locale.ROOT))

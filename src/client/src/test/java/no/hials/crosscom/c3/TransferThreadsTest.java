@@ -33,7 +33,7 @@ class TransferThreadsTest extends FilesRobotTest {
     files.upload(
         TWO_PARTS,
         FILE,
-        onProgress(() -> client.readTextAsync("$OV_PRO").get(60, TimeUnit.SECONDS)));
+        onProgress(() -> client.async(c -> c.readText("$OV_PRO")).get(60, TimeUnit.SECONDS)));
 
     List<MessageType> between =
         robot.requests().stream()
@@ -97,7 +97,7 @@ class TransferThreadsTest extends FilesRobotTest {
     running.set(files.uploadAsync(TWO_PARTS, FILE, cancelling));
     known.countDown();
     assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> running.get().join());
-    files.existsAsync(FILE).get(60, TimeUnit.SECONDS);
+    client.async(c -> c.files().exists(FILE)).get(60, TimeUnit.SECONDS);
     files.downloadAsync(OTHER, TransferConfig.DEFAULT).get(60, TimeUnit.SECONDS); // is behind it
     assertThat(tree.exists(FILE)).isFalse();
     assertThat(received(Step.END)).isEmpty();

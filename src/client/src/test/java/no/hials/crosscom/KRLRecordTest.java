@@ -28,7 +28,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Reads and writes STRUCs of the user's own as records. */
+/** Reads and writes a user's own STRUCs as records. */
 class KRLRecordTest extends RobotTest {
 
   private enum Mode {
@@ -114,7 +114,7 @@ class KRLRecordTest extends RobotTest {
     return variable;
   }
 
-  /** Reads from a controller that answers with a text of the test's. */
+  /** Reads from a controller that answers with the given text. */
   private <T extends Record> T readText(String text, Class<T> type) throws Exception {
     robot.enqueue(Fault.answer(text, Tail.SUCCESS));
     return read("MYVAR", type);
@@ -254,12 +254,12 @@ class KRLRecordTest extends RobotTest {
     assertUnreadable("{A[1] 1, A[3] 3}", Ints.class, "MYVAR.A[2] is missing");
     assertUnreadable("{A[2000000000] 1}", Ints.class, "MYVAR.A[2000000000] is not of");
     assertUnreadable("{A[200000000] 1}", Ints.class, "MYVAR.A[1] is missing");
-    assertUnreadable("{A[1] 1, A[1] 3}", Ints.class, "MYVAR.A[1] stands there twice");
-    assertUnreadable("{A[] 1, A[1] 3}", Ints.class, "MYVAR.A[1] stands there twice");
-    assertUnreadable("{A[1] 1, A[] 3}", Ints.class, "MYVAR.A[] stands there twice");
-    assertUnreadable("{A[1,2] 1}", Ints.class, "MYVAR.A[1,2] is not of", "wants A[]");
+    assertUnreadable("{A[1] 1, A[1] 3}", Ints.class, "MYVAR.A[1] occurs twice");
+    assertUnreadable("{A[] 1, A[1] 3}", Ints.class, "MYVAR.A[1] occurs twice");
+    assertUnreadable("{A[1] 1, A[] 3}", Ints.class, "MYVAR.A[] occurs twice");
+    assertUnreadable("{A[1,2] 1}", Ints.class, "MYVAR.A[1,2] is not of", "expected A[]");
     assertUnreadable("{A[0] 1}", Ints.class, "MYVAR.A[0] is not of");
-    assertUnreadable("{A 1}", Ints.class, "MYVAR.A is not of", "wants A[]");
+    assertUnreadable("{A 1}", Ints.class, "MYVAR.A is not of", "expected A[]");
     assertUnreadable("{A[1] TRUE}", Ints.class, "MYVAR.A[1]: expected an INT");
     assertUnreadable("{A[] 1 1.5}", Ints.class, "MYVAR.A[]: expected the end of an INT");
   }
@@ -315,7 +315,7 @@ class KRLRecordTest extends RobotTest {
 
   @Test
   void aPositionHasTheFieldsOfItsTypeAndNumbersInThem() {
-    assertUnreadable("{P {X 1, Q 2}}", Point.class, "MYVAR.P.Q is no field of a KRLE6Pos");
+    assertUnreadable("{P {X 1, Q 2}}", Point.class, "MYVAR.P.Q is not a field of a KRLE6Pos");
     assertUnreadable("{P {X 1, Y TRUE}}", Point.class, "MYVAR.P.Y: expected a REAL");
     assertUnreadable("{P {X 1, Y 1E99}}", Point.class, "MYVAR.P.Y: expected a REAL within");
     assertUnreadable("{P 5}", Point.class, "MYVAR.P: expected an aggregate in braces");
@@ -382,10 +382,10 @@ class KRLRecordTest extends RobotTest {
   @Test
   void anUnknownFieldIsNamed() {
     assertUnreadable(
-        "{X 1.0, LAYERS 1, GAP 2}", Seam.class, "MYVAR.GAP is no component of", "has X, LAYERS");
+        "{X 1.0, LAYERS 1, GAP 2}", Seam.class, "MYVAR.GAP is not a component of", "has X, LAYERS");
     assertUnreadable(
-        "{ID 1, SEAM {X 1.0, LAYERS 1, N[] \"a\"}}", Nested.class, "MYVAR.SEAM.N[] is no");
-    assertUnreadable("{X 1.0, LAYERS 1, x 2}", Seam.class, "MYVAR.x stands there twice");
+        "{ID 1, SEAM {X 1.0, LAYERS 1, N[] \"a\"}}", Nested.class, "MYVAR.SEAM.N[] is not a");
+    assertUnreadable("{X 1.0, LAYERS 1, x 2}", Seam.class, "MYVAR.x occurs twice");
   }
 
   @Test
@@ -605,7 +605,10 @@ class KRLRecordTest extends RobotTest {
     }
   }
 
-  /** Of ISO 8859-1; C3 Bridge has no control characters from 80 on (c3-bridge.md, "Common"). */
+  /**
+   * Of ISO 8859-1, without the control characters from 80, which C3 Bridge does not send
+   * (docs/reference/c3-messages.md#code-pages).
+   */
   private char anyChar(Random random) {
     char c = (char) (' ' + random.nextInt(0x100 - ' '));
     boolean unknown = server == ServerType.C3_BRIDGE && c >= 0x80 && c <= 0x9F;
@@ -680,8 +683,10 @@ class KRLRecordTest extends RobotTest {
     assertUnmappable(Record.class, "is not a record");
     assertUnmappable(NoComponents.class, "has no components");
     assertUnmappable(
-        Unmapped.class, "component values of ", "is of type java.util.List<java.lang.Integer>, to");
-    assertUnmappable(Long64.class, "component n of ", "is of type long, to which no KRL type");
+        Unmapped.class,
+        "component values of ",
+        "is of type java.util.List<java.lang.Integer>, which maps");
+    assertUnmappable(Long64.class, "component n of ", "is of type long, which maps to no KRL type");
     assertUnmappable(Rows.class, "component rows of ", "int[][]");
     assertUnmappable(Texts.class, "component texts of ", "java.lang.String[]");
     assertUnmappable(Boxes.class, "component boxes of ", "java.lang.Integer[]");
@@ -699,7 +704,7 @@ class KRLRecordTest extends RobotTest {
 
   @Test
   void aRecordOfANamedModuleThatIsNotOpenIsRefused() {
-    // the JDK has a record of its own in a package that it does not export
+    // the JDK has a record in a package that it does not export
     assertThatIllegalArgumentException()
         .isThrownBy(() -> new KRLRecord<>("X", hidden()))
         .withMessageContaining("cannot be reached; its module must open package ");
@@ -714,7 +719,7 @@ class KRLRecordTest extends RobotTest {
     assertUnreadable(
         "{ID 1, SEAM {X 1.0, LAYERS 1}, SECOND {X 1.0, LAYERS 1}}",
         Nested.class,
-        "MYVAR.SECOND is no component of",
+        "MYVAR.SECOND is not a component of",
         "has ID, SEAM, SEAM_2");
   }
 

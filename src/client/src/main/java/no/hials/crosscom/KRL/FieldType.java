@@ -24,7 +24,7 @@ import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.RealStyle;
 import org.jspecify.annotations.Nullable;
 
-/** How a value of one Java type is read from, and printed to, a field of a STRUC. Immutable. */
+/** Reads and prints the values of a Java type as fields of a STRUC. Immutable. */
 abstract class FieldType {
   private static final Map<Class<?>, FieldType> SCALARS =
       Map.of(
@@ -48,7 +48,7 @@ abstract class FieldType {
           KRLAxis.class, new Frame(KRLAxis.class, KRLAxis::new),
           KRLE6Axis.class, new Frame(KRLE6Axis.class, KRLE6Axis::new));
 
-  /** Says why a type cannot be mapped, as the end of a sentence about the component. */
+  /** Thrown if a type cannot be mapped; the message completes a sentence about the component. */
   static final class UnmappableException extends Exception {
     private static final long serialVersionUID = 1L;
 
@@ -58,9 +58,9 @@ abstract class FieldType {
   }
 
   /**
-   * Finds how a type is mapped.
+   * Returns the mapping of a type.
    *
-   * @param around the records in which the component is, one in the other
+   * @param around the enclosing records of the component, outermost first
    */
   static FieldType of(Type declared, List<Class<?>> around) throws UnmappableException {
     if (declared instanceof Class<?> type) {
@@ -84,35 +84,35 @@ abstract class FieldType {
       }
     }
     throw new UnmappableException(
-        "is of type " + declared.getTypeName() + ", to which no KRL type is mapped");
+        "is of type " + declared.getTypeName() + ", which maps to no KRL type");
   }
 
-  /** Gives the type of what may be an element of an array, or null. */
+  /** Returns the type of an array element, or null. */
   private static @Nullable FieldType scalar(Class<?> type) throws UnmappableException {
     return type.isEnum() ? new Constant(type) : SCALARS.get(type);
   }
 
   /**
-   * Reads the value that the scanner has reached.
+   * Reads the value at the scanner.
    *
-   * @param path that of the record in which the field is
+   * @param path the path of the enclosing record
    * @param name the field's name
-   * @throws KrlSyntaxException if it is not of this type
-   * @throws RecordShape.PathException if a part of it is wrong
+   * @throws KrlSyntaxException if the value is not of this type
+   * @throws RecordShape.PathException if a part of it is invalid
    */
   abstract Object read(KrlScanner scanner, String path, String name);
 
   /**
    * Prints a value.
    *
-   * @param path that of the record in which the field is
+   * @param path the path of the enclosing record
    * @param name the field's name
    * @throws RecordShape.PathException if a part of it cannot be written
    * @throws IllegalArgumentException if the value cannot be written
    */
   abstract void print(StringBuilder out, Object value, String path, String name);
 
-  /** Gives what stands behind the name of such a field. */
+  /** Returns the brackets after the name of the field, if any. */
   String brackets() {
     return "";
   }
@@ -142,7 +142,7 @@ abstract class FieldType {
   }
 
   private static final class Single extends FieldType {
-    /** Up to this, a float holds every INT. The next is rounded to it. */
+    /** A float holds every INT up to this; the next INT is rounded to it. */
     private static final float EXACT = 1 << 24;
 
     @Override
@@ -150,7 +150,7 @@ abstract class FieldType {
       int start = scanner.position();
       float value = scanner.readFloat();
       if (Math.abs(value) >= EXACT) {
-        // seldom: a REAL is a float already, but an INT of the controller's may have more digits
+        // rare: a REAL is already a float, but an INT of the controller may have more digits
         String text = scanner.text().subSequence(start, scanner.position()).toString();
         KrlScanner again = new KrlScanner(text);
         if (isInt(text) && again.readInt() != (double) value) {
@@ -221,7 +221,7 @@ abstract class FieldType {
     @Override
     void print(StringBuilder out, Object value, String path, String name) {
       String text = (String) value;
-      // an empty literal is written as the controller prints it
+      // the controller prints an empty text as one blank
       printText(out, text.isEmpty() ? " " : text);
     }
 
@@ -278,7 +278,7 @@ abstract class FieldType {
     }
   }
 
-  /** A whole array of one dimension. */
+  /** A whole one-dimensional array. */
   static final class Array extends FieldType {
     private final Class<?> elementClass;
     private final FieldType element;
@@ -288,12 +288,12 @@ abstract class FieldType {
       this.element = element;
     }
 
-    /** Reads one element. */
+    /** Reads an element. */
     Object readElement(KrlScanner scanner) {
       return element.read(scanner, "", "");
     }
 
-    /** Makes an array. */
+    /** Creates an array. */
     Object arrayOf(Collection<Object> elements) {
       Object array = java.lang.reflect.Array.newInstance(elementClass, elements.size());
       int i = 0;
@@ -364,7 +364,7 @@ abstract class FieldType {
     }
   }
 
-  /** A FRAME and its like, which know themselves which of their fields are there. */
+  /** A FRAME or similar structure, which records its missing fields itself. */
   private static final class Frame extends FieldType {
     private final Class<? extends KRLStruct> type;
     private final Function<String, KRLStruct> constructor;
@@ -385,7 +385,8 @@ abstract class FieldType {
         String part = struct.getName() + "." + scanner.fieldName();
         if (!fields.contains(scanner.fieldName().toUpperCase(Locale.ROOT))) {
           throw new RecordShape.PathException(
-              part + " is no field of a " + type.getSimpleName() + ", which has " + fields, null);
+              part + " is not a field of a " + type.getSimpleName() + ", which has " + fields,
+              null);
         }
         try {
           scanner.readReal();
@@ -393,7 +394,7 @@ abstract class FieldType {
           throw new RecordShape.PathException(part + ": " + e.getMessage(), e);
         }
       }
-      // only the structure itself can note which of its fields are missing
+      // only the structure itself can record its missing fields
       KRLVariable variable = struct;
       variable.setValueFromString(scanner.text().subSequence(start, scanner.position()).toString());
       return struct;
@@ -402,7 +403,7 @@ abstract class FieldType {
     @Override
     void print(StringBuilder out, Object value, String path, String name) {
       if (value.getClass() != type) {
-        // a POS is a KRLFrame too, but has fields that a FRAME does not have
+        // a KRLPos is also a KRLFrame, but with fields that a FRAME does not have
         throw new IllegalArgumentException(
             "must be a " + type.getSimpleName() + ", is a " + value.getClass().getSimpleName());
       }
@@ -415,8 +416,8 @@ abstract class FieldType {
       } else if (there.length == 0) {
         out.append("{}");
       } else {
-        // not as 0.0, as the structure alone does: a record cannot be written in part, and to
-        // give Status and Turn to a position without them would change how it is reached
+        // not as 0.0, unlike the structure alone: a record cannot be written in part, and adding
+        // Status and Turn to a position would change how it is reached
         out.append(struct.getStringValueOf(there));
       }
     }

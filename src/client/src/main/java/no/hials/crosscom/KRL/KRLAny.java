@@ -5,15 +5,14 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Holds a variable of any type as a tree of values, to look at: an aggregate with nested
- * aggregates, texts or arrays, or a variable whose type the program does not know. It cannot be
- * written.
+ * Holds a variable of any type as a read-only tree of values: an aggregate with nested aggregates,
+ * texts or arrays, or a variable whose type the program does not know.
  */
 public class KRLAny extends ScannedVariable {
   private @Nullable KrlValue value;
 
   /**
-   * Makes a variable without a value.
+   * Creates a variable without a value.
    *
    * @param name the name on the controller
    */
@@ -32,10 +31,10 @@ public class KRLAny extends ScannedVariable {
   }
 
   /**
-   * Gives the value that was read, in the form in which it would be written. Writing it is refused.
+   * Throws, since the variable cannot be written.
    *
-   * @return the text
-   * @throws UnsupportedOperationException always: a view is not for writing
+   * @return never
+   * @throws UnsupportedOperationException always
    */
   @Override
   public String getStringValue() {

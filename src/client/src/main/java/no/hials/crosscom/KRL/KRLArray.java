@@ -3,8 +3,8 @@ package no.hials.crosscom.KRL;
 import no.hials.crosscom.protocol.value.KrlScanner;
 
 /**
- * Holds a whole array of scalars. Reading takes one access; a controller has no way to write a
- * whole array (krl.md 1.4), so that writing takes one access for each element.
+ * Holds a whole array of scalars. Reading takes one access. A controller cannot write a whole
+ * array, so writing takes one access per element (docs/reference/krl-values.md#arrays).
  */
 public abstract class KRLArray extends KRLVariable {
   private final int declaredLength;
@@ -24,17 +24,17 @@ public abstract class KRLArray extends KRLVariable {
   }
 
   /**
-   * Gives the length that the program said the array has. A server that cannot read the array whole
-   * is asked for so many elements.
+   * Returns the length given by the program. The client reads this number of elements from servers
+   * that cannot read a whole array.
    *
-   * @return 0 if the program did not say
+   * @return 0 if unknown
    */
   public int getDeclaredLength() {
     return declaredLength;
   }
 
   /**
-   * Gives the number of elements.
+   * Returns the number of elements.
    *
    * @return 0 if the array was neither set nor read
    */
@@ -43,7 +43,7 @@ public abstract class KRLArray extends KRLVariable {
   }
 
   /**
-   * Gives the name of an element.
+   * Returns the name of an element.
    *
    * @param index from 1, as in KRL
    * @return such as {@code MYINTS[3]}
@@ -53,11 +53,11 @@ public abstract class KRLArray extends KRLVariable {
   }
 
   /**
-   * Gives the text of an element, as a write sends it.
+   * Returns the text of an element, as sent by a write.
    *
    * @param index from 1, as in KRL, to {@link #length()}
    * @return the text
-   * @throws IndexOutOfBoundsException if there is no such element
+   * @throws IndexOutOfBoundsException if the index is out of range
    */
   public String getElementStringValue(int index) {
     if (index < 1 || index > length) {
@@ -84,7 +84,7 @@ public abstract class KRLArray extends KRLVariable {
     return text.toString();
   }
 
-  /** Sets the length when the elements were set. */
+  /** Sets the length after the elements were set. */
   void setLength(int newLength) {
     if (newLength == 0) {
       throw new IllegalArgumentException(getName() + " must have at least 1 element, has 0");
@@ -92,13 +92,13 @@ public abstract class KRLArray extends KRLVariable {
     length = newLength;
   }
 
-  /** Appends the text of an element, from 0. */
+  /** Appends the text of an element; the index starts at 0. */
   abstract void print(StringBuilder text, int index);
 
-  /** Reads one element into a place, from 0, that is not visible before {@link #accept}. */
+  /** Reads an element, from 0; it is not visible before {@link #accept}. */
   abstract void read(KrlScanner scanner, int index);
 
-  /** Makes what was read the value. */
+  /** Sets the value to the elements that were read. */
   abstract void accept(int count);
 
   final void acceptAll(int count) {

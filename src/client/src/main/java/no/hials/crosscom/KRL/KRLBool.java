@@ -9,7 +9,7 @@ public class KRLBool extends ScannedVariable {
   private boolean present;
 
   /**
-   * Makes a variable without a value.
+   * Creates a variable without a value.
    *
    * @param name the name on the controller
    */
@@ -23,7 +23,7 @@ public class KRLBool extends ScannedVariable {
   }
 
   /**
-   * Gives the local value, without making an object.
+   * Returns the local value, without creating an object.
    *
    * @return the value
    * @throws IllegalStateException if it was neither set nor read

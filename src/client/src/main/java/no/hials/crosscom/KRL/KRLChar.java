@@ -10,7 +10,7 @@ public class KRLChar extends ScannedVariable {
   private boolean present;
 
   /**
-   * Makes a variable without a value.
+   * Creates a variable without a value.
    *
    * @param name the name on the controller
    */
@@ -29,7 +29,7 @@ public class KRLChar extends ScannedVariable {
   }
 
   /**
-   * Gives the local value, without making an object.
+   * Returns the local value, without creating an object.
    *
    * @return the value
    * @throws IllegalStateException if it was neither set nor read
@@ -44,7 +44,7 @@ public class KRLChar extends ScannedVariable {
   /**
    * Sets the local value.
    *
-   * @param newValue the character; not a double quote, which no KRL literal can hold
+   * @param newValue the character, but not a double quote, which KRL literals cannot contain
    */
   public void setValue(char newValue) {
     value = new KrlString(String.valueOf(newValue)).text().charAt(0);

@@ -10,7 +10,7 @@ public class KRLEnum extends ScannedVariable {
   private boolean present;
 
   /**
-   * Makes a variable without a value.
+   * Creates a variable without a value.
    *
    * @param name the name on the controller
    */
@@ -24,7 +24,7 @@ public class KRLEnum extends ScannedVariable {
   }
 
   /**
-   * Gives the local value, with the {@code #}.
+   * Returns the local value, with the {@code #}.
    *
    * @return the value
    * @throws IllegalStateException if it was neither set nor read
@@ -40,7 +40,7 @@ public class KRLEnum extends ScannedVariable {
    * Sets the local value.
    *
    * @param newValue the value, with or without the {@code #}
-   * @throws IllegalArgumentException if it is not a name
+   * @throws IllegalArgumentException if the value is not a name
    */
   public void setValue(String newValue) {
     value = "#" + new KrlEnum(newValue.startsWith("#") ? newValue.substring(1) : newValue).name();

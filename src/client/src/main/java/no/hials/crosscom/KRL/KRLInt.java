@@ -3,13 +3,13 @@ package no.hials.crosscom.KRL;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import org.jspecify.annotations.Nullable;
 
-/** Holds an INT: 32 bits with sign. */
+/** Holds an INT: 32 bits, signed. */
 public class KRLInt extends ScannedVariable {
   private int value;
   private boolean present;
 
   /**
-   * Makes a variable without a value.
+   * Creates a variable without a value.
    *
    * @param name the name on the controller
    */
@@ -23,7 +23,7 @@ public class KRLInt extends ScannedVariable {
   }
 
   /**
-   * Gives the local value, without making an object.
+   * Returns the local value, without creating an object.
    *
    * @return the value
    * @throws IllegalStateException if it was neither set nor read

@@ -10,20 +10,19 @@ public class KRLIntArray extends KRLArray {
   private int[] scratch = {};
 
   /**
-   * Makes an array without elements.
+   * Creates an array without elements.
    *
-   * @param name the name on the controller, with or without {@code []} behind it
+   * @param name the name on the controller, with or without {@code []} after it
    */
   public KRLIntArray(String name) {
     this(name, 0);
   }
 
   /**
-   * Makes an array without elements.
+   * Creates an array without elements.
    *
-   * @param name the name on the controller, with or without {@code []} behind it
-   * @param length how many elements it has there, for servers that cannot read it whole; 0 if that
-   *     is not known
+   * @param name the name on the controller, with or without {@code []} after it
+   * @param length the number of elements, for servers that cannot read a whole array; 0 if unknown
    */
   public KRLIntArray(String name, int length) {
     super(name, length);

@@ -7,15 +7,15 @@ import no.hials.crosscom.protocol.value.RealStyle;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Holds a REAL, which is a 32-bit float on the controller; an INT can be read and, with a whole
- * value, written too.
+ * Holds a REAL, which is a 32-bit float on the controller. It can also read an INT and, if its
+ * value is whole, write one.
  */
 public class KRLReal extends ScannedVariable {
   private double value;
   private boolean present;
 
   /**
-   * Makes a variable without a value.
+   * Creates a variable without a value.
    *
    * @param name the name on the controller
    */
@@ -29,7 +29,7 @@ public class KRLReal extends ScannedVariable {
   }
 
   /**
-   * Gives the local value, without making an object.
+   * Returns the local value, without creating an object.
    *
    * @return the value
    * @throws IllegalStateException if it was neither set nor read
@@ -44,12 +44,12 @@ public class KRLReal extends ScannedVariable {
   /**
    * Sets the local value.
    *
-   * @param newValue the value; sent as the nearest 32-bit float, with the fewest digits that keep
-   *     it
-   * @throws IllegalArgumentException if no 32-bit float can hold it: NaN, infinite or too large
+   * @param newValue the value; sent as the nearest 32-bit float, with the fewest digits that
+   *     identify it
+   * @throws IllegalArgumentException if it is NaN, infinite or too large for a 32-bit float
    */
   public void setValue(double newValue) {
-    KrlReal.of(newValue); // refuses what no float holds
+    KrlReal.of(newValue); // checks the range of a float
     value = newValue;
     present = true;
   }

@@ -13,20 +13,19 @@ public class KRLRealArray extends KRLArray {
   private double[] scratch = {};
 
   /**
-   * Makes an array without elements.
+   * Creates an array without elements.
    *
-   * @param name the name on the controller, with or without {@code []} behind it
+   * @param name the name on the controller, with or without {@code []} after it
    */
   public KRLRealArray(String name) {
     this(name, 0);
   }
 
   /**
-   * Makes an array without elements.
+   * Creates an array without elements.
    *
-   * @param name the name on the controller, with or without {@code []} behind it
-   * @param length how many elements it has there, for servers that cannot read it whole; 0 if that
-   *     is not known
+   * @param name the name on the controller, with or without {@code []} after it
+   * @param length the number of elements, for servers that cannot read a whole array; 0 if unknown
    */
   public KRLRealArray(String name, int length) {
     super(name, length);
@@ -40,12 +39,12 @@ public class KRLRealArray extends KRLArray {
   /**
    * Sets all elements.
    *
-   * @param newValues at least one; each a number that a 32-bit float can hold
-   * @throws IllegalArgumentException if one is NaN, infinite or too large
+   * @param newValues at least one, each in the range of a 32-bit float
+   * @throws IllegalArgumentException if an element is NaN, infinite or too large
    */
   public void setValue(double... newValues) {
     for (double value : newValues) {
-      KrlReal.of(value); // refuses what no float holds
+      KrlReal.of(value); // checks the range of a float
     }
     setLength(newValues.length);
     values = newValues.clone();

@@ -5,11 +5,11 @@ import no.hials.crosscom.protocol.value.KrlScanner;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Holds a STRUC of the user's own as a Java record. One access reads or writes all of it, and costs
- * about the same as that of a single number.
+ * Holds a user's own STRUC as a Java record. One access reads or writes the whole STRUC, and costs
+ * about the same as an access to a single number.
  *
- * <p>Each component of the record stands for the field of the same name, whatever its case, or of
- * the name that {@link KrlName} gives:
+ * <p>Each component of the record maps to the field of the same name, ignoring case, or of the name
+ * in {@link KrlName}:
  *
  * <table>
  * <caption>Types of components</caption>
@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * <tr><td>REAL</td><td>{@code double}, {@code float}</td></tr>
  * <tr><td>BOOL</td><td>{@code boolean}</td></tr>
  * <tr><td>CHAR</td><td>{@code char}</td></tr>
- * <tr><td>CHAR[n]</td><td>{@code String}; one blank is the empty text</td></tr>
+ * <tr><td>CHAR[n]</td><td>{@code String}; a single blank is the empty text</td></tr>
  * <tr><td>ENUM</td><td>an enum</td></tr>
  * <tr><td>FRAME, POS, E6POS, AXIS, E6AXIS</td><td>{@code KRLFrame}, {@code KRLPos}, ...</td></tr>
  * <tr><td>STRUC</td><td>a record</td></tr>
@@ -26,18 +26,18 @@ import org.jspecify.annotations.Nullable;
  * </table>
  *
  * <p>A controller does not print a field that is not initialised. That is an error, unless the
- * component is an {@link java.util.Optional} of such a type; a primitive one is then boxed, as in
- * {@code Optional<Integer>}. An empty one is not written, so that the controller leaves the field
- * as it is. A KRLFrame and its like are never an error when part of them is missing: their getters
- * throw, and what is missing is not written. Those components can be changed in place, and do not
- * take part in the record's {@code equals} by value; where that matters, map the FRAME to a record.
+ * component is an {@link java.util.Optional} of such a type; primitive types are then boxed, as in
+ * {@code Optional<Integer>}. An empty optional is not written, so the field stays unchanged on the
+ * controller. Missing fields of a KRLFrame or similar structure are not an error: their getters
+ * throw, and they are not written. Such a component can be changed in place, and the record's
+ * {@code equals} does not compare its value; if that matters, map the FRAME to a record.
  *
- * <p>Assumed, since no real controller's answer with a numeric array in a structure is known: it is
- * printed and written as {@code A[] 1 2 3}. If some elements are not initialised, a list {@code
- * A[1] 1, A[2] 2} is read, too, which must begin with 1 and have no gap.
+ * <p>Assumed, since no answer of a real controller with a numeric array in a structure is known:
+ * the array is printed and written as {@code A[] 1 2 3}. For arrays with elements that are not
+ * initialised, a list {@code A[1] 1, A[2] 2} is also read; it must start with 1 and have no gap.
  *
  * <p>Every error in a field names its path, such as {@code MYWELD.SEAM.X}. The record's constructor
- * runs when the variable is read, so it may check values; no lock is held then.
+ * runs when the variable is read, without a lock, so it may check values.
  *
  * @param <T> the record
  */
@@ -46,16 +46,17 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
   private final RecordShape shape;
   private @Nullable T value;
 
-  /** What the last write sent. */
+  /** The text of the last write. */
   private @Nullable String sent;
 
   /**
-   * Makes a variable without a value.
+   * Creates a variable without a value.
    *
    * @param name the name on the controller
-   * @param type the record's class; it need not be public, but if it is in a named module, its
-   *     package must be open to this one
-   * @throws IllegalArgumentException if a component cannot be mapped; it names class and component
+   * @param type the record's class; it need not be public, but in a named module its package must
+   *     be open to this module
+   * @throws IllegalArgumentException if a component cannot be mapped; the message names class and
+   *     component
    */
   public KRLRecord(String name, Class<T> type) {
     super(name);
@@ -74,7 +75,7 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
   }
 
   /**
-   * Gives the local value.
+   * Returns the local value.
    *
    * @return the value
    * @throws IllegalStateException if it was neither set nor read
@@ -89,10 +90,10 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
   /**
    * Sets the local value.
    *
-   * @param newValue the value, whose arrays and frames are not copied
+   * @param newValue the value; its arrays and frames are not copied
    * @throws IllegalArgumentException if the value of a component cannot be written: a number that
    *     is NaN, infinite or too large for a 32-bit float, a text with a double quote or not ISO
-   *     8859-1, an array without elements, or null; the local value is as before
+   *     8859-1, an empty array, or null; the local value is then unchanged
    */
   public void setValue(T newValue) {
     print(Objects.requireNonNull(newValue, "newValue"));
@@ -106,12 +107,11 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
   }
 
   /**
-   * Gives the text that writes the structure.
+   * Returns the text that writes the structure.
    *
-   * @return an aggregate of all components but those that are empty
-   * @throws IllegalStateException if there is no value, or all components are empty
-   * @throws IllegalArgumentException if a part that can be changed in place has become one that
-   *     cannot be written
+   * @return an aggregate of all components that are not empty
+   * @throws IllegalStateException without a value, or if all components are empty
+   * @throws IllegalArgumentException if a component that was changed in place cannot be written
    */
   @Override
   public String getStringValue() {
@@ -124,9 +124,9 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
   }
 
   /**
-   * Keeps the record if what was written is what was sent, so that its frames and arrays stay those
-   * of the program. Otherwise the text is read by {@link #setValueFromString}: the record's
-   * constructor is the program's own code, which does not run under the client's lock.
+   * Keeps the record if the text is the text of the last write, so that the record keeps the
+   * program's frames and arrays. Otherwise {@link #setValueFromString} reads the text: the record's
+   * constructor is the program's own code, which must not run under the client's lock.
    */
   @Override
   protected boolean setValueFrom(KrlScanner scanner, boolean written) {

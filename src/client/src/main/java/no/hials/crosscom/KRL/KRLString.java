@@ -7,16 +7,16 @@ import org.jspecify.annotations.Nullable;
 /**
  * Holds the text of a CHAR array, such as {@code $MODEL_NAME[]}.
  *
- * <p>A controller prints an empty CHAR array as one blank (krl.md 1.1), so one blank is read as the
- * empty text.
+ * <p>A controller prints an empty CHAR array as one blank, so one blank is read as the empty text
+ * (docs/reference/krl-values.md#scalars).
  */
 public class KRLString extends ScannedVariable {
   private @Nullable String value;
 
   /**
-   * Makes a variable without a value.
+   * Creates a variable without a value.
    *
-   * @param name the name on the controller; {@code []} is put behind it if it has no brackets
+   * @param name the name on the controller; {@code []} is appended if it has no brackets
    */
   public KRLString(String name) {
     super(wholeArray(name));
@@ -35,8 +35,8 @@ public class KRLString extends ScannedVariable {
   /**
    * Sets the local value.
    *
-   * @param newValue the text, without the quotes around it; no longer than the array on the
-   *     controller; without double quotes, which no KRL literal can hold
+   * @param newValue the text without quotes around it; at most as long as the array on the
+   *     controller; without double quotes, which KRL literals cannot contain
    */
   public void setValue(String newValue) {
     value = new KrlString(newValue).text();
@@ -47,7 +47,7 @@ public class KRLString extends ScannedVariable {
     if (value == null) {
       throw noValue();
     }
-    // an empty literal is written as the controller prints it
+    // the controller prints an empty text as one blank
     return new KrlString(value.isEmpty() ? " " : value).print();
   }
 

@@ -16,8 +16,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Holds the local copy of a variable of the controller.
  *
- * <p>A program may derive classes of its own; those that come with the client read numbers without
- * making objects.
+ * <p>Programs may derive classes. The client's own classes read numbers without creating objects.
  */
 public abstract class KRLVariable {
   private static final AtomicInteger IDS = new AtomicInteger();
@@ -27,7 +26,7 @@ public abstract class KRLVariable {
   private final byte @Nullable [] readFrame;
   private long readTime = -1;
 
-  /** Whether the class is part of the client, so that no program has changed how it prints. */
+  /** Whether the class is part of the client, so its printing is not overridden. */
   private final boolean builtIn =
       getClass().getPackageName().startsWith(KRLVariable.class.getPackageName());
 
@@ -38,10 +37,10 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Makes a variable.
+   * Creates a variable.
    *
    * @param name the name on the controller, such as {@code $OV_PRO}, {@code MYPOS.X} or {@code
-   *     $TORQUE_AXIS_ACT[3]}; case does not matter to the controller
+   *     $TORQUE_AXIS_ACT[3]}; the controller ignores case
    * @throws IllegalArgumentException if the name is blank or too long for a message
    */
   protected KRLVariable(String name) {
@@ -55,16 +54,16 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Gives a number that no other variable of this program has. It is not the id of the messages.
+   * Returns a number that is unique in this program. It is not the id of the messages.
    *
-   * @return the number; later variables have greater ones
+   * @return the number; later variables have larger numbers
    */
   public int getId() {
     return id;
   }
 
   /**
-   * Gives the name on the controller.
+   * Returns the name on the controller.
    *
    * @return the name
    */
@@ -73,7 +72,7 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Gives the name of the variable's class.
+   * Returns the name of the variable's class.
    *
    * @return such as {@code KRLReal}
    */
@@ -82,14 +81,14 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Gives the local value.
+   * Returns the local value.
    *
    * @return the value; null for a scalar, string or array that was neither set nor read
    */
   public abstract @Nullable Object getValue();
 
   /**
-   * Gives the text that a write sends.
+   * Returns the text that a write sends.
    *
    * @return the local value as KRL text
    * @throws IllegalStateException if there is no value
@@ -105,26 +104,26 @@ public abstract class KRLVariable {
   protected abstract void setValueFromString(String strValue);
 
   /**
-   * Sets the local value from KRL text in place. A class that does not override this is set by
-   * {@link #setValueFromString}.
+   * Sets the local value from KRL text in place. If a class does not override this method, {@link
+   * #setValueFromString} sets the value.
    *
-   * @param scanner at the beginning of the text
-   * @param written whether the text is that of a write, which may name some fields only
+   * @param scanner at the start of the text
+   * @param written whether the text is from a write, which may name only some fields
    * @return true if the value was set
-   * @throws IllegalArgumentException if the text is not a value of this type; the value is as
-   *     before
+   * @throws IllegalArgumentException if the text is not a value of this type; the value is then
+   *     unchanged
    */
   protected boolean setValueFrom(KrlScanner scanner, boolean written) {
     return false;
   }
 
   /**
-   * Appends the text that a write sends, without creating objects. A class that does not override
-   * this is printed by {@link #getStringValue}, and so is a class that a program derives.
+   * Appends the text that a write sends, without creating objects. If a class does not override
+   * this method, or is derived by a program, {@link #getStringValue} prints the value.
    *
-   * @param text where to append
+   * @param text the destination
    * @return false if nothing was appended
-   * @throws IllegalStateException if there is no value
+   * @throws IllegalStateException without a value
    */
   protected boolean appendValue(StringBuilder text) {
     return false;
@@ -143,40 +142,40 @@ public abstract class KRLVariable {
     return appendValue(text) ? text : getStringValue();
   }
 
-  /** Says whether the value can have characters that function 0 of C3 Bridge does not give. */
+  /** Returns whether the value can contain characters that function 0 of C3 Bridge cannot send. */
   boolean holdsText() {
     return false;
   }
 
   /**
-   * Makes the exception for a value that is asked for too early.
+   * Creates the exception for a variable without a value.
    *
-   * @return the exception, to be thrown
+   * @return the exception to throw
    */
   protected IllegalStateException noValue() {
     return new IllegalStateException(name + " has no value: it was neither set nor read");
   }
 
   /**
-   * Gives how long the last read or write took.
+   * Returns the time of the last read or write.
    *
-   * @return from sending the request to having the answer, in ns; -1 if there was none
+   * @return from sending the request to receiving the answer, in ns; -1 before the first access
    */
   public long getReadTimeNano() {
     return readTime;
   }
 
   /**
-   * Gives how long the last read or write took.
+   * Returns the time of the last read or write.
    *
-   * @return in whole ms; 0 if there was none
+   * @return in whole ms; 0 before the first access
    */
   public long getReadTimeMillis() {
     return readTime / 1_000_000;
   }
 
   /**
-   * Gives how long the last read or write took.
+   * Returns the time of the last read or write.
    *
    * @return in s
    */
@@ -185,11 +184,11 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Sets the local value as if it had been read.
+   * Sets the local value as a read does.
    *
    * @param answerId must be {@link #getId()}
    * @param strValue the text as a controller prints it
-   * @param readTimeNanos how long it took, in ns
+   * @param readTimeNanos the time of the access, in ns
    * @deprecated the client does this; kept for programs of the original that simulate answers
    */
   @Deprecated
@@ -202,7 +201,7 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Gives the frame that asks for this variable.
+   * Returns the frame that reads this variable.
    *
    * @return the bytes
    * @deprecated use {@link no.hials.crosscom.CrossComClient#readVariable}, or {@link Codec} for
@@ -214,7 +213,7 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Gives the frame that writes this variable.
+   * Returns the frame that writes this variable.
    *
    * @return the bytes
    * @deprecated use {@link no.hials.crosscom.CrossComClient#writeVariable}, or {@link Codec} for
@@ -226,7 +225,7 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Makes a variable for the jog override.
+   * Creates a variable for the jog override.
    *
    * @return {@code $OV_JOG}, in %
    */
@@ -235,7 +234,7 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Makes a variable for the program override.
+   * Creates a variable for the program override.
    *
    * @return {@code $OV_PRO}, in %
    */
@@ -244,7 +243,7 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Makes a variable for the axis angles.
+   * Creates a variable for the axis angles.
    *
    * @return {@code $AXIS_ACT}, in degrees or mm
    */
@@ -253,7 +252,7 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Makes a variable for the position of the tool.
+   * Creates a variable for the position of the tool.
    *
    * @return {@code $POS_ACT}, in mm and degrees
    */
@@ -261,7 +260,7 @@ public abstract class KRLVariable {
     return new KRLE6Pos("$POS_ACT");
   }
 
-  /** Gives the value as {@link #toString} shows it. */
+  /** Returns the value as shown by {@link #toString}. */
   @Nullable Object valueForPeople() {
     return getValue();
   }
@@ -279,7 +278,7 @@ public abstract class KRLVariable {
         + "ms}";
   }
 
-  /** What the client may do. */
+  /** The access of the client. */
   private static final class Access extends VariableAccess {
     @Override
     public byte @Nullable [] readFrame(KRLVariable variable) {

@@ -7,18 +7,16 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Says what a component of a record, or a constant of an enum, is called on the controller, where
- * that is not its Java name. See {@link KRLRecord}.
+ * Sets the name on the controller of a record component or an enum constant, if it differs from the
+ * Java name. See {@link KRLRecord}.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)
 @Target({ElementType.RECORD_COMPONENT, ElementType.FIELD})
 public @interface KrlName {
   /**
-   * Gives the name.
-   *
-   * @return a KRL name, such as {@code SEAM_NO}, without {@code []} or {@code #}; case does not
-   *     matter
+   * Returns the KRL name, such as {@code SEAM_NO}, without {@code []} or {@code #}; case is
+   * ignored.
    */
   String value();
 }

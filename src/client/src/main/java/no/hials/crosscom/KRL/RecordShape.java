@@ -24,9 +24,9 @@ import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import org.jspecify.annotations.Nullable;
 
-/** How the components of a class of records map to the fields of a STRUC. Immutable. */
+/** The mapping of a record class to a STRUC. Immutable. */
 final class RecordShape {
-  /** What was found out of a class by reflection, once. */
+  /** The mappings of classes, found by reflection once. */
   private static final ClassValue<RecordShape> SHAPES =
       new ClassValue<>() {
         @Override
@@ -44,18 +44,18 @@ final class RecordShape {
   private final MethodHandle constructor;
 
   /**
-   * A component and the field it stands for.
+   * A component and its field.
    *
    * @param name the field's name in upper case, without brackets
-   * @param printedName the same as it is printed, with brackets if there are any
-   * @param type the type without the Optional around it
-   * @param optional whether there is one
-   * @param accessor gives an Object of an Object
+   * @param printedName the name as printed, with brackets for an array
+   * @param type the type, without {@code Optional}
+   * @param optional whether the type is an {@code Optional}
+   * @param accessor returns the component of a record, as Object
    */
   private record Field(
       String name, String printedName, FieldType type, boolean optional, MethodHandle accessor) {}
 
-  /** An error in a field, whose message begins with its path. */
+  /** An error in a field; its message starts with the path. */
   static final class PathException extends IllegalArgumentException {
     private static final long serialVersionUID = 1L;
 
@@ -64,13 +64,13 @@ final class RecordShape {
     }
   }
 
-  /** Gives the mapping of a class. */
+  /** Returns the mapping of a class. */
   static RecordShape of(Class<?> type) {
     return SHAPES.get(type);
   }
 
   /**
-   * @param outer the records that this one is a component of
+   * @param outer the enclosing records
    */
   RecordShape(Class<?> type, List<Class<?>> outer) {
     this.type = type;
@@ -165,7 +165,7 @@ final class RecordShape {
         e);
   }
 
-  /** Gives the name on the controller, in upper case; null if that is not a name. */
+  /** Returns the name on the controller, in upper case; null if it is not a KRL name. */
   static @Nullable String krlName(@Nullable KrlName given, String javaName) {
     String name = given == null ? javaName : given.value();
     return NAME.matcher(name).matches() ? name.toUpperCase(Locale.ROOT) : null;
@@ -184,7 +184,7 @@ final class RecordShape {
     return make(values, path);
   }
 
-  /** Reads the aggregate that is the value of a field; path is that of the field. */
+  /** Reads the aggregate of a field; {@code path} is the path of the field. */
   Record readPart(KrlScanner scanner, String path) {
     return make(readFields(scanner, path), path);
   }
@@ -206,7 +206,7 @@ final class RecordShape {
       try {
         values[index] = field.type().read(scanner, path, field.name());
       } catch (KrlSyntaxException e) {
-        // not the scanner's name, which may be that of a field within
+        // not the scanner's name, which may be a nested field
         throw wrong(path, field.printedName(), e);
       }
       next = index + 1;
@@ -214,7 +214,7 @@ final class RecordShape {
     return values;
   }
 
-  /** Finds the field that the scanner has reached; a controller has its own order. */
+  /** Returns the field at the scanner; a controller has its own order. */
   private int find(KrlScanner scanner, int start) {
     for (int i = 0; i < fields.length; i++) {
       int index = start + i < fields.length ? start + i : start + i - fields.length;
@@ -225,7 +225,7 @@ final class RecordShape {
     return -1;
   }
 
-  /** Reads one element of an array, the only field whose name need not be that of a component. */
+  /** Reads an element of an array, the only field with a name other than its component. */
   private void readElement(KrlScanner scanner, String path, @Nullable Object[] values) {
     String printed = scanner.fieldName();
     int bracket = printed.indexOf('[');
@@ -239,7 +239,7 @@ final class RecordShape {
           path
               + "."
               + printed
-              + " is no component of "
+              + " is not a component of "
               + type.getTypeName()
               + ", which has "
               + Arrays.stream(fields).map(Field::printedName).collect(Collectors.joining(", ")),
@@ -249,11 +249,7 @@ final class RecordShape {
     Matcher element = ELEMENT.matcher(printed);
     if (!(field.type() instanceof FieldType.Array array) || !element.matches()) {
       throw new PathException(
-          path
-              + "."
-              + printed
-              + " is not of the component's type, which wants "
-              + field.printedName(),
+          path + "." + printed + " is not of the component's type, expected " + field.printedName(),
           null);
     }
     if (values[index] == null) {
@@ -270,13 +266,13 @@ final class RecordShape {
     }
   }
 
-  /** The elements of an array that is printed one by one. */
+  /** The elements of an array that is printed element by element. */
   private static final class Elements {
     final SortedMap<Integer, Object> byIndex = new TreeMap<>();
   }
 
   private static PathException twice(String path, String field) {
-    return new PathException(path + "." + field + " stands there twice", null);
+    return new PathException(path + "." + field + " occurs twice", null);
   }
 
   private static PathException wrong(String path, String field, IllegalArgumentException e) {
@@ -321,7 +317,7 @@ final class RecordShape {
   private static PathException missing(String path) {
     return new PathException(
         path
-            + " is missing in the controller's answer: it is not initialised, or no field of that"
+            + " is missing in the controller's answer: it is not initialised, or not a field of that"
             + " variable",
         null);
   }

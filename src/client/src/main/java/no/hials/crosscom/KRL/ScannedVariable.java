@@ -2,13 +2,13 @@ package no.hials.crosscom.KRL;
 
 import no.hials.crosscom.protocol.value.KrlScanner;
 
-/** What the scalars, strings and arrays of the client share: they are read in place. */
+/** The base class of the client's scalars, strings and arrays, which are read in place. */
 abstract class ScannedVariable extends KRLVariable {
   ScannedVariable(String name) {
     super(name);
   }
 
-  /** Reads the whole text; sets the value only if all of it is right. */
+  /** Reads the whole text; sets the value only if the text is valid. */
   abstract void read(KrlScanner scanner);
 
   @Override
@@ -22,7 +22,7 @@ abstract class ScannedVariable extends KRLVariable {
     read(new KrlScanner(strValue));
   }
 
-  /** Adds the brackets that KRL wants behind the name of a whole array. */
+  /** Adds the brackets of a whole array to a name. */
   static String wholeArray(String name) {
     String trimmed = name.strip();
     return trimmed.isEmpty() || trimmed.endsWith("]") ? trimmed : trimmed + "[]";

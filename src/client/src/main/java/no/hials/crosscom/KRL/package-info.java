@@ -1,8 +1,8 @@
 /**
  * Typed variables: local copies that {@link no.hials.crosscom.CrossComClient} reads and writes.
  *
- * <p>The classes and their names are those of the original JOpenShowVar. A variable is for one
- * thread at a time; its value changes only by its setters, a read, or a write that succeeded.
+ * <p>The classes have the names of the original JOpenShowVar. A variable is not thread-safe. Only
+ * its setters, a read and a successful write change its value.
  */
 @NullMarked
 package no.hials.crosscom.KRL;

@@ -3,12 +3,12 @@ package no.hials.crosscom.variables;
 /** Holds a BOOL. */
 public class Bool extends Variable<Boolean> {
   /**
-   * Makes a variable.
+   * Creates a variable.
    *
    * @param id the number of the request
    * @param name the variable's name
    * @param value the value
-   * @param readTime how long the access took, in ns
+   * @param readTime the time of the access, in ns
    */
   public Bool(int id, String name, Boolean value, long readTime) {
     super(id, name, "Bool", value, readTime);

@@ -4,12 +4,12 @@ package no.hials.crosscom.variables;
 @SuppressWarnings("JavaLangClash") // the original's name
 public class Enum extends Variable<String> {
   /**
-   * Makes a variable.
+   * Creates a variable.
    *
    * @param id the number of the request
    * @param name the variable's name
    * @param value the value
-   * @param readTime how long the access took, in ns
+   * @param readTime the time of the access, in ns
    */
   public Enum(int id, String name, String value, long readTime) {
     super(id, name, "Enum", value, readTime);

@@ -13,12 +13,12 @@ import no.hials.crosscom.protocol.value.KrlValue;
 /** Holds an aggregate. */
 public class Struct extends Variable<List<StructNode<?>>> {
   /**
-   * Makes a variable.
+   * Creates a variable.
    *
    * @param id the number of the request
    * @param name the variable's name
    * @param value the fields
-   * @param readTime how long the access took, in ns
+   * @param readTime the time of the access, in ns
    */
   public Struct(int id, String name, List<StructNode<?>> value, long readTime) {
     super(id, name, "Struct", value, readTime);

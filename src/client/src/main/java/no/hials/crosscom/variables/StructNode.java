@@ -10,7 +10,7 @@ public class StructNode<E> {
   private final E value;
 
   /**
-   * Makes a field.
+   * Creates a field.
    *
    * @param name its name
    * @param value its value
@@ -21,7 +21,7 @@ public class StructNode<E> {
   }
 
   /**
-   * Gives the name.
+   * Returns the name.
    *
    * @return the field's name
    */
@@ -30,7 +30,7 @@ public class StructNode<E> {
   }
 
   /**
-   * Gives the value.
+   * Returns the value.
    *
    * @return the field's value
    */

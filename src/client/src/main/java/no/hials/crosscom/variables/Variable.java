@@ -11,7 +11,7 @@ import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 
 /**
- * Holds a value that {@link no.hials.crosscom.CrossComClient#sendRequest} got.
+ * Holds a value returned by {@link no.hials.crosscom.CrossComClient#sendRequest}.
  *
  * @param <E> the Java type of the value
  */
@@ -25,13 +25,13 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
   protected E value;
 
   /**
-   * Makes a variable.
+   * Creates a variable.
    *
    * @param id the number of the request
    * @param name the variable's name
    * @param dataType the type's name, such as {@code Int}
    * @param value the value
-   * @param readTime how long the access took, in ns
+   * @param readTime the time of the access, in ns
    */
   protected Variable(int id, String name, String dataType, E value, long readTime) {
     this.id = id;
@@ -42,7 +42,7 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
   }
 
   /**
-   * Gives the name.
+   * Returns the name.
    *
    * @return the variable's name
    */
@@ -51,7 +51,7 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
   }
 
   /**
-   * Gives the type's name.
+   * Returns the type's name.
    *
    * @return such as {@code Int}
    */
@@ -60,7 +60,7 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
   }
 
   /**
-   * Gives how long the access took.
+   * Returns the time of the access.
    *
    * @return in ns
    */
@@ -69,7 +69,7 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
   }
 
   /**
-   * Gives the number of the request.
+   * Returns the number of the request.
    *
    * @return any number
    */
@@ -78,7 +78,7 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
   }
 
   /**
-   * Gives the value.
+   * Returns the value.
    *
    * @return the value
    */
@@ -99,14 +99,14 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
    * Sets value and time.
    *
    * @param newValue the new value
-   * @param newReadTime how long the access took, in ns
+   * @param newReadTime the time of the access, in ns
    */
   public void update(E newValue, long newReadTime) {
     setValue(newValue);
     readTime = newReadTime;
   }
 
-  /** Orders by the length of {@link #toString}, as the original did. */
+  /** Compares the length of {@link #toString}, as the original does. */
   @Override
   public int compareTo(Variable<E> o) {
     return Comparator.<Variable<E>>comparingInt(v -> v.toString().length()).compare(this, o);
@@ -122,7 +122,7 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
    *
    * @param callback the answer
    * @return an {@link Int}, {@link Real}, {@link Bool}, {@link Enum} or {@link Struct}
-   * @throws NumberFormatException if it is none of them: a text, an array, or no KRL value
+   * @throws NumberFormatException if it is a text, an array or not a KRL value
    * @deprecated use a typed variable of {@link no.hials.crosscom.KRL}, or {@link KrlValue#parse}
    */
   @Deprecated

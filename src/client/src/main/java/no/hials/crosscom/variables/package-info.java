@@ -1,8 +1,7 @@
 /**
- * The values of the original's version 0.1, made from the text of an answer without knowing its
- * type.
+ * The values of version 0.1 of the original, parsed from the text of an answer of unknown type.
  *
- * <p>Kept for its programs; {@link no.hials.crosscom.KRL} has what new programs use.
+ * <p>Kept for its programs; new programs use {@link no.hials.crosscom.KRL}.
  */
 @NullMarked
 package no.hials.crosscom.variables;

@@ -3,7 +3,7 @@ package no.hials.crosscom.KRL.structs;
 /** Holds an AXIS: the positions of the robot axes A1 to A6, in degrees, or mm for a linear axis. */
 public class KRLAxis extends NumberStruct {
   /**
-   * Makes a structure whose fields are 0.0.
+   * Creates a structure whose fields are 0.0.
    *
    * @param name the name on the controller
    */
@@ -12,17 +12,17 @@ public class KRLAxis extends NumberStruct {
   }
 
   /**
-   * Makes a structure with other fields.
+   * Creates a structure with other fields.
    *
    * @param name the name on the controller
-   * @param nodes the names of its fields, those of KRLAxis among them
+   * @param nodes the names of its fields, including the fields of KRLAxis
    */
   protected KRLAxis(String name, String... nodes) {
     super(name, nodes);
   }
 
   /**
-   * Gives axis A1.
+   * Returns axis A1.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -32,7 +32,7 @@ public class KRLAxis extends NumberStruct {
   }
 
   /**
-   * Gives axis A2.
+   * Returns axis A2.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -42,7 +42,7 @@ public class KRLAxis extends NumberStruct {
   }
 
   /**
-   * Gives axis A3.
+   * Returns axis A3.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -52,7 +52,7 @@ public class KRLAxis extends NumberStruct {
   }
 
   /**
-   * Gives axis A4.
+   * Returns axis A4.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -62,7 +62,7 @@ public class KRLAxis extends NumberStruct {
   }
 
   /**
-   * Gives axis A5.
+   * Returns axis A5.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -72,7 +72,7 @@ public class KRLAxis extends NumberStruct {
   }
 
   /**
-   * Gives axis A6.
+   * Returns axis A6.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -159,7 +159,7 @@ public class KRLAxis extends NumberStruct {
   }
 
   /**
-   * Gives A1 to A6.
+   * Returns A1 to A6.
    *
    * @return a new array of 6; degrees, or mm for linear axes
    */

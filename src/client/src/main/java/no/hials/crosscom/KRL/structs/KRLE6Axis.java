@@ -3,7 +3,7 @@ package no.hials.crosscom.KRL.structs;
 /** Holds an E6AXIS: the positions of the robot axes A1 to A6 and of the external axes E1 to E6. */
 public class KRLE6Axis extends KRLAxis {
   /**
-   * Makes a structure whose fields are 0.0.
+   * Creates a structure whose fields are 0.0.
    *
    * @param name the name on the controller
    */
@@ -12,7 +12,7 @@ public class KRLE6Axis extends KRLAxis {
   }
 
   /**
-   * Gives external axis E1.
+   * Returns external axis E1.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -22,7 +22,7 @@ public class KRLE6Axis extends KRLAxis {
   }
 
   /**
-   * Gives external axis E2.
+   * Returns external axis E2.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -32,7 +32,7 @@ public class KRLE6Axis extends KRLAxis {
   }
 
   /**
-   * Gives external axis E3.
+   * Returns external axis E3.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -42,7 +42,7 @@ public class KRLE6Axis extends KRLAxis {
   }
 
   /**
-   * Gives external axis E4.
+   * Returns external axis E4.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -52,7 +52,7 @@ public class KRLE6Axis extends KRLAxis {
   }
 
   /**
-   * Gives external axis E5.
+   * Returns external axis E5.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -62,7 +62,7 @@ public class KRLE6Axis extends KRLAxis {
   }
 
   /**
-   * Gives external axis E6.
+   * Returns external axis E6.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -149,7 +149,7 @@ public class KRLE6Axis extends KRLAxis {
   }
 
   /**
-   * Gives E1 to E6.
+   * Returns E1 to E6.
    *
    * @return a new array of 6; degrees, or mm for linear axes
    */

@@ -6,7 +6,7 @@ package no.hials.crosscom.KRL.structs;
  */
 public final class KRLE6Pos extends KRLPos {
   /**
-   * Makes a structure whose fields are 0.0.
+   * Creates a structure whose fields are 0.0.
    *
    * @param name the name on the controller
    */
@@ -15,7 +15,7 @@ public final class KRLE6Pos extends KRLPos {
   }
 
   /**
-   * Gives external axis E1.
+   * Returns external axis E1.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -25,7 +25,7 @@ public final class KRLE6Pos extends KRLPos {
   }
 
   /**
-   * Gives external axis E2.
+   * Returns external axis E2.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -35,7 +35,7 @@ public final class KRLE6Pos extends KRLPos {
   }
 
   /**
-   * Gives external axis E3.
+   * Returns external axis E3.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -45,7 +45,7 @@ public final class KRLE6Pos extends KRLPos {
   }
 
   /**
-   * Gives external axis E4.
+   * Returns external axis E4.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -55,7 +55,7 @@ public final class KRLE6Pos extends KRLPos {
   }
 
   /**
-   * Gives external axis E5.
+   * Returns external axis E5.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -65,7 +65,7 @@ public final class KRLE6Pos extends KRLPos {
   }
 
   /**
-   * Gives external axis E6.
+   * Returns external axis E6.
    *
    * @return degrees, or mm for a linear axis
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -152,7 +152,7 @@ public final class KRLE6Pos extends KRLPos {
   }
 
   /**
-   * Gives E1 to E6.
+   * Returns E1 to E6.
    *
    * @return a new array of 6; degrees, or mm for linear axes
    */

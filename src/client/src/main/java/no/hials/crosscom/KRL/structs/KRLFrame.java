@@ -2,11 +2,11 @@ package no.hials.crosscom.KRL.structs;
 
 /**
  * Holds a FRAME: a position X, Y, Z in mm and an orientation A, B, C in degrees, which is {@code
- * Rz(A) Ry(B) Rx(C)} (krl.md 3).
+ * Rz(A) Ry(B) Rx(C)} (docs/reference/kinematics.md#orientation).
  */
 public class KRLFrame extends NumberStruct {
   /**
-   * Makes a structure whose fields are 0.0.
+   * Creates a structure whose fields are 0.0.
    *
    * @param name the name on the controller
    */
@@ -15,17 +15,17 @@ public class KRLFrame extends NumberStruct {
   }
 
   /**
-   * Makes a structure with other fields.
+   * Creates a structure with other fields.
    *
    * @param name the name on the controller
-   * @param nodes the names of its fields, those of KRLFrame among them
+   * @param nodes the names of its fields, including the fields of KRLFrame
    */
   protected KRLFrame(String name, String... nodes) {
     super(name, nodes);
   }
 
   /**
-   * Gives the position along X.
+   * Returns the position along X.
    *
    * @return mm
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -35,7 +35,7 @@ public class KRLFrame extends NumberStruct {
   }
 
   /**
-   * Gives the position along Y.
+   * Returns the position along Y.
    *
    * @return mm
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -45,7 +45,7 @@ public class KRLFrame extends NumberStruct {
   }
 
   /**
-   * Gives the position along Z.
+   * Returns the position along Z.
    *
    * @return mm
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -55,7 +55,7 @@ public class KRLFrame extends NumberStruct {
   }
 
   /**
-   * Gives the rotation about Z.
+   * Returns the rotation about Z.
    *
    * @return degrees
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -65,7 +65,7 @@ public class KRLFrame extends NumberStruct {
   }
 
   /**
-   * Gives the rotation about the new Y'.
+   * Returns the rotation about the new Y'.
    *
    * @return degrees
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -75,7 +75,7 @@ public class KRLFrame extends NumberStruct {
   }
 
   /**
-   * Gives the rotation about the new X''.
+   * Returns the rotation about the new X''.
    *
    * @return degrees
    * @throws IllegalStateException if it was missing in the controller's last answer
@@ -173,7 +173,7 @@ public class KRLFrame extends NumberStruct {
   }
 
   /**
-   * Gives X to Z.
+   * Returns X to Z.
    *
    * @return a new array of 3; mm
    */
@@ -182,7 +182,7 @@ public class KRLFrame extends NumberStruct {
   }
 
   /**
-   * Gives A to C.
+   * Returns A to C.
    *
    * @return a new array of 3; degrees
    */

@@ -1,9 +1,11 @@
 package no.hials.crosscom.KRL.structs;
 
-/** Holds a POS: a FRAME with Status and Turn, which tell apart the axis positions that reach it. */
+/**
+ * Holds a POS: a FRAME with Status and Turn, which distinguish the axis positions that reach it.
+ */
 public class KRLPos extends KRLFrame {
   /**
-   * Makes a structure whose fields are 0.0.
+   * Creates a structure whose fields are 0.0.
    *
    * @param name the name on the controller
    */
@@ -12,16 +14,16 @@ public class KRLPos extends KRLFrame {
   }
 
   /**
-   * Makes a structure with other fields.
+   * Creates a structure with other fields.
    *
    * @param name the name on the controller
-   * @param nodes the names of its fields, those of KRLPos among them
+   * @param nodes the names of its fields, including the fields of KRLPos
    */
   protected KRLPos(String name, String... nodes) {
     super(name, nodes);
   }
 
-  /** Status and Turn are INT on the controller. */
+  /** Status and Turn are INTs on the controller. */
   @Override
   boolean isInt(int index) {
     String field = nodes()[index];
@@ -29,9 +31,9 @@ public class KRLPos extends KRLFrame {
   }
 
   /**
-   * Gives the Status.
+   * Returns the Status.
    *
-   * @return a whole number of bits
+   * @return a bit field, as a whole number
    * @throws IllegalStateException if it was missing in the controller's last answer
    */
   public double getS() {
@@ -39,9 +41,9 @@ public class KRLPos extends KRLFrame {
   }
 
   /**
-   * Gives the Turn.
+   * Returns the Turn.
    *
-   * @return a whole number of bits
+   * @return a bit field, as a whole number
    * @throws IllegalStateException if it was missing in the controller's last answer
    */
   public double getT() {
@@ -51,7 +53,7 @@ public class KRLPos extends KRLFrame {
   /**
    * Sets the Status.
    *
-   * @param d a whole number of bits
+   * @param d a bit field, as a whole number
    * @return this
    */
   public KRLPos setS(double d) {
@@ -62,7 +64,7 @@ public class KRLPos extends KRLFrame {
   /**
    * Sets the Turn.
    *
-   * @param d a whole number of bits
+   * @param d a bit field, as a whole number
    * @return this
    */
   public KRLPos setT(double d) {

@@ -13,12 +13,12 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 
-/** Holds a structure: fields with names, which the controller reads and writes in one access. */
+/** Holds a structure: named fields that one access reads or writes. */
 public abstract class KRLStruct extends KRLVariable {
   private final String[] nodes;
 
   /**
-   * Makes a structure.
+   * Creates a structure.
    *
    * @param name the name on the controller
    * @param nodes the names of its fields
@@ -29,7 +29,7 @@ public abstract class KRLStruct extends KRLVariable {
   }
 
   /**
-   * Makes a structure.
+   * Creates a structure.
    *
    * @param name the name on the controller
    * @param nodes the names of its fields
@@ -39,9 +39,9 @@ public abstract class KRLStruct extends KRLVariable {
   }
 
   /**
-   * Gives the fields' values.
+   * Returns the values of the fields.
    *
-   * @return a map in the order of the fields, which the caller may change
+   * @return a modifiable map in the order of the fields
    */
   @Override
   public abstract HashMap<String, ?> getValue();
@@ -55,7 +55,7 @@ public abstract class KRLStruct extends KRLVariable {
   public abstract void setValue(String str, String obj);
 
   /**
-   * Gives the names of the fields.
+   * Returns the names of the fields.
    *
    * @return a new array
    */
@@ -63,7 +63,7 @@ public abstract class KRLStruct extends KRLVariable {
     return nodes.clone();
   }
 
-  /** Gives the names of the fields, not to be changed. */
+  /** Returns the names of the fields; callers must not modify the array. */
   String[] nodes() {
     return nodes;
   }
@@ -76,11 +76,12 @@ public abstract class KRLStruct extends KRLVariable {
   }
 
   /**
-   * Gives the text that writes some fields only; the controller leaves the others as they are.
+   * Returns the text that writes only some fields; the others stay unchanged on the controller.
    *
-   * @param fields names of this structure's fields, at least one
+   * @param fields names of fields, at least one
    * @return the text
-   * @throws IllegalArgumentException if there is no such field or it has no value
+   * @throws IllegalArgumentException if a name is not a field of this structure, or the field has
+   *     no value
    */
   public String getStringValueOf(String... fields) {
     if (fields.length == 0) {
@@ -99,7 +100,7 @@ public abstract class KRLStruct extends KRLVariable {
     return new KrlStruct(null, parts).printShort();
   }
 
-  /** Gives a field's value for the printer. */
+  /** Returns a field's value for the printer. */
   private static KrlValue toKrl(Object value) {
     if (value instanceof Integer number) {
       return new KrlInt(number);

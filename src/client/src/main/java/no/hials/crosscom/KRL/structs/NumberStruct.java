@@ -13,11 +13,11 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.protocol.value.RealStyle;
 
 /**
- * What the geometric structures share: fields that are numbers, kept in an array.
+ * The base class of the geometric structures: fields that are numbers, kept in an array.
  *
- * <p>A field is in one of three states: never set (it is 0.0, and written as 0.0), set, or missing:
- * the controller's last answer did not have it, because it is not initialised there. To ask for a
- * missing one is an error, because any number would be wrong.
+ * <p>A field is in one of three states: never set (it is 0.0, and written as 0.0), set, or missing.
+ * A missing field was not in the controller's last answer, because it is not initialised there.
+ * Reading a missing field is an error, because any number would be wrong.
  */
 abstract class NumberStruct extends KRLStruct {
   private double[] values;
@@ -26,7 +26,7 @@ abstract class NumberStruct extends KRLStruct {
   private double[] scratchValues;
   private boolean[] scratchMissing;
 
-  /** Fields the controller sent that are not this structure's own; seldom any. */
+  /** Fields from the controller that are not fields of this structure; rarely any. */
   private Map<String, KrlValue> foreign = Map.of();
 
   NumberStruct(String name, String... nodes) {
@@ -38,7 +38,7 @@ abstract class NumberStruct extends KRLStruct {
     scratchMissing = new boolean[nodes.length];
   }
 
-  /** Says whether a field is an INT on the controller. */
+  /** Returns whether a field is an INT on the controller. */
   boolean isInt(int index) {
     return false;
   }
@@ -72,7 +72,7 @@ abstract class NumberStruct extends KRLStruct {
           getName()
               + "."
               + nodes()[index]
-              + " was not in the controller's answer: it is not initialised, or no field of that"
+              + " was not in the controller's answer: it is not initialised, or not a field of that"
               + " variable");
     }
     return values[index];
@@ -126,7 +126,7 @@ abstract class NumberStruct extends KRLStruct {
   }
 
   /**
-   * Gives all values.
+   * Returns all values.
    *
    * @return a new array in the order of {@link #getNodes}, in mm and degrees
    * @throws IllegalStateException if a field was missing in the controller's last answer
@@ -136,21 +136,21 @@ abstract class NumberStruct extends KRLStruct {
   }
 
   /**
-   * Says whether a field has a value that was set or read. One that was neither is 0.0.
+   * Returns whether a field was set or read. Otherwise it is 0.0.
    *
    * @param field its name
-   * @return true if so
    */
   public boolean isSet(String field) {
     return given[ownIndexOf(field)];
   }
 
   /**
-   * Gives the fields' values, and those numbers that the controller sent although they are not of
-   * this structure, as when {@code $POS_ACT} is read into an E6AXIS. A field that was missing in
-   * the controller's last answer is not there.
+   * Returns the values of the fields, and of numbers from the controller that are not fields of
+   * this structure, as when {@code $POS_ACT} is read into an E6AXIS. Fields that were missing in
+   * the controller's last answer are absent.
    *
-   * @return a new map, the own fields in the order of {@link #getNodes}, then the others
+   * @return a new map, the fields of this structure in the order of {@link #getNodes}, then the
+   *     others
    */
   @Override
   public HashMap<String, Double> getValue() {
@@ -164,7 +164,7 @@ abstract class NumberStruct extends KRLStruct {
     foreign.forEach(
         (name, value) -> {
           if (value instanceof KrlReal number) {
-            map.put(name, Double.valueOf(number.print())); // the controller's own digits
+            map.put(name, Double.valueOf(number.print())); // the digits from the controller
           } else if (value instanceof KrlInt number) {
             map.put(name, (double) number.value());
           }
@@ -175,8 +175,7 @@ abstract class NumberStruct extends KRLStruct {
   /**
    * Sets a field from text.
    *
-   * @param str the field's name; one that is not of this structure is kept beside the own fields,
-   *     but not written
+   * @param str the field's name; a field that is not of this structure is kept but not written
    * @param obj a number as KRL text
    * @throws IllegalArgumentException if the text is not a number
    */
@@ -196,10 +195,10 @@ abstract class NumberStruct extends KRLStruct {
   }
 
   /**
-   * Gives the text that writes the whole structure.
+   * Returns the text that writes the whole structure.
    *
-   * @return an aggregate of all own fields; those never set, or missing in the controller's last
-   *     answer, as 0.0
+   * @return an aggregate of all fields of this structure; fields that were never set, or were
+   *     missing in the controller's last answer, are 0.0
    */
   @Override
   public String getStringValue() {
@@ -249,7 +248,7 @@ abstract class NumberStruct extends KRLStruct {
 
   @Override
   protected final boolean setValueFrom(KrlScanner scanner, boolean written) {
-    // a write may name some fields only; an answer to a read says which fields there are
+    // a write may name only some fields; the answer to a read names all that exist
     if (written) {
       System.arraycopy(values, 0, scratchValues, 0, values.length);
       System.arraycopy(missing, 0, scratchMissing, 0, missing.length);
@@ -297,7 +296,10 @@ abstract class NumberStruct extends KRLStruct {
     }
   }
 
-  /** Finds the field that the scanner has reached; a controller sends them nearly in our order. */
+  /**
+   * Returns the field at the scanner; a controller sends them almost in the order of this
+   * structure.
+   */
   private int find(KrlScanner scanner, int start) {
     String[] nodes = nodes();
     for (int i = 0; i < nodes.length; i++) {

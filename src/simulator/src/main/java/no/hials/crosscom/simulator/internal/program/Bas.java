@@ -8,6 +8,7 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.Operators;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
@@ -31,7 +32,7 @@ final class Bas {
       throws KrlExecutionException {
     KrlValue command = Builtins.value(arguments, 0);
     if (!(command instanceof KrlEnum constant)) {
-      throw KrlVirtualMachine.wrongType("a command of BAS", command);
+      throw Operators.wrongType("a command of BAS", command);
     }
     KrlValue argument = arguments[1] instanceof KrlValue given ? given : new KrlInt(0);
     new Bas(names.scope()).execute(constant.name().toUpperCase(Locale.ROOT), argument);
@@ -116,8 +117,8 @@ final class Bas {
     }
     KrlValue percent = find("LDAT_ACT.ACC");
     if (percent != null) {
-      double full = KrlVirtualMachine.number(get("DEF_ACC_CP"));
-      set("$ACC.CP", KrlReal.of(full * KrlVirtualMachine.number(percent) / 100));
+      double full = Operators.number(get("DEF_ACC_CP"));
+      set("$ACC.CP", KrlReal.of(full * Operators.number(percent) / 100));
     }
     setIfGiven("$APO.CDIS", "LDAT_ACT.APO_DIST");
     setIfGiven("$ORI_TYPE", "LDAT_ACT.ORI_TYP");
@@ -139,7 +140,7 @@ final class Bas {
   }
 
   private static int number(KrlValue value) throws KrlExecutionException {
-    return (int) Math.rint(KrlVirtualMachine.number(value));
+    return (int) Math.rint(Operators.number(value));
   }
 
   private void setAxes(String array, KrlValue percent) throws KrlExecutionException {

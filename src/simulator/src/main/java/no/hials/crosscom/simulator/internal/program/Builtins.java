@@ -16,6 +16,8 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.FrameArithmetic;
+import no.hials.crosscom.simulator.internal.data.Operators;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.program.Builtin.Kind;
@@ -119,7 +121,7 @@ final class Builtins {
   }
 
   private static double number(@Nullable Object[] arguments, int at) throws KrlExecutionException {
-    return KrlVirtualMachine.number(value(arguments, at));
+    return Operators.number(value(arguments, at));
   }
 
   private static Reference reference(@Nullable Object[] arguments, int at) {
@@ -204,7 +206,7 @@ final class Builtins {
     if (value instanceof KrlStruct struct) {
       return struct;
     }
-    throw KrlVirtualMachine.wrongType("a position", value);
+    throw Operators.wrongType("a position", value);
   }
 
   private static KrlValue forward(
@@ -290,7 +292,7 @@ final class Builtins {
       throws KrlExecutionException {
     KrlValue start = value(arguments, 0);
     if (!(start instanceof KrlInt from)) {
-      throw KrlVirtualMachine.wrongType("INT", start);
+      throw Operators.wrongType("INT", start);
     }
     int at = folded(arguments, 1, 3).indexOf(folded(arguments, 2, 3), from.value() - 1);
     return at < 0 ? NOT_FOUND : new KrlInt(at + 1);

@@ -8,11 +8,11 @@ import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
-import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.Operators;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
@@ -215,7 +215,7 @@ final class KrlVirtualMachine {
     if (value instanceof KrlBool bool) {
       return bool.value();
     }
-    throw wrongType("BOOL", value);
+    throw Operators.wrongType("BOOL", value);
   }
 
   int popInt() throws KrlExecutionException {
@@ -223,27 +223,11 @@ final class KrlVirtualMachine {
     if (value instanceof KrlInt number) {
       return number.value();
     }
-    throw wrongType("INT", value);
+    throw Operators.wrongType("INT", value);
   }
 
   double popNumber() throws KrlExecutionException {
-    return number(pop());
-  }
-
-  static double number(KrlValue value) throws KrlExecutionException {
-    if (value instanceof KrlInt number) {
-      return number.value();
-    }
-    if (value instanceof KrlReal number) {
-      return number.value();
-    }
-    throw wrongType("a number", value);
-  }
-
-  static KrlExecutionException wrongType(String expected, KrlValue value) {
-    return new KrlExecutionException(
-        KrlExecutionException.WRONG_TYPE,
-        "needs " + expected + ", was given " + value.print().strip());
+    return Operators.number(pop());
   }
 
   // for instructions: the flow

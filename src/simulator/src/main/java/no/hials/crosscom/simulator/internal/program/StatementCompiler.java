@@ -18,6 +18,7 @@ import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
+import no.hials.crosscom.simulator.internal.data.Operators;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
@@ -528,6 +529,6 @@ final class StatementCompiler {
     if (value instanceof KrlStruct struct) {
       return struct;
     }
-    throw KrlVirtualMachine.wrongType("a position", value);
+    throw Operators.wrongType("a position", value);
   }
 }

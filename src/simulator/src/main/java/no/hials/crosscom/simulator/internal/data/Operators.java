@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.internal.program;
+package no.hials.crosscom.simulator.internal.data;
 
 import no.hials.crosscom.lang.Expression.BinaryOperator;
 import no.hials.crosscom.protocol.value.KrlBool;
@@ -14,17 +14,17 @@ import no.hials.crosscom.simulator.KrlExecutionException;
  * quotient cut off; with a REAL all is REAL, a 32-bit float (krl.md 1.1); AND, OR and EXOR always
  * evaluate both operands.
  */
-final class Operators {
+public final class Operators {
   private Operators() {}
 
   /** An operator with two operands. */
   @FunctionalInterface
-  interface Operator {
+  public interface Operator {
     KrlValue apply(KrlValue left, KrlValue right) throws KrlExecutionException;
   }
 
   /** Gives what an operator does. */
-  static Operator of(BinaryOperator operator) {
+  public static Operator of(BinaryOperator operator) {
     return switch (operator) {
       case GEOMETRIC -> FrameArithmetic::product;
       case PLUS -> Operators::sum;
@@ -80,26 +80,26 @@ final class Operators {
     return real(number(left) / divisor);
   }
 
-  static KrlValue negative(KrlValue operand) throws KrlExecutionException {
+  public static KrlValue negative(KrlValue operand) throws KrlExecutionException {
     return operand instanceof KrlInt number
         ? integer(-(long) number.value())
         : real(-number(operand));
   }
 
-  static KrlValue positive(KrlValue operand) throws KrlExecutionException {
+  public static KrlValue positive(KrlValue operand) throws KrlExecutionException {
     number(operand);
     return operand;
   }
 
-  static KrlValue not(KrlValue operand) throws KrlExecutionException {
+  public static KrlValue not(KrlValue operand) throws KrlExecutionException {
     return new KrlBool(!bool(operand));
   }
 
-  static KrlValue bitwiseNot(KrlValue operand) throws KrlExecutionException {
+  public static KrlValue bitwiseNot(KrlValue operand) throws KrlExecutionException {
     return new KrlInt(~bits(operand));
   }
 
-  static KrlInt integer(long result) throws KrlExecutionException {
+  public static KrlInt integer(long result) throws KrlExecutionException {
     if (result != (int) result) {
       throw new KrlExecutionException(
           KrlExecutionException.OVERFLOW, "an INT has 32 bits, the result would be " + result);
@@ -108,7 +108,7 @@ final class Operators {
   }
 
   /** Rounds to a REAL. Doubles hold sums, products and quotients of two floats well enough. */
-  static KrlReal real(double result) throws KrlExecutionException {
+  public static KrlReal real(double result) throws KrlExecutionException {
     float rounded = (float) result;
     if (!Float.isFinite(rounded)) {
       throw new KrlExecutionException(
@@ -118,25 +118,37 @@ final class Operators {
     return new KrlReal(rounded);
   }
 
-  private static double number(KrlValue value) throws KrlExecutionException {
-    return KrlVirtualMachine.number(value);
+  public static double number(KrlValue value) throws KrlExecutionException {
+    if (value instanceof KrlInt number) {
+      return number.value();
+    }
+    if (value instanceof KrlReal number) {
+      return number.value();
+    }
+    throw wrongType("a number", value);
+  }
+
+  public static KrlExecutionException wrongType(String expected, KrlValue value) {
+    return new KrlExecutionException(
+        KrlExecutionException.WRONG_TYPE,
+        "needs " + expected + ", was given " + value.print().strip());
   }
 
   private static int bits(KrlValue value) throws KrlExecutionException {
     if (value instanceof KrlInt number) {
       return number.value();
     }
-    throw KrlVirtualMachine.wrongType("INT", value);
+    throw wrongType("INT", value);
   }
 
   private static boolean bool(KrlValue value) throws KrlExecutionException {
     if (value instanceof KrlBool bool) {
       return bool.value();
     }
-    throw KrlVirtualMachine.wrongType("BOOL", value);
+    throw wrongType("BOOL", value);
   }
 
-  static boolean areEqual(KrlValue left, KrlValue right) throws KrlExecutionException {
+  public static boolean areEqual(KrlValue left, KrlValue right) throws KrlExecutionException {
     if (left instanceof KrlBool a && right instanceof KrlBool b) {
       return a.value() == b.value();
     }

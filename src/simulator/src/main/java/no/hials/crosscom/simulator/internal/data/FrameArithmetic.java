@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.internal.program;
+package no.hials.crosscom.simulator.internal.data;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,7 +10,7 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 
 /** Computes with values of the types FRAME, POS and E6POS. */
-final class FrameArithmetic {
+public final class FrameArithmetic {
   private static final List<String> COMPONENTS = List.of("X", "Y", "Z", "A", "B", "C");
 
   private FrameArithmetic() {}
@@ -25,7 +25,7 @@ final class FrameArithmetic {
   }
 
   /** Gives the inverse of a frame, with the type of the operand. */
-  static KrlValue inverse(KrlValue operand) throws KrlExecutionException {
+  public static KrlValue inverse(KrlValue operand) throws KrlExecutionException {
     return replaced((KrlStruct) operand, frame(operand).inverse());
   }
 
@@ -33,7 +33,7 @@ final class FrameArithmetic {
     if (!(value instanceof KrlStruct struct)
         || struct.fields().stream()
             .noneMatch(field -> COMPONENTS.contains(field.name().toUpperCase(Locale.ROOT)))) {
-      throw KrlVirtualMachine.wrongType("FRAME, POS or E6POS", value);
+      throw Operators.wrongType("FRAME, POS or E6POS", value);
     }
     double[] numbers = new double[COMPONENTS.size()];
     for (int i = 0; i < numbers.length; i++) {
@@ -44,7 +44,7 @@ final class FrameArithmetic {
             KrlExecutionException.NOT_INITIALISED,
             "component " + name + " has no value yet of " + struct);
       }
-      numbers[i] = KrlVirtualMachine.number(component.get());
+      numbers[i] = Operators.number(component.get());
     }
     return new Frame(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]);
   }

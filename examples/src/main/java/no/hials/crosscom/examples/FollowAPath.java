@@ -9,11 +9,11 @@ import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Watch;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.OperatingMode;
 
 /**
  * Writes a path of 24 points and has {@code krl/play_path.src} drive along it: A1 swings 10 degrees

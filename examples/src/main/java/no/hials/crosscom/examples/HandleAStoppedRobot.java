@@ -6,9 +6,9 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.SimulationClock;
 

@@ -3,9 +3,9 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.SimulationClock;
 

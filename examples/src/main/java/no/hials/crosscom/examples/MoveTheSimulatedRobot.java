@@ -7,9 +7,9 @@ import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /**

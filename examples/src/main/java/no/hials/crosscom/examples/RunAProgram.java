@@ -6,7 +6,7 @@ import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Interpreter;
-import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /** Uploads a program, selects it, starts it and stops it. It needs C3 Bridge. */

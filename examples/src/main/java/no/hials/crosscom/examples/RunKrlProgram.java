@@ -15,7 +15,7 @@ import no.hials.crosscom.c3.Verification;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Interpreter;
-import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.protocol.code.OperatingMode;
 
 /**
  * Brings {@code krl/actuator.src} to the controller, runs it, and moves the robot by it, all over

@@ -9,9 +9,9 @@ import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics;
-import no.hials.crosscom.control.OperatingMode;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 
@@ -48,7 +48,7 @@ public final class SwingAxisOne {
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       Controller controller = robot.controller();
       controller.load(KrlFolder.file("config.dat"));
-      controller.setMode(no.hials.crosscom.simulator.OperatingMode.AUT);
+      controller.setMode(OperatingMode.AUT);
       controller.submit().select(controller.load(KrlFolder.file("jov_sps.sub")));
       controller.submit().start();
       controller.robot().select(controller.load(KrlFolder.file("ext_move_axis.src")));

@@ -8,9 +8,9 @@ import java.util.concurrent.ExecutionException;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /** Reads two robots at once, and lets one follow the other. */

@@ -9,8 +9,8 @@ import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
-import no.hials.crosscom.simulator.OperatingMode;
 import org.junit.jupiter.api.Test;
 
 class JogTheRobotTest {

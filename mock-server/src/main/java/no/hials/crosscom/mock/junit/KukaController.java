@@ -10,8 +10,8 @@ import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
-import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.extension.ExtendWith;
 

@@ -8,10 +8,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.FileTree;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.OperatingMode;
 import no.hials.crosscom.simulator.ProgramControl;
 
 /**

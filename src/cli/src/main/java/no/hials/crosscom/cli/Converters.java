@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.SimulationClock;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;

@@ -15,11 +15,11 @@ import no.hials.crosscom.control.ControlLoop;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics;
-import no.hials.crosscom.control.OperatingMode;
 import no.hials.crosscom.control.Safety;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Trace;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -77,9 +77,9 @@ final class DriveCommand extends ConsoleCommand {
       paramLabel = "DEVICE",
       converter = DriveDevice.Converter.class,
       description = {
-        "keyboard (if not given), gamepad, csv:FILE for a recording, or udp:PORT for datagrams (udp for"
-            + " port 7070). Datagrams are taken from this computer only, unless an address of it is"
-            + " given: udp:ADDRESS:PORT. Then whoever reaches that moves the robot."
+        "keyboard (if not given), gamepad, csv:FILE for a recording, or udp:PORT for datagrams (udp"
+            + " for port 7070). Datagrams are taken from this computer only, unless an address of"
+            + " it is given: udp:ADDRESS:PORT. Then whoever reaches that moves the robot."
       })
   private DriveDevice.@Nullable Choice device;
 
@@ -88,8 +88,8 @@ final class DriveCommand extends ConsoleCommand {
       order = 3,
       paramLabel = "FRAME",
       description = {
-        "What the device moves: base (if not given) for the tool along $BASE, tool for the tool along"
-            + " its own axes, joints for the axes of the robot."
+        "What the device moves: base (if not given) for the tool along $BASE, tool for the tool"
+            + " along its own axes, joints for the axes of the robot."
       })
   private String frame = "base";
 
@@ -115,8 +115,8 @@ final class DriveCommand extends ConsoleCommand {
       order = 3,
       paramLabel = "PART",
       description = {
-        "How far from the centre a stick is still at rest, 0 to less than 1; if not given, 0.15 for a"
-            + " gamepad, else 0."
+        "How far from the centre a stick is still at rest, 0 to less than 1; if not given, 0.15 for"
+            + " a gamepad, else 0."
       })
   private @Nullable Double deadZone;
 
@@ -134,8 +134,8 @@ final class DriveCommand extends ConsoleCommand {
       paramLabel = "TIME",
       converter = Converters.Time.class,
       description = {
-        "How long the controller may take to say where the robot is, at most 2s; 100ms if not given. A"
-            + " longer one ends it, when it has answered or --timeout is over."
+        "How long the controller may take to say where the robot is, at most 2s; 100ms if not"
+            + " given. A longer one ends it, when it has answered or --timeout is over."
       })
   private Duration maxDelay = Duration.ofMillis(100);
 
@@ -152,9 +152,9 @@ final class DriveCommand extends ConsoleCommand {
       order = 4,
       paramLabel = "FILE",
       description = {
-        "Write a CSV file at the end: when each cycle was, how long the accesses took, where the robot"
-            + " was to go, what was sent, and where it was. It has the last 200000 cycles. One that"
-            + " is there already needs --yes."
+        "Write a CSV file at the end: when each cycle was, how long the accesses took, where the"
+            + " robot was to go, what was sent, and where it was. It has the last 200000 cycles."
+            + " One that is there already needs --yes."
       })
   private @Nullable Path record;
 
@@ -283,7 +283,7 @@ final class DriveCommand extends ConsoleCommand {
   private static OperatingMode mode(Controller controller) throws IOException {
     String mode = controller.client().readText("$MODE_OP").strip();
     for (OperatingMode known : OperatingMode.values()) {
-      if (mode.equalsIgnoreCase("#" + known)) {
+      if (mode.equalsIgnoreCase("#" + known.constant())) {
         return known;
       }
     }

@@ -16,7 +16,7 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
-import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -300,8 +300,8 @@ class BenchCommandTest {
     assertThat(texts.get(0)).isEqualTo("Access times of 127.0.0.1, 1 client");
     assertThat(texts.get(1))
         .matches(
-            "read \\$OV_PRO \\(INT, 3 bytes\\): accesses over access time \\[ms]; 50 accesses.*, 50 %:"
-                + " [\\d.]+ ms, 99 %: [\\d.]+ ms");
+            "read \\$OV_PRO \\(INT, 3 bytes\\): accesses over access time \\[ms]; 50 accesses.*, 50"
+                + " %: [\\d.]+ ms, 99 %: [\\d.]+ ms");
     assertThat(texts.get(2)).startsWith("read $AXIS_ACT (E6AXIS, ");
     assertThat(Pictures.colors(png)).containsKey(0x0072B2);
   }

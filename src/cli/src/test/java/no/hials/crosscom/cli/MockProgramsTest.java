@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
-import no.hials.crosscom.simulator.OperatingMode;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

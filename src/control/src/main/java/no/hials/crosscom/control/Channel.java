@@ -15,6 +15,7 @@ import no.hials.crosscom.VariableResult;
 import no.hials.crosscom.control.StopReason.Kind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -152,7 +153,7 @@ final class Channel {
   void checkMode(Safety safety) throws ControlRefusedException {
     String found = mode.stringValue();
     for (OperatingMode allowed : safety.modes()) {
-      if (found.substring(1).toUpperCase(Locale.ROOT).equals(allowed.name())) {
+      if (found.substring(1).toUpperCase(Locale.ROOT).equals(allowed.constant())) {
         return;
       }
     }

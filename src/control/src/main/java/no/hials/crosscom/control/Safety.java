@@ -5,6 +5,7 @@ import java.util.EnumSet;
 import java.util.Set;
 import java.util.function.Consumer;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import org.jspecify.annotations.Nullable;
 
 /**

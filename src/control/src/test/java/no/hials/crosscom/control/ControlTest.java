@@ -14,6 +14,7 @@ import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.variable.WriteRequest;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.ProgramState;
@@ -44,7 +45,7 @@ abstract class ControlTest {
     server = MockServer.start(this::configure);
     controller = server.controller();
     controller.load(KRL.resolve("config.dat"));
-    controller.setMode(no.hials.crosscom.simulator.OperatingMode.AUT);
+    controller.setMode(OperatingMode.AUT);
     controller.place(START);
     client = new CrossComClient(ClientConfig.create(server.host(), cfg -> cfg.port(server.port())));
     time = new SimulatedTime(controller);

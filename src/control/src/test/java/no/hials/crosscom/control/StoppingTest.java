@@ -13,6 +13,7 @@ import no.hials.crosscom.control.input.Input;
 import no.hials.crosscom.control.input.InputDevice;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.variable.WriteRequest;
 import no.hials.crosscom.simulator.ProgramState;
 import org.junit.jupiter.api.Test;
@@ -148,9 +149,7 @@ class StoppingTest extends ControlTest {
   @Test
   void anotherModeStopsTheLoop() throws Exception {
     StopReason reason =
-        runToStop(
-            "ext_move_axis.src",
-            afterOneSecond(() -> controller.setMode(no.hials.crosscom.simulator.OperatingMode.T2)));
+        runToStop("ext_move_axis.src", afterOneSecond(() -> controller.setMode(OperatingMode.T2)));
 
     assertReason(reason, Kind.MODE, "$MODE_OP must be one of [AUT], is #T2");
   }

@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import org.junit.jupiter.api.Test;
 
 /** Runs what the inline forms of KSS write, as it is copied from a controller. */

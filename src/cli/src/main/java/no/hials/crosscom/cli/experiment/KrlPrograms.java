@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.OperatingMode;
 
 /** Makes a simulated controller ready to follow a client, as a person would a real one. */
 public final class KrlPrograms {

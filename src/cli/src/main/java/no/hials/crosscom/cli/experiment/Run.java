@@ -8,11 +8,11 @@ import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics;
-import no.hials.crosscom.control.OperatingMode;
 import no.hials.crosscom.control.Safety;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Trace;
 import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.protocol.code.OperatingMode;
 
 /**
  * What a loop has done.

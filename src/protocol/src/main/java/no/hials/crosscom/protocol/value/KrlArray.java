@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol.value;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The elements of a whole numeric, BOOL or ENUM array, as the read of {@code NAME[]} gives them.
@@ -38,6 +39,11 @@ public record KrlArray(List<KrlValue> elements) implements KrlValue {
         || value instanceof KrlReal
         || value instanceof KrlBool
         || value instanceof KrlEnum;
+  }
+
+  @Override
+  public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
+    return visitor.visit(this);
   }
 
   @Override

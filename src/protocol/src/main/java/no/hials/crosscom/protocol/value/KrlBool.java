@@ -1,11 +1,18 @@
 package no.hials.crosscom.protocol.value;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A KRL BOOL.
  *
  * @param value {@code TRUE} or {@code FALSE}
  */
 public record KrlBool(boolean value) implements KrlValue {
+  @Override
+  public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
+    return visitor.visit(this);
+  }
+
   @Override
   public String toString() {
     return print();

@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol.value;
 
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A value of a KRL ENUM, such as {@code #T1}.
@@ -17,6 +18,11 @@ public record KrlEnum(String name) implements KrlValue {
       throw new IllegalArgumentException(
           "an ENUM constant is a name of letters, digits, _ and $, is \"" + name + "\"");
     }
+  }
+
+  @Override
+  public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
+    return visitor.visit(this);
   }
 
   @Override

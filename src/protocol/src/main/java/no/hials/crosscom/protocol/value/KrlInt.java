@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol.value;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A KRL INT.
  *
@@ -7,6 +9,11 @@ package no.hials.crosscom.protocol.value;
  *     or 8 digits may set the sign bit
  */
 public record KrlInt(int value) implements KrlValue {
+  @Override
+  public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
+    return visitor.visit(this);
+  }
+
   @Override
   public String toString() {
     return print();

@@ -19,58 +19,68 @@ public final class KrlPrinter {
    *     data list, without type name and without blanks after commas
    */
   public static void append(StringBuilder out, KrlValue value, RealStyle style) {
-    if (value instanceof KrlArray array) {
-      // the trailing blank is the controller's own (krl.md 1.4)
-      appendElements(out, array, style);
-      out.append(' ');
-    } else {
-      appendPart(out, value, style);
+    value.accept(new Appender(out, style));
+    if (value instanceof KrlArray) {
+      out.append(' '); // as the controller does (krl.md 1.4)
     }
   }
 
-  private static void appendPart(StringBuilder out, KrlValue value, RealStyle style) {
-    if (value instanceof KrlInt number) {
-      out.append(number.value());
-    } else if (value instanceof KrlReal number) {
+  /** Appends values; inside an aggregate an array has no trailing blank. */
+  private record Appender(StringBuilder out, RealStyle style) implements KrlVisitor<StringBuilder> {
+    @Override
+    public StringBuilder visit(KrlInt number) {
+      return out.append(number.value());
+    }
+
+    @Override
+    public StringBuilder visit(KrlReal number) {
       appendReal(out, number.value(), style);
-    } else if (value instanceof KrlBool bool) {
+      return out;
+    }
+
+    @Override
+    public StringBuilder visit(KrlBool bool) {
       appendBool(out, bool.value());
-    } else if (value instanceof KrlString string) {
-      out.append('"').append(string.text()).append('"');
-    } else if (value instanceof KrlEnum constant) {
-      out.append('#').append(constant.name());
-    } else if (value instanceof KrlStruct struct) {
-      appendStruct(out, struct, style);
-    } else if (value instanceof KrlArray array) {
-      appendElements(out, array, style);
+      return out;
     }
-  }
 
-  private static void appendElements(StringBuilder out, KrlArray array, RealStyle style) {
-    String separator = "";
-    for (KrlValue element : array.elements()) {
-      out.append(separator);
-      appendPart(out, element, style);
-      separator = " ";
+    @Override
+    public StringBuilder visit(KrlString string) {
+      return out.append('"').append(string.text()).append('"');
     }
-  }
 
-  private static void appendStruct(StringBuilder out, KrlStruct struct, RealStyle style) {
-    boolean compact = style == RealStyle.SHORTEST;
-    openStruct(out);
-    if (struct.typeName() != null && !compact) {
-      out.append(struct.typeName()).append(": ");
+    @Override
+    public StringBuilder visit(KrlEnum constant) {
+      return out.append('#').append(constant.name());
     }
-    boolean first = true;
-    for (KrlStruct.Field field : struct.fields()) {
-      if (!first) {
-        out.append(compact ? "," : ", ");
+
+    @Override
+    public StringBuilder visit(KrlArray array) {
+      String separator = "";
+      for (KrlValue element : array.elements()) {
+        out.append(separator);
+        element.accept(this);
+        separator = " ";
       }
-      first = false;
-      out.append(field.name()).append(' ');
-      appendPart(out, field.value(), style);
+      return out;
     }
-    closeStruct(out);
+
+    @Override
+    public StringBuilder visit(KrlStruct struct) {
+      boolean compact = style == RealStyle.SHORTEST;
+      openStruct(out);
+      if (struct.typeName() != null && !compact) {
+        out.append(struct.typeName()).append(": ");
+      }
+      String separator = "";
+      for (KrlStruct.Field field : struct.fields()) {
+        out.append(separator).append(field.name()).append(' ');
+        field.value().accept(this);
+        separator = compact ? "," : ", ";
+      }
+      closeStruct(out);
+      return out;
+    }
   }
 
   /**

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol.value;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A KRL REAL, which is an IEEE 754 32-bit float on the controller.
  *
@@ -27,6 +29,11 @@ public record KrlReal(float value) implements KrlValue {
    */
   public static KrlReal of(double value) {
     return new KrlReal(RealText.toFloat(value));
+  }
+
+  @Override
+  public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
+    return visitor.visit(this);
   }
 
   @Override

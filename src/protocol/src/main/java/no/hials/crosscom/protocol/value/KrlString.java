@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol.value;
 
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A KRL CHAR or CHAR array. A controller prints both in double quotes, so that {@code "A"} may be
@@ -19,6 +20,11 @@ public record KrlString(String text) implements KrlValue {
       throw new IllegalArgumentException(
           "a CHAR array cannot hold a double quote, found one at index " + quote + " of: " + text);
     }
+  }
+
+  @Override
+  public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
+    return visitor.visit(this);
   }
 
   @Override

@@ -1,5 +1,7 @@
 package no.hials.crosscom.protocol.value;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Stands for any value of a KRL variable, in the forms that a KR C4 prints it.
  *
@@ -28,6 +30,15 @@ public sealed interface KrlValue
   static KrlValue parse(CharSequence text) {
     return KrlValueParser.parse(text);
   }
+
+  /**
+   * Calls the visitor's method for this kind of value.
+   *
+   * @param visitor the methods
+   * @param <R> the result
+   * @return the result of the method
+   */
+  <R extends @Nullable Object> R accept(KrlVisitor<R> visitor);
 
   /**
    * Prints the value as a KR C4 (KSS 8.3 and later) does: REALs with 6 or 9 significant digits, an

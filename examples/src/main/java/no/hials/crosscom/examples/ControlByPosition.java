@@ -68,7 +68,7 @@ public final class ControlByPosition {
     }
   }
 
-  /** Gives a circle in the Y-Z plane that begins and ends where the robot stands. */
+  /** Returns a circle in the Y-Z plane that begins and ends where the robot stands. */
   private static Law circle(Frame start) {
     return Law.cartesianPosition(
         state -> {

@@ -8,7 +8,7 @@ final class KrlFolder {
   private KrlFolder() {}
 
   /**
-   * Gives a file.
+   * Returns a file.
    *
    * @param name its name
    * @return the file, from the project's folder or from that of this module

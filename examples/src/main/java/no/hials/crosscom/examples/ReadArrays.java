@@ -47,7 +47,7 @@ public final class ReadArrays {
     System.out.println("greatest angle of A1 in degrees: " + most.doubleValue());
   }
 
-  /** Gives numbers as KRL does, from 1. */
+  /** Returns numbers as KRL does, from 1. */
   private static List<Integer> on(KRLBoolArray inputs) {
     List<Integer> numbers = new ArrayList<>();
     boolean[] values = Objects.requireNonNull(inputs.getValue(), "it has been read");

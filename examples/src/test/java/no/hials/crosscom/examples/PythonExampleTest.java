@@ -64,7 +64,7 @@ class PythonExampleTest {
     assertThat(result.exitCode()).isZero();
   }
 
-  /** Gives the classes of this build, so that no jar has to be built first. */
+  /** Returns the classes of this build, so that no jar has to be built first. */
   private static String classPath() {
     return System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
   }

@@ -8,8 +8,7 @@ import java.net.InetAddress;
 import java.net.Socket;
 
 /**
- * What an exchange costs at least: a {@link Socket} that sends fixed bytes and takes as many bytes
- * as the answer has. It checks nothing.
+ * The lower bound of the cost of an exchange: a {@link Socket} that sends fixed bytes and reads the bytes of the answer. It checks nothing.
  */
 final class BareClient implements Closeable, Exchange {
   private final Socket socket;
@@ -27,7 +26,7 @@ final class BareClient implements Closeable, Exchange {
     answer = new byte[operation.answer().length];
   }
 
-  /** Gives the last byte of the answer, the flag of its tail. */
+  /** Returns the last byte of the answer, the success flag. */
   @Override
   public double run() throws IOException {
     out.write(request);
@@ -35,7 +34,7 @@ final class BareClient implements Closeable, Exchange {
     return answer[answer.length - 1];
   }
 
-  /** Gives the bytes of the last answer. */
+  /** Returns the bytes of the last answer. */
   byte[] answer() {
     return answer.clone();
   }

@@ -11,11 +11,8 @@ import java.util.concurrent.atomic.LongAdder;
 import no.hials.crosscom.protocol.Codec;
 
 /**
- * A server that costs next to nothing: it answers every request with the same bytes, but for the
- * id, which it takes from the request. It makes no objects while it serves.
- *
- * <p>Threads, all daemons: one that accepts, and one for each connection; they end with {@link
- * #close} and with the connection.
+ * A server of minimal cost: it answers every request with the same bytes and the id of the request. It creates no objects while it serves.
+ * <p>Threads, all daemons: one accepts connections, and one serves each connection. They end with {@link #close} and with the connection.
  */
 final class BareServer implements Closeable {
   private final ServerSocket listener;
@@ -33,12 +30,12 @@ final class BareServer implements Closeable {
     return listener.getLocalPort();
   }
 
-  /** Counts the requests answered. */
+  /** Returns the number of answered requests. */
   long requests() {
     return requests.sum();
   }
 
-  /** Counts the pieces in which the requests came; a request of two writes mostly comes in two. */
+  /** Returns the number of reads that received the requests; a request of two writes mostly needs two. */
   long segments() {
     return segments.sum();
   }
@@ -77,14 +74,14 @@ final class BareServer implements Closeable {
           segments.increment();
           have += count;
         }
-        // before the answer, so that whoever has it sees the count
+        // before the answer, so that the client that receives it sees the count
         requests.increment();
         reply[0] = request[0];
         reply[1] = request[1];
         out.write(reply);
       }
     } catch (IOException e) {
-      // the client went away
+      // the client has disconnected
     }
   }
 

@@ -2,13 +2,12 @@ package no.hials.crosscom.bench;
 
 import java.io.IOException;
 
-/** One request and its answer. */
+/** A request and its answer. */
 @FunctionalInterface
 interface Exchange {
   /**
-   * Sends the request and takes the answer.
-   *
-   * @return a number out of the answer
+   * Sends the request and reads the answer.
+   * @return a number from the answer
    */
   double run() throws IOException;
 }

@@ -18,7 +18,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Measures one exchange, through the client and with a bare socket. */
+/** Measures an exchange, through the client and with a bare socket. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -26,7 +26,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class ExchangeBenchmark {
-  /** The operation, by its name. */
+  /** The name of the operation. */
   @Param({"READ_INT", "READ_E6AXIS", "WRITE_INT", "WRITE_E6AXIS"})
   public String operation = "READ_INT";
 
@@ -40,13 +40,12 @@ public class ExchangeBenchmark {
   private Exchange typed = () -> Double.NaN;
   private Exchange bare = () -> Double.NaN;
 
-  /** Makes the benchmark; JMH sets its parameters. */
+  /** Creates the benchmark; JMH sets its parameters. */
   public ExchangeBenchmark() {}
 
   /**
    * Starts the server and connects.
-   *
-   * @throws IOException if that fails
+   * @throws IOException if the connection fails
    */
   @Setup
   public void open() throws IOException {
@@ -71,9 +70,8 @@ public class ExchangeBenchmark {
   }
 
   /**
-   * Ends what {@link #open} started.
-   *
-   * @throws IOException if that fails
+   * Closes the connections and the server.
+   * @throws IOException if closing fails
    */
   @TearDown
   public void close() throws IOException {
@@ -83,7 +81,7 @@ public class ExchangeBenchmark {
   }
 
   /**
-   * Does it through the client.
+   * Runs an exchange through the client.
    *
    * @return the number read, or the first axis
    * @throws IOException if the exchange fails
@@ -94,7 +92,7 @@ public class ExchangeBenchmark {
   }
 
   /**
-   * Does it with a socket that sends the same bytes and checks nothing.
+   * Runs an exchange with a socket that sends the same bytes and checks nothing.
    *
    * @return the last byte of the answer
    * @throws IOException if the exchange fails

@@ -4,14 +4,13 @@ import java.io.IOException;
 import java.io.PrintStream;
 import no.hials.crosscom.CrossComClient;
 
-/** Does many exchanges of one kind, to be looked at from outside, as by strace. */
+/** Runs many exchanges of one kind, for tools such as strace. */
 public final class ExchangeLoop {
   private ExchangeLoop() {}
 
   /**
-   * Does them.
-   *
-   * @param args {@code client} or {@code socket}, the operation's name, and how often
+   * Runs the exchanges.
+   * @param args {@code client} or {@code socket}, the name of the operation, and the number of exchanges
    * @throws IOException if an exchange fails
    */
   public static void main(String[] args) throws IOException {

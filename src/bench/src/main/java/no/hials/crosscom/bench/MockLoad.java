@@ -25,11 +25,10 @@ public final class MockLoad {
   }
 
   /**
-   * Runs it all.
-   *
-   * @param args none
+   * Runs all measurements.
+   * @param args not used
    * @throws IOException if an exchange fails
-   * @throws InterruptedException if it is interrupted
+   * @throws InterruptedException if the thread is interrupted
    */
   public static void main(String[] args) throws IOException, InterruptedException {
     MockLoad load = new MockLoad(System.out);
@@ -38,7 +37,7 @@ public final class MockLoad {
     load.soak(2_000_000, 8);
   }
 
-  /** Opens connections that only stay open. */
+  /** Opens idle connections. */
   void idle(int connections) throws IOException {
     try (MockServer robot = MockServer.start(cfg -> cfg.maxClients(0).idleTimeout(Duration.ZERO))) {
       List<Closeable> open = new ArrayList<>();
@@ -48,7 +47,7 @@ public final class MockLoad {
         for (int i = 0; i < connections; i++) {
           BareClient client = new BareClient(robot.port(), Operation.READ_INT);
           open.add(client);
-          client.run(); // the server has a thread for it by now, which has used its stack
+          client.run(); // by now the server has a thread for it that has used its stack
         }
         long grown = residentKibibytes() - before;
         out.printf(
@@ -66,7 +65,7 @@ public final class MockLoad {
     }
   }
 
-  /** Asks over several connections at once, each as fast as it gets answers. */
+  /** Sends requests over several connections at once, each at full speed. */
   void throughput(int repetitions, int requestsPerConnection) throws IOException {
     for (Operation operation : Operation.values()) {
       try (MockServer robot = start()) {
@@ -82,7 +81,7 @@ public final class MockLoad {
     }
   }
 
-  /** Asks long, and looks at the memory now and then. */
+  /** Sends requests for a long time, and prints the memory at intervals. */
   void soak(int requests, int looks) throws IOException {
     try (MockServer robot = start()) {
       for (int i = 0; i < looks; i++) {
@@ -107,7 +106,7 @@ public final class MockLoad {
     return robot;
   }
 
-  /** Gives how many ns it took. */
+  /** Returns the time, ns. */
   private static long load(MockServer robot, Operation operation, int requestsPerConnection)
       throws IOException {
     List<Thread> threads = new ArrayList<>();
@@ -164,7 +163,7 @@ public final class MockLoad {
     return ManagementFactory.getThreadMXBean().getThreadCount();
   }
 
-  /** Gives what the process holds in memory; 0 where there is no {@code /proc}. */
+  /** Returns the resident memory of the process; 0 without {@code /proc}. */
   static long residentKibibytes() throws IOException {
     Path status = Path.of("/proc/self/status");
     if (!Files.exists(status)) {

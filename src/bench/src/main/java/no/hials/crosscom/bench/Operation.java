@@ -11,23 +11,23 @@ import no.hials.crosscom.protocol.variable.WriteRequest;
 import no.hials.crosscom.protocol.variable.WriteResponse;
 import no.hials.crosscom.simulator.VariableTable;
 
-/** What is measured: the same access as bytes and through the client. */
+/** The measured operations: the same access as bytes and through the client. */
 enum Operation {
   /** Reads {@code $OV_PRO} into an int. */
   READ_INT(false, "$OV_PRO", "50"),
   /** Reads {@code $AXIS_ACT} into numbers. */
   READ_E6AXIS(false, "$AXIS_ACT", Operation.AXES_READ),
-  /** Writes {@code $OV_PRO} and takes the value from the answer. */
+  /** Writes {@code $OV_PRO} and reads the value from the answer. */
   WRITE_INT(true, "$OV_PRO", "50"),
-  /** Writes an E6AXIS and takes the numbers from the answer. */
+  /** Writes an E6AXIS and reads the numbers from the answer. */
   WRITE_E6AXIS(true, Operation.WRITTEN_AXES, Operation.AXES_WRITTEN);
 
-  /** As a KR C4 prints it: nine digits where six do not tell the float apart. */
+  /** As printed by a KR C4: nine digits where six do not identify the float. */
   static final String AXES_READ =
       "{E6AXIS: A1 5.12345695, A2 -90.1234589, A3 91.2345657, A4 0.00512345601, A5 -45.6789436,"
           + " A6 123.456787, E1 1250.50, E2 0.0, E3 0.0, E4 0.0, E5 0.0, E6 0.0}";
 
-  /** As the client writes the same numbers. */
+  /** As written by the client. */
   static final String AXES_WRITTEN =
       "{A1 5.123457,A2 -90.12346,A3 91.234566,A4 0.005123456,A5 -45.678944,A6 123.45679,E1 1250.5,"
           + "E2 0.0,E3 0.0,E4 0.0,E5 0.0,E6 0.0}";
@@ -44,20 +44,20 @@ enum Operation {
     this.value = value;
   }
 
-  /** Gives a mock server the variables and values that the requests and answers here have. */
+  /** Sets the variables of a mock server to the values in these requests and answers. */
   static void declare(VariableTable variables) {
     variables.set("$OV_PRO", "50");
     variables.set("$AXIS_ACT", AXES_WRITTEN);
     variables.declare(WRITTEN_AXES, "E6AXIS", AXES_WRITTEN);
   }
 
-  /** Gives the request's bytes, with id 1. */
+  /** Returns the bytes of the request, with id 1. */
   byte[] request() {
     return Codec.encode(
         write ? new WriteRequest(1, variable, value) : new ReadRequest(1, variable));
   }
 
-  /** Gives the answer's bytes, with id 1. */
+  /** Returns the bytes of the answer, with id 1. */
   byte[] answer() {
     return Codec.encode(
         write
@@ -65,12 +65,12 @@ enum Operation {
             : new ReadResponse(1, value, Tail.SUCCESS));
   }
 
-  /** Gives what {@link #through} returns if all is well. */
+  /** Returns the expected result of {@link #through}. */
   double expected() {
     return this == READ_INT || this == WRITE_INT ? 50 : 5.123457;
   }
 
-  /** Gives the access through the client, which returns the number, or the first axis. */
+  /** Returns the access through the client; its result is the number, or the first axis. */
   Exchange through(CrossComClient client) {
     return switch (this) {
       case READ_INT -> {

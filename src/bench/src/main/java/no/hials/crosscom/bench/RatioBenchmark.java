@@ -16,12 +16,8 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 
 /**
- * Compares the client with a bare socket that sends the same bytes to the same server, in turns, so
- * that whatever else the machine does meets both.
- *
- * <p>A block is some exchanges in a row, of one of both; a round is four blocks: one, other, other,
- * one. A trial has connections of its own, since a connection may be lucky. What is reported is the
- * median time of all blocks, per exchange, and the ratio of both medians.
+ * Compares the client with a bare socket that sends the same bytes to the same server. The two take turns, so that other load on the machine affects both.
+ * <p>A block is a number of consecutive exchanges of one of them; a round is four blocks: one, other, other, one. Each trial has new connections, since the speed of connections differs. The report has the median time of all blocks, per exchange, and the ratio of the medians.
  */
 public final class RatioBenchmark {
   private static final int BLOCK = 25;
@@ -39,9 +35,8 @@ public final class RatioBenchmark {
   }
 
   /**
-   * Runs the comparison. For both sides to share a CPU: {@code taskset -c 0 java ...}.
-   *
-   * @param args how many trials (10) and how many rounds in each (1000)
+   * Runs the comparison. To run both sides on one CPU: {@code taskset -c 0 java ...}.
+   * @param args the number of trials (10) and of rounds in each trial (1000)
    * @throws IOException if an exchange fails
    */
   public static void main(String[] args) throws IOException {
@@ -51,12 +46,11 @@ public final class RatioBenchmark {
   }
 
   /**
-   * What came of a comparison, in ns per exchange.
-   *
-   * @param one the median of what is measured
+   * The result of a comparison, in ns per exchange.
+   * @param one the median of the measured side
    * @param other the median of the bare socket
-   * @param least the least ratio of a trial
-   * @param most the greatest ratio of a trial
+   * @param least the smallest ratio of a trial
+   * @param most the largest ratio of a trial
    */
   record Result(double one, double other, double least, double most) {
     double ratio() {
@@ -78,12 +72,12 @@ public final class RatioBenchmark {
     for (Operation operation : Operation.values()) {
       measure(operation.name(), operation, false);
     }
-    // what the method itself makes of two that are equal
+    // the error of the method: two equal sides
     measure("socket twice", Operation.READ_INT, true);
     measureSeveral();
   }
 
-  /** Compares one reading of several variables with readings of each, on C3 Bridge. */
+  /** Compares one read of several variables with a read of each variable, on C3 Bridge. */
   private void measureSeveral() throws IOException {
     List<KRLInt> variables =
         IntStream.rangeClosed(1, SEVERAL).mapToObj(i -> new KRLInt("MYINTS[" + i + "]")).toList();
@@ -176,9 +170,9 @@ public final class RatioBenchmark {
     }
   }
 
-  /** Gives the time of an exchange in ns. */
+  /** Returns the time of an exchange in ns. */
   private static double block(Exchange exchange) throws IOException {
-    // not timed: what the other one pushed out of the caches
+    // not timed, to refill the caches after the other side
     exchange.run();
     long start = System.nanoTime();
     for (int i = 0; i < BLOCK; i++) {
@@ -187,7 +181,7 @@ public final class RatioBenchmark {
     return (System.nanoTime() - start) / (double) BLOCK;
   }
 
-  /** Gives how many bytes of heap this thread takes for an exchange. */
+  /** Returns the bytes of heap that this thread allocates per exchange. */
   static double allocated(Exchange exchange, int count) throws IOException {
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     long before = threads.getCurrentThreadAllocatedBytes();

@@ -33,11 +33,11 @@ public class TextBenchmark {
   private final KRLE6Axis read = new KRLE6Axis("$AXIS_ACT");
   private final KrlValue tree = KrlValue.parse(Operation.AXES_READ);
 
-  /** Makes the benchmark; {@link #open} fills it. */
+  /** Creates the benchmark; {@link #open} sets it up. */
   public TextBenchmark() {}
 
   /**
-   * Makes the answer and the variables.
+   * Creates the answer and the variables.
    *
    * @throws MalformedFrameException never
    */
@@ -91,7 +91,7 @@ public class TextBenchmark {
   }
 
   /**
-   * Prints a tree as a KR C4 does.
+   * Prints a tree like a KR C4.
    *
    * @return the text
    */
@@ -111,7 +111,7 @@ public class TextBenchmark {
   }
 
   /**
-   * Prints a typed variable, as the client does for a write.
+   * Prints a typed variable, as for a write.
    *
    * @return the text
    */

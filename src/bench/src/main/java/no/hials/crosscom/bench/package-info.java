@@ -1,5 +1,5 @@
 /**
- * Measures what the client, the parser and the mock server cost. Never deployed.
+ * Measures the cost of the client, the parser and the mock server. Never deployed.
  *
  * <p>JMH runs {@link no.hials.crosscom.bench.ExchangeBenchmark} and {@link
  * no.hials.crosscom.bench.TextBenchmark}; {@link no.hials.crosscom.bench.RatioBenchmark} compares

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
 
-/** Runs every benchmark method once, and checks what it gave. */
+/** Runs every benchmark method once, and checks its result. */
 class BenchmarksTest {
   private static final double[] AXES = {
     5.12345695,
@@ -49,7 +49,7 @@ class BenchmarksTest {
       }
     }
     try (InputStream list = BenchmarksTest.class.getResourceAsStream("/META-INF/BenchmarkList")) {
-      assertThat(list).as("the list that JMH's annotation processor writes").isNotNull();
+      assertThat(list).as("the list from JMH's annotation processor").isNotNull();
       String text = new String(list.readAllBytes(), StandardCharsets.UTF_8);
       // a line: JMH S 37 class S 51 generated class S 6 method ...
       assertThat(methods)

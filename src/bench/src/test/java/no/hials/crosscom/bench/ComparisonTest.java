@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Checks that like is compared with like, and the programs beside JMH. */
+/** Checks that equal accesses are compared, and the programs outside JMH. */
 class ComparisonTest {
   private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
   private final PrintStream out = new PrintStream(bytes, true, StandardCharsets.UTF_8);
@@ -70,7 +70,7 @@ class ComparisonTest {
           CrossComClient client = new CrossComClient("127.0.0.1", server.port())) {
         Exchange read = operation.through(client);
         RatioBenchmark.allocated(
-            read, 10_000); // until all of it is compiled, objects are made for less
+            read, 10_000); // until all of it is compiled, escape analysis removes fewer objects
 
         assertThat(RatioBenchmark.allocated(read, 10_000))
             .as(operation.name())

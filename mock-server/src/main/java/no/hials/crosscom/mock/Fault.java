@@ -6,6 +6,8 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CountDownLatch;
+import no.hials.crosscom.mock.internal.Checks;
+import no.hials.crosscom.mock.internal.KukavarproxyHandler;
 import no.hials.crosscom.protocol.Tail;
 
 /**
@@ -267,13 +269,9 @@ public sealed interface Fault {
     public Raw {
       segments =
           segments.stream()
-              .map(Raw::bytes)
+              .map(hex -> HexFormat.of().parseHex(hex.replaceAll("\\s", "")))
               .map(bytes -> HexFormat.ofDelimiter(" ").withUpperCase().formatHex(bytes))
               .toList();
-    }
-
-    static byte[] bytes(String hex) {
-      return HexFormat.of().parseHex(hex.replaceAll("\\s", ""));
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Function;
+import no.hials.crosscom.mock.internal.FaultRuleParser;
 
 /**
  * A fault and the requests that it happens to: by number, by the variable's name, by chance, or by

@@ -1,6 +1,8 @@
 package no.hials.crosscom.mock;
 
 import java.time.Duration;
+import no.hials.crosscom.mock.internal.Checks;
+import no.hials.crosscom.mock.internal.DurationParser;
 
 /**
  * How long the controller takes for a request.

@@ -115,8 +115,4 @@ public record RecordedRequest(
         || request instanceof WriteMultipleRequest
         || request instanceof BenchmarkWriteRequest;
   }
-
-  RecordedRequest refusedFor(Refusal reason) {
-    return new RecordedRequest(number, connection, time, request, hex, reason);
-  }
 }

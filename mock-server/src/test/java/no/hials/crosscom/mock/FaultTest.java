@@ -10,6 +10,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import no.hials.crosscom.mock.internal.ResponsePlan;
 import no.hials.crosscom.protocol.EmptyResponse;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.variable.ReadArrayRequest;

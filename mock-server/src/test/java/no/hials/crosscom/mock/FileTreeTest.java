@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Instant;
+import no.hials.crosscom.mock.internal.C3FileHandler;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import static no.hials.crosscom.protocol.ErrorCode.ACCESS;
 import static no.hials.crosscom.protocol.ErrorCode.ARGUMENT;
@@ -26,6 +26,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
+import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MalformedRequestException;

@@ -1,7 +1,8 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
@@ -27,16 +28,16 @@ import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 
 /** Executes requests on a table of variables, as KUKAVARPROXY does on a controller. */
-final class KukavarproxyHandler implements RequestHandler {
+public final class KukavarproxyHandler implements RequestHandler {
   /** An answer's length field counts function, value length, value and tail. */
-  static final int MAX_VALUE = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 1 - 2 - 3;
+  public static final int MAX_VALUE = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 1 - 2 - 3;
 
   private static final int WORD = 0xFFFF;
 
   private final VariableTable variables;
   private final MockServerConfig config;
 
-  KukavarproxyHandler(VariableTable variables, MockServerConfig config) {
+  public KukavarproxyHandler(VariableTable variables, MockServerConfig config) {
     this.variables = variables;
     this.config = config;
   }

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Executes the requests of a connection as one of the servers does. Called by one thread at a time.
  */
-interface RequestHandler extends AutoCloseable {
+public interface RequestHandler extends AutoCloseable {
 
   /**
    * What came of a request.

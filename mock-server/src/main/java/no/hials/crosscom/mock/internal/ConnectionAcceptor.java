@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -7,13 +7,14 @@ import java.net.Socket;
 import java.time.Duration;
 import java.util.HashSet;
 import java.util.Set;
+import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.simulator.internal.core.ThreadJoiner;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Listens for clients and keeps their connections. Safe for use by several threads. */
-final class ConnectionAcceptor {
+public final class ConnectionAcceptor {
   private static final Logger log = LoggerFactory.getLogger(ConnectionAcceptor.class);
 
   /** Takes a thousand clients that all connect at once. */
@@ -47,7 +48,7 @@ final class ConnectionAcceptor {
   }
 
   /** Listens; {@link #start} accepts. */
-  static ConnectionAcceptor listen(MockServerConfig config, RequestDispatcher service)
+  public static ConnectionAcceptor listen(MockServerConfig config, RequestDispatcher service)
       throws IOException {
     ServerSocket listener = listen(new InetSocketAddress(config.bindAddress(), config.port()));
     return new ConnectionAcceptor(config, service, listener);
@@ -64,23 +65,23 @@ final class ConnectionAcceptor {
     }
   }
 
-  InetSocketAddress address() {
+  public InetSocketAddress address() {
     return address;
   }
 
   /** Gives the server's threads, which {@link #close} interrupts. */
-  ServerThreads threads() {
+  public ServerThreads threads() {
     return threads;
   }
 
-  void start() {
+  public void start() {
     synchronized (state) {
       ServerSocket socket = listener;
       accepting = threads.start("accept", () -> accept(socket));
     }
   }
 
-  void refuse() {
+  public void refuse() {
     Thread ending;
     synchronized (state) {
       refusing = true;
@@ -92,7 +93,7 @@ final class ConnectionAcceptor {
     }
   }
 
-  void acceptAgain() throws IOException {
+  public void acceptAgain() throws IOException {
     synchronized (state) {
       if (closed) {
         throw new IllegalStateException("the server is closed");
@@ -105,13 +106,13 @@ final class ConnectionAcceptor {
     }
   }
 
-  void disconnect() {
+  public void disconnect() {
     synchronized (state) {
       connections.forEach(ClientConnection::abort);
     }
   }
 
-  int count() {
+  public int count() {
     synchronized (state) {
       return connections.size();
     }
@@ -162,7 +163,7 @@ final class ConnectionAcceptor {
   }
 
   /** Closes all sockets and ends all pauses; the threads end on their own then. */
-  void close() {
+  public void close() {
     synchronized (state) {
       if (!closed) {
         closed = true;

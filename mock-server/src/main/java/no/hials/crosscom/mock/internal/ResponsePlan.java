@@ -1,13 +1,15 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.EmptyResponse;
 import no.hials.crosscom.protocol.Request;
@@ -24,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * @param holdBack whether to send the segments in front of the next answer only
  * @param ending what becomes of the connection
  */
-record ResponsePlan(
+public record ResponsePlan(
     List<byte[]> segments,
     Duration pause,
     Duration delay,
@@ -50,7 +52,7 @@ record ResponsePlan(
   }
 
   /** Sends an answer properly. */
-  static ResponsePlan of(byte[] answer) {
+  public static ResponsePlan of(byte[] answer) {
     return of(List.of(answer));
   }
 
@@ -77,9 +79,9 @@ record ResponsePlan(
    * @param request the message, null if the bytes were none
    * @param answer the proper answer; null if the request was not executed, or has none
    */
-  static ResponsePlan of(Fault fault, @Nullable Request request, byte @Nullable [] answer) {
+  public static ResponsePlan of(Fault fault, @Nullable Request request, byte @Nullable [] answer) {
     if (fault instanceof Fault.Raw raw) {
-      return of(raw.segments().stream().map(Fault.Raw::bytes).toList());
+      return of(raw.segments().stream().map(HexFormat.ofDelimiter(" ")::parseHex).toList());
     }
     if (fault instanceof Fault.Garbage garbage) {
       byte[] bytes = new byte[garbage.length()];

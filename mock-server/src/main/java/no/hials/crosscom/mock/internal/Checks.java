@@ -1,26 +1,26 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.time.Duration;
 
 /** The checks of the records' constructors. */
-final class Checks {
+public final class Checks {
   private static final Duration HOUR = Duration.ofHours(1);
 
   private Checks() {}
 
-  static void notNegative(String field, int value) {
+  public static void notNegative(String field, int value) {
     if (value < 0) {
       throw new IllegalArgumentException(field + " must not be negative, is " + value);
     }
   }
 
-  static void notNegative(String field, Duration value) {
+  public static void notNegative(String field, Duration value) {
     if (value.isNegative()) {
       throw new IllegalArgumentException(field + " must not be negative, is " + value);
     }
   }
 
-  static void upToAnHour(String field, Duration value) {
+  public static void upToAnHour(String field, Duration value) {
     if (value.isNegative() || value.compareTo(HOUR) > 0) {
       throw new IllegalArgumentException(field + " must be zero to an hour, is " + value);
     }

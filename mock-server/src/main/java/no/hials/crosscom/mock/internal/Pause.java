@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.time.Duration;
 import java.util.concurrent.locks.LockSupport;

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MalformedRequestException;
@@ -10,13 +10,13 @@ import no.hials.crosscom.protocol.server.FeaturesResponse;
 import no.hials.crosscom.protocol.server.InformationResponse;
 
 /** Executes requests as C3 Bridge does, in one of its versions (c3-bridge.md, "Messages"). */
-final class C3Handler implements RequestHandler {
+public final class C3Handler implements RequestHandler {
   private final C3ProxyVariables bridge;
   private final C3VariableHandler variables;
   private final C3ProgramHandler control;
   private final C3FileHandler files;
 
-  C3Handler(
+  public C3Handler(
       C3ProxyVariables bridge,
       C3VariableHandler variables,
       C3ProgramHandler control,

@@ -1,14 +1,15 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.time.Duration;
 import java.util.Random;
 import java.util.function.LongSupplier;
+import no.hials.crosscom.mock.Latency;
 
 /** Draws the times of a {@link Latency}, in nanoseconds. For one thread at a time. */
-final class LatencySampler {
+public final class LatencySampler {
   private LatencySampler() {}
 
-  static LongSupplier of(Latency latency) {
+  public static LongSupplier of(Latency latency) {
     if (latency instanceof Latency.Fixed fixed) {
       long nanos = fixed.time().toNanos();
       return () -> nanos;

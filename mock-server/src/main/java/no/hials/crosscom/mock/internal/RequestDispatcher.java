@@ -1,10 +1,16 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.time.Instant;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.Latency;
+import no.hials.crosscom.mock.MockServerConfig;
+import no.hials.crosscom.mock.PendingRequests;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.UnknownFunction;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.EmptyResponse;
 import no.hials.crosscom.protocol.MalformedFrameException;
@@ -20,7 +26,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Serves the requests of all connections, one at a time. Safe for use by several threads. */
-final class RequestDispatcher {
+public final class RequestDispatcher {
   private static final Logger log = LoggerFactory.getLogger(RequestDispatcher.class);
 
   private final MockServerConfig config;
@@ -36,7 +42,7 @@ final class RequestDispatcher {
   /** The number of the last request; guarded by {@link #turn}. */
   private long served;
 
-  RequestDispatcher(
+  public RequestDispatcher(
       MockServerConfig config,
       Supplier<RequestHandler> handlers,
       FaultScript faults,
@@ -180,7 +186,13 @@ final class RequestDispatcher {
         recorded.connection(),
         recorded.request(),
         refused.getMessage());
-    return recorded.refusedFor(refused.reason());
+    return new RecordedRequest(
+        recorded.number(),
+        recorded.connection(),
+        recorded.time(),
+        recorded.request(),
+        recorded.hex(),
+        refused.reason());
   }
 
   private static ResponsePlan deliver(
@@ -199,7 +211,7 @@ final class RequestDispatcher {
     log.debug("connection {}: {} bytes dropped: {}", connection, bytes, reason);
   }
 
-  long dropCount() {
+  public long dropCount() {
     return dropped.get();
   }
 }

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * and with C3 Bridge to questions for what it says of itself (c3-bridge.md, "Discovery"; in both
  * modes, as in c3-vectors.tsv).
  */
-final class DiscoveryAnswers {
+public final class DiscoveryAnswers {
   private static final String QUESTION = "WHEREAREYOU?";
 
   /** c3-bridge.md: the most bytes of a question. What C3 Bridge gets of a longer one. */
@@ -26,7 +26,7 @@ final class DiscoveryAnswers {
    *
    * @param bridge what C3 Bridge says of itself; null for a KUKAVARPROXY
    */
-  DiscoveryAnswers(VariableTable variables, @Nullable C3ProxyVariables bridge) {
+  public DiscoveryAnswers(VariableTable variables, @Nullable C3ProxyVariables bridge) {
     this.variables = variables;
     this.bridge = bridge;
   }

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.io.IOException;
 import java.net.DatagramPacket;
@@ -9,7 +9,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Answers questions by UDP. What is none gets no answer. */
-final class DiscoveryResponder implements Runnable, AutoCloseable {
+public final class DiscoveryResponder implements Runnable, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(DiscoveryResponder.class);
 
   /** One byte more than a question may have (c3-bridge.md), so that a longer one is seen. */
@@ -30,8 +30,8 @@ final class DiscoveryResponder implements Runnable, AutoCloseable {
    *
    * @param replyPort the port of the sender to answer to, 0 for the one it sent from
    */
-  static DiscoveryResponder open(InetSocketAddress at, int replyPort, DiscoveryAnswers answers)
-      throws IOException {
+  public static DiscoveryResponder open(
+      InetSocketAddress at, int replyPort, DiscoveryAnswers answers) throws IOException {
     try {
       return new DiscoveryResponder(new DatagramSocket(at), answers, replyPort);
     } catch (IOException e) {
@@ -39,7 +39,7 @@ final class DiscoveryResponder implements Runnable, AutoCloseable {
     }
   }
 
-  int port() {
+  public int port() {
     return socket.getLocalPort();
   }
 

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.net.InetSocketAddress;
 import java.time.Instant;
@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
+import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Version;
@@ -21,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * What C3 Bridge says of itself: its internal variables (c3-bridge.md, "Internal variables"), and
  * the answers to messages 13 and 14.
  */
-final class C3ProxyVariables {
+public final class C3ProxyVariables {
   private static final String PREFIX = "@PROXY_";
   private static final int HIGHEST_SHOWN = 63;
 
@@ -33,7 +34,7 @@ final class C3ProxyVariables {
    *
    * @param address where the server listens
    */
-  C3ProxyVariables(MockServerConfig config, Supplier<InetSocketAddress> address) {
+  public C3ProxyVariables(MockServerConfig config, Supplier<InetSocketAddress> address) {
     this.config = config;
     this.address = address;
   }

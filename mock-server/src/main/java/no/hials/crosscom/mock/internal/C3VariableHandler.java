@@ -1,8 +1,9 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.mock.RequestHandler.Outcome;
+import no.hials.crosscom.mock.MockServerConfig;
+import no.hials.crosscom.mock.internal.RequestHandler.Outcome;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
@@ -30,7 +31,7 @@ import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 
 /** Executes the requests of C3 Bridge for variables: types 0, 1, 4 to 7 and 17. */
-final class C3VariableHandler {
+public final class C3VariableHandler {
   /** c3-bridge.md, type 17: at most 10 are used. */
   private static final int BENCHMARKED = 10;
 
@@ -41,7 +42,8 @@ final class C3VariableHandler {
   private final C3ProxyVariables internal;
   private final MockServerConfig config;
 
-  C3VariableHandler(VariableTable variables, C3ProxyVariables internal, MockServerConfig config) {
+  public C3VariableHandler(
+      VariableTable variables, C3ProxyVariables internal, MockServerConfig config) {
     this.variables = variables;
     this.internal = internal;
     this.config = config;

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.io.IOException;
 import java.io.InputStream;

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.math.BigDecimal;
 import java.time.Duration;
@@ -8,14 +8,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Reads times such as {@code 5ms}. */
-final class DurationParser {
+public final class DurationParser {
   private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)(us|ms|s)");
   private static final Map<String, Integer> NANOS_EXPONENT = Map.of("us", 3, "ms", 6, "s", 9);
 
   private DurationParser() {}
 
   /** Gives nothing if the text is no time; what is below a nanosecond is cut off. */
-  static Optional<Duration> parse(String text) {
+  public static Optional<Duration> parse(String text) {
     Matcher matcher = FORM.matcher(text);
     if (!matcher.matches()) {
       return Optional.empty();

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -43,7 +43,7 @@ import org.slf4j.LoggerFactory;
  * such as its mode, and {@code GENERAL} for a program that is not there or has errors and for a
  * position out of reach.
  */
-final class C3ProgramHandler {
+public final class C3ProgramHandler {
   private static final Logger log = LoggerFactory.getLogger(C3ProgramHandler.class);
 
   private static final int ROBOT_AXES = 6;
@@ -58,7 +58,7 @@ final class C3ProgramHandler {
   private final Supplier<Controller> controller;
 
   /** Creates the handler of all connections. */
-  C3ProgramHandler(Supplier<Controller> controller) {
+  public C3ProgramHandler(Supplier<Controller> controller) {
     this.controller = controller;
   }
 

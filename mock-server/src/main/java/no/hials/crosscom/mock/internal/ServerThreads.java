@@ -1,11 +1,11 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.simulator.internal.core.ThreadJoiner;
 
 /** The threads of a server: all daemons. Safe for use by several threads. */
-final class ServerThreads {
+public final class ServerThreads {
   /** Parsing takes little stack, since the depth of aggregates is limited. */
   private static final long STACK_BYTES = 256 * 1024;
 
@@ -18,7 +18,7 @@ final class ServerThreads {
     this.prefix = prefix;
   }
 
-  synchronized Thread start(String role, Runnable task) {
+  public synchronized Thread start(String role, Runnable task) {
     threads.removeIf(thread -> !thread.isAlive());
     Thread thread = new Thread(null, task, prefix + role, STACK_BYTES);
     thread.setDaemon(true);
@@ -33,7 +33,7 @@ final class ServerThreads {
   }
 
   /** Waits until all have ended. */
-  void join() {
+  public void join() {
     List<Thread> ending;
     synchronized (this) {
       ending = List.copyOf(threads);

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -7,6 +7,8 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.Arrays;
+import no.hials.crosscom.mock.MockServerConfig;
+import no.hials.crosscom.mock.PendingRequests;
 import no.hials.crosscom.protocol.MalformedFrameException;
 import no.hials.crosscom.protocol.ServerType;
 import org.slf4j.Logger;

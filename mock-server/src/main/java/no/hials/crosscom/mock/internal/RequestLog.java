@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -6,10 +6,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import no.hials.crosscom.mock.RecordedRequest;
 import org.jspecify.annotations.Nullable;
 
 /** The last requests of a server. Safe for use by several threads. */
-final class RequestLog {
+public final class RequestLog {
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition added = lock.newCondition();
   private final @Nullable RecordedRequest[] ring;
@@ -23,7 +24,7 @@ final class RequestLog {
   /** The number of the next request to be taken. */
   private long next = 1;
 
-  RequestLog(int capacity) {
+  public RequestLog(int capacity) {
     ring = new RecordedRequest[capacity];
   }
 
@@ -49,7 +50,7 @@ final class RequestLog {
     return Math.max(first, last - ring.length + 1);
   }
 
-  long count() {
+  public long count() {
     lock.lock();
     try {
       return last;
@@ -58,7 +59,7 @@ final class RequestLog {
     }
   }
 
-  List<RecordedRequest> all() {
+  public List<RecordedRequest> all() {
     lock.lock();
     try {
       List<RecordedRequest> all = new ArrayList<>();
@@ -74,7 +75,7 @@ final class RequestLog {
     }
   }
 
-  Optional<RecordedRequest> take(long nanos) throws InterruptedException {
+  public Optional<RecordedRequest> take(long nanos) throws InterruptedException {
     lock.lockInterruptibly();
     try {
       long left = nanos;
@@ -91,7 +92,7 @@ final class RequestLog {
     }
   }
 
-  void clear() {
+  public void clear() {
     lock.lock();
     try {
       first = last + 1;

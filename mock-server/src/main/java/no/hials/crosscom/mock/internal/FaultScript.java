@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -6,26 +6,28 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.RecordedRequest;
 
 /** Says what goes wrong with which request. Safe for use by several threads. */
-final class FaultScript {
+public final class FaultScript {
   private static final Fault NONE = Fault.none();
 
   private final Deque<Fault> queue = new ArrayDeque<>();
   private final List<Function<? super RecordedRequest, Optional<Fault>>> rules =
       new CopyOnWriteArrayList<>();
 
-  void enqueue(Fault... faults) {
+  public void enqueue(Fault... faults) {
     synchronized (queue) {
       queue.addAll(List.of(faults));
     }
   }
 
-  void add(Function<? super RecordedRequest, Optional<Fault>> rule) {
+  public void add(Function<? super RecordedRequest, Optional<Fault>> rule) {
     rules.add(rule);
   }
 
-  void clear() {
+  public void clear() {
     rules.clear();
     synchronized (queue) {
       queue.clear();

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import java.io.IOException;
 import java.time.Instant;
@@ -54,7 +54,7 @@ import no.hials.crosscom.simulator.internal.files.TransferBuffer;
  *
  * <p>For one thread at a time; those of other connections may be at work on the same tree.
  */
-final class C3FileHandler implements AutoCloseable {
+public final class C3FileHandler implements AutoCloseable {
   private final ControllerFileSystem tree;
   private final Predicate<String> selected;
   private final TransferBuffer writing;
@@ -67,7 +67,7 @@ final class C3FileHandler implements AutoCloseable {
    * @param selected whether the module of a name in capital letters is selected, which is when its
    *     files cannot be changed (assumed)
    */
-  C3FileHandler(FileTree files, Predicate<String> selected) {
+  public C3FileHandler(FileTree files, Predicate<String> selected) {
     tree = files.tree();
     this.selected = selected;
     writing = new TransferBuffer(tree);
@@ -82,7 +82,7 @@ final class C3FileHandler implements AutoCloseable {
   }
 
   /** Answers a request of a type from 20 to 30. */
-  TypedResponse handle(Request request) {
+  public TypedResponse handle(Request request) {
     if (request instanceof ListDirectoryRequest list) {
       return list(list);
     } else if (request instanceof FilePropertiesRequest properties) {

@@ -1,4 +1,4 @@
-package no.hials.crosscom.mock;
+package no.hials.crosscom.mock.internal;
 
 import static java.util.Map.entry;
 
@@ -11,11 +11,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.FaultRule;
 import no.hials.crosscom.protocol.Tail;
 import org.jspecify.annotations.Nullable;
 
 /** Reads the text form of a {@link FaultRule}; for one text. */
-final class FaultRuleParser {
+public final class FaultRuleParser {
   /** The faults without an argument; the others are in {@link #fault}. */
   private static final Map<String, Fault> PLAIN =
       Map.ofEntries(
@@ -46,7 +48,7 @@ final class FaultRuleParser {
   private final long seed;
   private int position;
 
-  FaultRuleParser(String text, long seed) {
+  public FaultRuleParser(String text, long seed) {
     this.text = text;
     // so that two rules of one seed do not always hit the same requests
     this.seed = seed ^ text.hashCode();
@@ -60,7 +62,7 @@ final class FaultRuleParser {
    */
   private record Argument(String text, int start) {}
 
-  FaultRule parse() {
+  public FaultRule parse() {
     Argument name = until(":@%");
     Argument argument = at(':') ? until("@%") : null;
     Fault plain = PLAIN.get(name.text().toLowerCase(Locale.ROOT));

@@ -1,7 +1,6 @@
 package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.time.Duration;
@@ -31,7 +30,6 @@ class ConfirmationIT {
 
   @BeforeEach
   void start() throws IOException {
-    assumeThat(PseudoTerminal.isAvailable()).isTrue();
     server = MockServer.start();
     server.controller().setMode(OperatingMode.AUT);
   }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.util.List;
@@ -12,7 +11,6 @@ import no.hials.crosscom.cli.experiment.KrlPrograms;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import org.assertj.core.api.ThrowingConsumer;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -23,11 +21,6 @@ import org.junit.jupiter.api.condition.OS;
 @EnabledOnOs(OS.LINUX)
 class DriveIT {
   private static final String READY = "q ends";
-
-  @BeforeEach
-  void needsATerminal() {
-    assumeThat(PseudoTerminal.isAvailable()).isTrue();
-  }
 
   /** Starts the command, between two looks at what the terminal is set to. */
   private static PseudoTerminal drive(MockServer server, String... options) throws IOException {
@@ -116,7 +109,6 @@ class DriveIT {
 
   @Test
   void ctrlCStopsTheRobotFirstAndLeavesTheTerminalAsItWas() throws Exception {
-    assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
     assertStopsTheRobotFirst(terminal -> terminal.type(PseudoTerminal.CTRL_C));
   }
 

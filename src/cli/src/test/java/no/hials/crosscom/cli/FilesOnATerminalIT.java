@@ -1,7 +1,6 @@
 package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -32,7 +31,6 @@ class FilesOnATerminalIT {
 
   @BeforeEach
   void start() throws IOException {
-    assumeThat(PseudoTerminal.isAvailable()).isTrue();
     server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
     server.files().put("KRC:\\R1\\TP\\a.txt", "old");
   }
@@ -92,7 +90,6 @@ class FilesOnATerminalIT {
 
   @Test
   void takesTheProgressAwayAndUploadsNothingAfterCtrlC() throws Exception {
-    assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
     // many parts, so that the end is far away
     server.fault(
         request -> request.request() instanceof WriteDataRequest,

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -15,13 +14,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** The jar on a terminal, which {@code script} of util-linux makes: what is typed and shown. */
+/**
+ * The jar on a terminal made by {@code script} of util-linux: what is typed and shown. {@code env}
+ * of coreutils lets Ctrl-C through also where the build ignores it, as a background job of a script
+ * does.
+ */
 final class PseudoTerminal implements AutoCloseable {
   static final String CTRL_C = "\u0003";
   static final String CTRL_D = "\u0004";
 
-  private static final Path SCRIPT = Path.of("/usr/bin/script");
-  private static final int SIGINT_BIT = 1 << 1;
   private static final int LIMIT_SECONDS = 60;
 
   private final Process process;
@@ -48,22 +49,6 @@ final class PseudoTerminal implements AutoCloseable {
             CompletableFuture.delayedExecutor(LIMIT_SECONDS, TimeUnit.SECONDS));
   }
 
-  static boolean isAvailable() {
-    return Files.isExecutable(SCRIPT);
-  }
-
-  /** Says whether Ctrl-C ends what runs here: a shell's background jobs do not take it. */
-  static boolean takesCtrlC() throws IOException {
-    String ignored =
-        Files.readAllLines(Path.of("/proc/self/status")).stream()
-            .filter(line -> line.startsWith("SigIgn:"))
-            .findFirst()
-            .orElseThrow()
-            .substring("SigIgn:".length())
-            .strip();
-    return (Long.parseUnsignedLong(ignored, 16) & SIGINT_BIT) == 0;
-  }
-
   /**
    * Starts a command.
    *
@@ -78,7 +63,8 @@ final class PseudoTerminal implements AutoCloseable {
             .map(arg -> "'" + arg + "'")
             .collect(Collectors.joining(" "));
     ProcessBuilder builder =
-        new ProcessBuilder(SCRIPT.toString(), "-qec", form.formatted(command), "/dev/null");
+        new ProcessBuilder(
+            "env", "--default-signal=INT", "script", "-qec", form.formatted(command), "/dev/null");
     builder
         .environment()
         .keySet()

@@ -1,7 +1,6 @@
 package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -56,17 +55,11 @@ class SamplingIT {
   private String show(
       Map<String, String> environment, String until, String key, String name, String... args)
       throws Exception {
-    assumeCtrlCOnATerminal();
     try (PseudoTerminal terminal =
         PseudoTerminal.start(
             environment, "stty rows 24 cols 80; exec %s", Cli.argsOn(server, name, args))) {
       return terminal.until(until).type(key).finish();
     }
-  }
-
-  private static void assumeCtrlCOnATerminal() throws IOException {
-    assumeThat(PseudoTerminal.isAvailable()).isTrue();
-    assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
   }
 
   @Test

@@ -1,11 +1,8 @@
 package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assumptions.assumeThat;
 
-import java.io.IOException;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -15,12 +12,6 @@ import org.junit.jupiter.api.condition.OS;
 @Timeout(120)
 @EnabledOnOs(OS.LINUX)
 class TerminalIT {
-  @BeforeEach
-  void needsATerminalWithCtrlC() throws IOException {
-    assumeThat(PseudoTerminal.isAvailable()).isTrue();
-    assumeThat(PseudoTerminal.takesCtrlC()).isTrue();
-  }
-
   /** Runs it until a text is there, presses Ctrl-C, and gives all that was shown. */
   private static String show(String term, String until, String... options) throws Exception {
     String[] args =

@@ -12,6 +12,7 @@ import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
 
 /**
@@ -32,12 +33,13 @@ public final class ConstantExpressions {
   public static KrlValue evaluate(Expression expression, Scope scope) throws KrlErrorException {
     try {
       return value(expression, scope);
-    } catch (IllegalArgumentException | ArithmeticException e) {
+    } catch (IllegalArgumentException | KrlExecutionException e) {
       throw new KrlErrorException(expression.position(), String.valueOf(e.getMessage()));
     }
   }
 
-  private static KrlValue value(Expression expression, Scope scope) throws KrlErrorException {
+  private static KrlValue value(Expression expression, Scope scope)
+      throws KrlErrorException, KrlExecutionException {
     if (expression instanceof Expression.IntLiteral literal) {
       return new KrlInt(literal.value());
     }
@@ -148,48 +150,22 @@ public final class ConstantExpressions {
         expression.position(), "an index is an INT, expected one, found " + value.print());
   }
 
-  private static KrlValue signed(Expression.Unary unary, Scope scope) throws KrlErrorException {
+  private static KrlValue signed(Expression.Unary unary, Scope scope)
+      throws KrlErrorException, KrlExecutionException {
     KrlValue operand = evaluate(unary.operand(), scope);
-    switch (unary.operator()) {
-      case PLUS -> {
-        return number(unary.operand(), operand);
-      }
-      case MINUS -> {
-        return number(unary.operand(), operand) instanceof KrlInt integer
-            ? new KrlInt(Math.negateExact(integer.value()))
-            : new KrlReal(-real(operand));
-      }
+    return switch (unary.operator()) {
+      case PLUS -> number(unary.operand(), operand);
+      case MINUS -> Operators.negative(number(unary.operand(), operand));
       default -> throw notConstant(unary.position(), unary.operator().toString());
-    }
-  }
-
-  private static KrlValue computed(Expression.Binary binary, Scope scope) throws KrlErrorException {
-    KrlValue left = number(binary.left(), evaluate(binary.left(), scope));
-    KrlValue right = number(binary.right(), evaluate(binary.right(), scope));
-    if (left instanceof KrlInt a && right instanceof KrlInt b) {
-      return new KrlInt(computed(binary, a.value(), b.value()));
-    }
-    return new KrlReal(computed(binary, real(left), real(right)));
-  }
-
-  private static int computed(Expression.Binary binary, int a, int b) throws KrlErrorException {
-    return switch (binary.operator()) {
-      case PLUS -> Math.addExact(a, b);
-      case MINUS -> Math.subtractExact(a, b);
-      case TIMES -> Math.multiplyExact(a, b);
-      // assumed: the quotient of two INT is an INT, cut off (krl.md 4 does not say)
-      case DIVIDED -> a / b;
-      default -> throw notConstant(binary.position(), binary.operator().toString());
     };
   }
 
-  private static float computed(Expression.Binary binary, float a, float b)
-      throws KrlErrorException {
+  private static KrlValue computed(Expression.Binary binary, Scope scope)
+      throws KrlErrorException, KrlExecutionException {
+    KrlValue left = number(binary.left(), evaluate(binary.left(), scope));
+    KrlValue right = number(binary.right(), evaluate(binary.right(), scope));
     return switch (binary.operator()) {
-      case PLUS -> a + b;
-      case MINUS -> a - b;
-      case TIMES -> a * b;
-      case DIVIDED -> a / b;
+      case PLUS, MINUS, TIMES, DIVIDED -> Operators.of(binary.operator()).apply(left, right);
       default -> throw notConstant(binary.position(), binary.operator().toString());
     };
   }
@@ -200,9 +176,5 @@ public final class ConstantExpressions {
     }
     throw new KrlErrorException(
         expression.position(), "+ - * / take numbers, expected INT or REAL, found " + value);
-  }
-
-  private static float real(KrlValue number) {
-    return number instanceof KrlInt integer ? integer.value() : ((KrlReal) number).value();
   }
 }

@@ -31,14 +31,24 @@ final class DeclarationBuilder {
   private final Errors errors;
   private final ExpressionBuilder expressions;
   private final boolean dataList;
+  private final int maxName;
 
   /**
    * @param dataList whether initial values are allowed
    */
   DeclarationBuilder(Errors errors, ExpressionBuilder expressions, boolean dataList) {
+    this(errors, expressions, dataList, MAX_NAME);
+  }
+
+  /**
+   * @param dataList whether initial values are allowed
+   * @param maxName the maximum length of a name
+   */
+  DeclarationBuilder(Errors errors, ExpressionBuilder expressions, boolean dataList, int maxName) {
     this.errors = errors;
     this.expressions = expressions;
     this.dataList = dataList;
+    this.maxName = maxName;
   }
 
   /** Returns the declaration on a line, or null if it is something else. */
@@ -192,11 +202,11 @@ final class DeclarationBuilder {
   /** Returns a declared name, and reports a name that is too long. */
   String declared(NameContext context) {
     String name = context.getText();
-    if (name.length() > MAX_NAME) {
+    if (name.length() > maxName) {
       errors.add(
           context.getStart(),
           "a name has at most "
-              + MAX_NAME
+              + maxName
               + " characters, "
               + ErrorWords.shorten(name)
               + " has "

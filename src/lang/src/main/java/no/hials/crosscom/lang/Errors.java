@@ -31,6 +31,11 @@ final class Errors {
     return new Position(file, token.getLine(), token.getCharPositionInLine() + 1);
   }
 
+  /** Returns the position of the first character. */
+  Position start() {
+    return new Position(file, 1, 1);
+  }
+
   List<KrlError> inOrder() {
     // Unknown labels are found only at the end of a routine.
     return found.stream().sorted(BY_PLACE).toList();

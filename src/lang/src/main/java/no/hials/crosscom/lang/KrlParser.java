@@ -5,6 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 
 /**
  * Parses KRL files.
@@ -47,5 +49,21 @@ public final class KrlParser {
       }
     }
     return new FileBuilder(fileName, bare).build();
+  }
+
+  /**
+   * Parses a declaration that is not in a file: {@code REAL X,Y[3]}, or {@code SIGNAL S $OUT[1] TO
+   * $OUT[8]}. A name can be a keyword here and can be longer than 24 characters; modifiers, initial
+   * values and comments are errors.
+   *
+   * @param text the declaration
+   * @param errors gets the errors; their positions name no file
+   * @return the variables or the signal; empty if there is an error
+   */
+  public static Optional<Declaration> parseDeclaration(String text, Consumer<KrlError> errors) {
+    Errors found = new Errors("");
+    Declaration declaration = SingleDeclaration.parse(text, found);
+    found.inOrder().forEach(errors);
+    return found.inOrder().isEmpty() ? Optional.ofNullable(declaration) : Optional.empty();
   }
 }

@@ -9,6 +9,7 @@ import static no.hials.crosscom.lang.Snippets.routine;
 import static no.hials.crosscom.lang.Snippets.show;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.lang.Declaration.Declarator;
 import no.hials.crosscom.lang.Expression.IntLiteral;
@@ -23,13 +24,18 @@ class DeclarationTest {
       quoteCharacter = '~',
       value = {
         "INT I                    | Variables(false, false, INT, [Declarator(I, [], -)], )",
-        "DECL INT I, J            | Variables(false, false, INT, [Declarator(I, [], -), Declarator(J, [], -)], )",
+        "DECL INT I, J            | Variables(false, false, INT, [Declarator(I, [], -),"
+            + " Declarator(J, [], -)], )",
         "decl gripper_t g         | Variables(false, false, gripper_t, [Declarator(g, [], -)], )",
         "GLOBAL E6AXIS A[10]      | Variables(true, false, E6AXIS, [Declarator(A, [10], -)], )",
         "DECL GLOBAL REAL M[2,N,4] | Variables(true, false, REAL, [Declarator(M, [2, N, 4], -)], )",
-        "GLOBAL DECL CHAR C[],D[,] | Variables(true, false, CHAR, [Declarator(C, [-], -), Declarator(D, [-, -], -)], )",
-        "DECL INT SEC,STEP        | Variables(false, false, INT, [Declarator(SEC, [], -), Declarator(STEP, [], -)], )",
-        "STRUC S INT A,B[2], REAL C, FRAME F | Struc(false, S, [Component(INT, Declarator(A, [], -)), Component(INT, Declarator(B, [2], -)), Component(REAL, Declarator(C, [], -)), Component(FRAME, Declarator(F, [], -))], )",
+        "GLOBAL DECL CHAR C[],D[,] | Variables(true, false, CHAR, [Declarator(C, [-], -),"
+            + " Declarator(D, [-, -], -)], )",
+        "DECL INT SEC,STEP        | Variables(false, false, INT, [Declarator(SEC, [], -),"
+            + " Declarator(STEP, [], -)], )",
+        "STRUC S INT A,B[2], REAL C, FRAME F | Struc(false, S, [Component(INT, Declarator(A, [],"
+            + " -)), Component(INT, Declarator(B, [2], -)), Component(REAL, Declarator(C, [], -)),"
+            + " Component(FRAME, Declarator(F, [], -))], )",
         "GLOBAL STRUC S CHAR N[24] | Struc(true, S, [Component(CHAR, Declarator(N, [24], -))], )",
         "ENUM E A,B,ON            | Enumeration(false, E, [A, B, ON], )",
         "GLOBAL ENUM E A          | Enumeration(true, E, [A], )",
@@ -55,13 +61,16 @@ class DeclarationTest {
       quoteCharacter = '~',
       value = {
         "INT I=5                  | Variables(false, false, INT, [Declarator(I, [], 5)], )",
-        "INT I=-2*N+1,J           | Variables(false, false, INT, [Declarator(I, [], (((MINUS 2) TIMES N) PLUS 1)), Declarator(J, [], -)], )",
+        "INT I=-2*N+1,J           | Variables(false, false, INT, [Declarator(I, [], (((MINUS 2)"
+            + " TIMES N) PLUS 1)), Declarator(J, [], -)], )",
         "INT MASK='B0101'         | Variables(false, false, INT, [Declarator(MASK, [], 5)], )",
         "DECL MODE_OP M=#T1       | Variables(false, false, MODE_OP, [Declarator(M, [], #T1)], )",
         "CONST INT N=5            | Variables(false, true, INT, [Declarator(N, [], 5)], )",
         "DECL GLOBAL CONST INT N=5 | Variables(true, true, INT, [Declarator(N, [], 5)], )",
-        "E6POS P={X 1.0,Y -2,S 'B010'} | Variables(false, false, E6POS, [Declarator(P, [], {X 1.0, Y (MINUS 2), S 2})], )",
-        "DECL LOAD L={M -1.0,CM {FRAME: X 0.0}} | Variables(false, false, LOAD, [Declarator(L, [], {M (MINUS 1.0), CM {FRAME: X 0.0}})], )",
+        "E6POS P={X 1.0,Y -2,S 'B010'} | Variables(false, false, E6POS, [Declarator(P, [], {X 1.0,"
+            + " Y (MINUS 2), S 2})], )",
+        "DECL LOAD L={M -1.0,CM {FRAME: X 0.0}} | Variables(false, false, LOAD, [Declarator(L, [],"
+            + " {M (MINUS 1.0), CM {FRAME: X 0.0}})], )",
         "CHAR C[3]=\"abc\"        | Variables(false, false, CHAR, [Declarator(C, [3], \"abc\")], )",
         "FRA F={N 5}              | Variables(false, false, FRA, [Declarator(F, [], {N 5})], )",
         "A=5                      | InitialValue(A, 5, )",
@@ -79,7 +88,8 @@ class DeclarationTest {
       delimiter = '|',
       quoteCharacter = '~',
       value = {
-        "INT I ; a counter        | Variables(false, false, INT, [Declarator(I, [], -)], a counter)",
+        "INT I ; a counter        | Variables(false, false, INT, [Declarator(I, [], -)], a"
+            + " counter)",
         "STRUC S INT A;b;c        | Struc(false, S, [Component(INT, Declarator(A, [], -))], b;c)",
         "ENUM E A;  two  words    | Enumeration(false, E, [A], two  words)",
         "SIGNAL S $OUT[1];        | Signal(false, S, $OUT[1], -, )",
@@ -132,7 +142,8 @@ class DeclarationTest {
         "DECL INT 1A              | 2:10 expected a name, found 1",
         "DECL INT A[              | 2:12 expected a value, a comma or ], found the end of the line",
         "DECL INT A[1,2,3,4]      | 2:11 expected at most 3 dimensions, found 4",
-        "DECL INT A23456789012345678901234X | 2:10 a name has at most 24 characters, A23456789012345678901234X has 25",
+        "DECL INT A23456789012345678901234X | 2:10 a name has at most 24 characters,"
+            + " A23456789012345678901234X has 25",
         "DECL DECL INT A          | 2:6 DECL is not allowed here",
         "GLOBAL GLOBAL INT A      | 2:8 GLOBAL is not allowed here",
         "CONST SIGNAL S FALSE     | 2:1 CONST is not allowed here",
@@ -177,7 +188,8 @@ class DeclarationTest {
         "FOO(1)                   | 2:1 a data list contains only declarations, found FOO",
         "PTP P1                   | 2:1 a data list contains only declarations, found PTP",
         "IF A THEN                | 2:1 a data list contains only declarations, found IF",
-        "INTERRUPT DECL 3 WHEN A DO B() | 2:1 a data list contains only declarations, found INTERRUPT",
+        "INTERRUPT DECL 3 WHEN A DO B() | 2:1 a data list contains only declarations, found"
+            + " INTERRUPT",
         "SLIN P1                  | 2:1 SLIN is not supported",
       })
   void reportsABadLineOfADataListOnce(String line, String error) {
@@ -211,5 +223,47 @@ class DeclarationTest {
   @Test
   void allowsANameOf24Characters() {
     assertThat(declarations(dataList("DECL INT A23456789012345678901234"))).hasSize(1);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '~',
+      value = {
+        "INT I                    | Variables(false, false, INT, [Declarator(I, [], -)], )",
+        "REAL A [ 2 , 3 ],B       | Variables(false, false, REAL, [Declarator(A, [2, 3], -),"
+            + " Declarator(B, [], -)], )",
+        "LOOP TO                  | Variables(false, false, LOOP, [Declarator(TO, [], -)], )",
+        "INT A234567890123456789012345 | Variables(false, false, INT,"
+            + " [Declarator(A234567890123456789012345, [], -)], )",
+        "SIGNAL LOOP LOOP[1] to LOOP[2] | Signal(false, LOOP, LOOP[1], LOOP[2], )",
+        "SIGNAL FALSE FALSE       | Signal(false, FALSE, -, -, )",
+      })
+  void readsASingleDeclarationWhoseNamesCanBeKeywords(String text, String tree) {
+    List<KrlError> errors = new ArrayList<>();
+    assertThat(show(KrlParser.parseDeclaration(text, errors::add).orElseThrow())).isEqualTo(tree);
+    assertThat(errors).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '~',
+      value = {
+        "~~                       | expected one declaration without a comment",
+        "INT A;B                  | expected one declaration without a comment",
+        "~INT A\nINT B~           | expected one declaration without a comment",
+        "INT                      | expected",
+        "INT A B                  | expected",
+        "DECL INT A               | expected",
+        "INT A=5                  | an initial value is allowed only in a data list",
+        "A[1]=5                   | expected a declaration, found A",
+        "FOO()                    | expected a declaration, found FOO",
+        "SIGNAL S $OUT[1] TO      | expected",
+      })
+  void refusesWhatIsNoSingleDeclaration(String text, String error) {
+    List<KrlError> errors = new ArrayList<>();
+    assertThat(KrlParser.parseDeclaration(text.replace("\\n", "\n"), errors::add)).isEmpty();
+    assertThat(errors).singleElement().extracting(KrlError::message).asString().contains(error);
   }
 }

@@ -1,12 +1,13 @@
 package no.hials.crosscom.examples;
 
-/** Tells what the arguments of an example name. */
+/** Checks the arguments of an example. */
 final class Arguments {
   private Arguments() {}
 
   /**
-   * Tells whether the arguments name a controller. What is neither {@code HOST PORT} nor nothing is
-   * refused: somebody who meant a robot would see the numbers of a simulated one.
+   * Returns whether the arguments name a controller. Anything other than {@code HOST PORT} or no
+   * arguments is refused, so that nobody takes the numbers of a simulated robot for those of a real
+   * one.
    *
    * @param args the arguments of the example
    * @throws IllegalArgumentException if there are arguments, but not two

@@ -18,8 +18,8 @@ public final class AsyncReads {
    * @param args {@code HOST PORT}, or nothing for a simulated controller
    * @throws IOException if connecting failed
    * @throws ExecutionException if reading failed
-   * @throws InterruptedException if the waiting was interrupted
-   * @throws TimeoutException if the answers did not come in 10 s
+   * @throws InterruptedException if the wait was interrupted
+   * @throws TimeoutException if the answers took more than 10 s
    */
   public static void main(String[] args)
       throws IOException, ExecutionException, InterruptedException, TimeoutException {
@@ -30,8 +30,8 @@ public final class AsyncReads {
 
   private static void read(CrossComClient client)
       throws ExecutionException, InterruptedException, TimeoutException {
-    // Nothing is gained in time: the server answers one request after the other. But this thread
-    // is free meanwhile, as that of a window must be.
+    // This saves no time, since the server answers one request at a time. But this thread stays
+    // free, as a user interface needs.
     CompletableFuture<String> mode = client.async(c -> c.readText("$MODE_OP"));
     CompletableFuture<String> override = client.async(c -> c.readText("$OV_PRO"));
     System.out.println("asked for the mode and the override");
@@ -42,7 +42,7 @@ public final class AsyncReads {
     try {
       client.async(c -> c.readText("NO_SUCH_VARIABLE")).get(10, TimeUnit.SECONDS);
     } catch (ExecutionException e) {
-      // what the plain method would throw is the cause
+      // the cause is the exception of the blocking method
       if (e.getCause() instanceof CrossComAccessException refused) {
         System.out.println("refused: " + refused.getVariable());
       } else {

@@ -13,13 +13,13 @@ import no.hials.crosscom.simulator.KrlFileException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Connects an example that moves a robot: to the controller named on its command line, or to a
- * simulated one that runs programs of {@code krl}.
+ * Connects an example that moves a robot to the controller on its command line, or to a simulated
+ * controller that runs programs of {@code krl}.
  */
 final class Cell implements Closeable {
   /**
-   * Where the simulated robot begins: not at the home position, since a straight path leads from
-   * there through a singularity.
+   * The start position of the simulated robot. It is not the home position, from where a straight
+   * path passes a singularity.
    */
   static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);
 
@@ -35,8 +35,8 @@ final class Cell implements Closeable {
    * Connects. The simulated controller runs in AUT, with the watchdog as submit program.
    *
    * @param args {@code HOST PORT}, or nothing for a simulated controller
-   * @param program the program of {@code krl} that moves the robot; on a real controller it has to
-   *     run already
+   * @param program the program of {@code krl} that moves the robot; on a real controller it must
+   *     already run
    * @param ready the variable that the program changes when it is ready
    */
   static Cell of(String[] args, String program, String ready) throws IOException, KrlFileException {
@@ -72,8 +72,8 @@ final class Cell implements Closeable {
   }
 
   /**
-   * Sets what differs from the default limits for a simulated robot: it is in AUT, and a busy
-   * computer is no reason to stop it. A real one keeps the defaults, T1 among them.
+   * Changes the default limits for a simulated robot: it is in AUT, and a busy computer must not
+   * stop it. A real robot keeps the defaults, including T1.
    */
   void limit(Safety.Builder safety) {
     if (mock != null) {

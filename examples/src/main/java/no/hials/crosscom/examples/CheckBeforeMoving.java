@@ -15,8 +15,8 @@ import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /**
- * Checks mode, program and limits before it moves the robot, and whether it has arrived. {@code
- * krl/follow_axis.src} is what moves.
+ * Checks mode, program and limits before it moves the robot, and whether the robot has arrived.
+ * {@code krl/follow_axis.src} moves the robot.
  */
 public final class CheckBeforeMoving {
   private static final double MARGIN = 5;
@@ -71,7 +71,7 @@ public final class CheckBeforeMoving {
     KRLReal least = new KRLReal("$SOFTN_END[1]");
     KRLReal most = new KRLReal("$SOFTP_END[1]");
     for (VariableResult result : client.readVariables(mode, state, program, least, most)) {
-      result.orThrow(); // what could not be read is no permission
+      result.orThrow(); // a failed read is not a permission
     }
     if (!"#T1".equals(mode.getValue())) {
       return Optional.of("the mode must be #T1, is " + mode.getValue());

@@ -15,8 +15,8 @@ import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.simulator.KrlFileException;
 
 /**
- * Moves the tool along a circle by a law that says where it is to be at each time. {@code
- * krl/follow_pos.src} is what moves.
+ * Moves the tool along a circle by a law that returns its position at each time. {@code
+ * krl/follow_pos.src} moves the robot.
  */
 public final class ControlByPosition {
   private static final double RADIUS = 10; // mm
@@ -32,7 +32,7 @@ public final class ControlByPosition {
    *     run, or nothing for a simulated controller
    * @throws IOException if a file could not be read, an access failed, or the loop refused to start
    * @throws KrlFileException if a file has errors
-   * @throws InterruptedException if the waiting was interrupted
+   * @throws InterruptedException if the wait was interrupted
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
@@ -44,8 +44,8 @@ public final class ControlByPosition {
           LoopConfig.create(
               cfg ->
                   cfg.period(Duration.ofMillis(20))
-                      .noInput() // the law moves the robot by itself
-                      .duration(Duration.ofSeconds(2)) // then it has come to rest
+                      .noInput() // the law moves the robot without an input device
+                      .duration(Duration.ofSeconds(2)) // then it stands still
                       .safety(cell::limit));
       StopReason reason;
       try (ControlLoop loop = ControlLoop.start(cell.client(), config, circle(start))) {
@@ -68,7 +68,7 @@ public final class ControlByPosition {
     }
   }
 
-  /** Returns a circle in the Y-Z plane that begins and ends where the robot stands. */
+  /** Returns a circle in the Y-Z plane that starts and ends at the robot's position. */
   private static Law circle(Frame start) {
     return Law.cartesianPosition(
         state -> {

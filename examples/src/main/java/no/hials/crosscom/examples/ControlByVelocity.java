@@ -16,12 +16,12 @@ import no.hials.crosscom.simulator.KrlFileException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Moves the tool with a joystick: its deflection is a velocity, and the robot stands as soon as the
- * dead-man is let go. {@code krl/actuator.src} is what moves.
+ * Moves the tool with a joystick: its deflection is a velocity, and the robot stops when the
+ * dead-man is released. {@code krl/actuator.src} moves the robot.
  */
 public final class ControlByVelocity {
   private static final double SPEED = 40; // mm/s at full deflection
-  private static final Duration HELD = Duration.ofSeconds(1); // then the person lets go
+  private static final Duration HELD = Duration.ofSeconds(1); // then the person releases it
 
   private ControlByVelocity() {}
 
@@ -33,7 +33,7 @@ public final class ControlByVelocity {
    *     run, or nothing for a simulated controller
    * @throws IOException if a file could not be read, an access failed, or the loop refused to start
    * @throws KrlFileException if a file has errors
-   * @throws InterruptedException if the waiting was interrupted
+   * @throws InterruptedException if the wait was interrupted
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
@@ -42,7 +42,7 @@ public final class ControlByVelocity {
           LoopConfig.create(
               cfg ->
                   cfg.period(Duration.ofMillis(12))
-                      .input(new Joystick().shaped(0.1, 0.5)) // a dead zone; half speed at most
+                      .input(new Joystick().shaped(0.1, 0.5)) // a dead zone; at most half speed
                       .duration(Duration.ofSeconds(2))
                       .safety(cell::limit));
       Law law =
@@ -58,14 +58,14 @@ public final class ControlByVelocity {
   private static void print(ControlLoop loop) {
     LoopStatistics statistics = loop.statistics();
     boolean stood = statistics.holding() > 0;
-    System.out.println("the robot stood after the dead-man was let go: " + stood);
+    System.out.println("the robot stopped after the dead-man was released: " + stood);
     List<Trace.Cycle> cycles = loop.trace().cycles();
     double begin = cycles.get(0).actual().get(1);
     double end = cycles.get(cycles.size() - 1).actual().get(1);
     System.out.printf(Locale.ROOT, "moved along Y: %.1f mm%n", end - begin);
   }
 
-  /** Stands in for a device: somebody pushes it to the full, and lets go after a while. */
+  /** A simulated device: fully deflected, then released. */
   private static final class Joystick implements InputDevice {
     private @Nullable Long begin;
 
@@ -76,7 +76,7 @@ public final class ControlByVelocity {
         begin = now;
       }
       boolean deadMan = now - begin < HELD.toNanos();
-      // the time says how old the input is: too old is as good as let go
+      // the time shows the age of the input: too old counts as released
       return new Input(List.of(1.0), List.of(), deadMan, now);
     }
   }

@@ -6,7 +6,7 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.mock.MockServer;
 import org.jspecify.annotations.Nullable;
 
-/** Connects an example to the controller named on its command line, or to a simulated one. */
+/** Connects an example to the controller on its command line, or to a simulated controller. */
 final class Controller implements Closeable {
   private final @Nullable MockServer mock;
   private final CrossComClient client;

@@ -16,15 +16,15 @@ import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /**
- * Keeps a model of the robot where the robot is: it computes the flange from the axes, and compares
- * it with what the controller says.
+ * Keeps a model at the position of the robot: computes the flange from the axes, and compares it
+ * with the position from the controller.
  */
 public final class DigitalTwin {
   private static final int SAMPLES = 5;
 
   private DigitalTwin() {}
 
-  /** Lets time pass between two samples. */
+  /** Waits between two samples. */
   private interface Pause {
     void pause() throws InterruptedException;
   }
@@ -36,7 +36,7 @@ public final class DigitalTwin {
    *     for a simulated controller
    * @throws IOException if reading failed
    * @throws KrlFileException if the program has errors
-   * @throws InterruptedException if the waiting was interrupted
+   * @throws InterruptedException if the wait was interrupted
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
@@ -75,10 +75,10 @@ public final class DigitalTwin {
                   position.getA(),
                   position.getB(),
                   position.getC()));
-      // on a moving robot, the two were not read at the same moment
+      // on a moving robot, the two are not read at the same moment
       System.out.printf(
           Locale.ROOT,
-          "X %.1f, Y %.1f, Z %.1f mm; the robot says %.3f mm from there%n",
+          "X %.1f, Y %.1f, Z %.1f mm; $POS_ACT is %.3f mm away%n",
           twin.x(),
           twin.y(),
           twin.z(),

@@ -10,7 +10,7 @@ import no.hials.crosscom.c3.FoundServer;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 
-/** Asks the network which controllers are there, and prints what they say about themselves. */
+/** Finds the controllers in the network, and prints their descriptions. */
 public final class DiscoverServers {
   private static final Duration TIME = Duration.ofMillis(500);
 
@@ -19,7 +19,7 @@ public final class DiscoverServers {
   /**
    * Runs the example.
    *
-   * @param args addresses to ask, a broadcast address too, such as {@code 192.168.1.255}; or
+   * @param args the addresses to search, also broadcast addresses such as {@code 192.168.1.255}; or
    *     nothing for a simulated controller
    * @throws IOException if nothing could be sent
    */
@@ -34,7 +34,7 @@ public final class DiscoverServers {
     }
     try (MockServer robot =
         MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).standardDiscoveryPort(0))) {
-      // the legacy mode is left out, since its answers come to a fixed port of this computer
+      // without the legacy mode, whose answers come to a fixed port of this computer
       DiscoveryConfig config =
           DiscoveryConfig.create(
               cfg ->

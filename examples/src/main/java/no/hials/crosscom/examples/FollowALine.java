@@ -16,9 +16,8 @@ import no.hials.crosscom.simulator.KrlFileException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Follows a straight line with a controller of its own: it computes the velocities of the axes by
- * damped least squares, so the robot's own inverse kinematics is not asked. {@code
- * krl/ext_move_axis.src} is what moves.
+ * Follows a straight line with its own control law: it computes the axis velocities by damped least
+ * squares, without the robot's inverse kinematics. {@code krl/ext_move_axis.src} moves the robot.
  */
 public final class FollowALine {
   private static final Twist ALONG = Twist.linear(0, 20, -10); // mm/s
@@ -31,11 +30,11 @@ public final class FollowALine {
    * Runs the example. <b>With arguments it moves that robot</b>: T1, and a hand on the enabling
    * switch.
    *
-   * @param args {@code HOST PORT} of a KR 6 R900 sixx in whose controller {@code EXT_MOVE_AXIS} and
-   *     {@code JOV_SPS} run, or nothing for a simulated controller
+   * @param args {@code HOST PORT} of a KR 6 R900 sixx whose controller runs {@code EXT_MOVE_AXIS}
+   *     and {@code JOV_SPS}, or nothing for a simulated controller
    * @throws IOException if a file could not be read, an access failed, or the loop refused to start
    * @throws KrlFileException if a file has errors
-   * @throws InterruptedException if the waiting was interrupted
+   * @throws InterruptedException if the wait was interrupted
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
@@ -44,7 +43,7 @@ public final class FollowALine {
           LoopConfig.create(
               cfg ->
                   cfg.period(Duration.ofMillis(12))
-                      .noInput() // the law moves the robot by itself
+                      .noInput() // the law moves the robot without an input device
                       .duration(Duration.ofSeconds(2))
                       .safety(cell::limit));
       LineController line = new LineController(RobotModel.kr6r900sixx());
@@ -55,7 +54,7 @@ public final class FollowALine {
     }
   }
 
-  /** Is asked by one thread, the loop's, and printed when that has ended. */
+  /** Called by the thread of the loop, and printed after the loop has ended. */
   private static final class LineController implements Law.JointVelocity {
     private final RobotModel robot;
     private final DampedLeastSquares solver;
@@ -72,19 +71,19 @@ public final class FollowALine {
     public Axes velocity(State state) {
       Frame actual = robot.forward(state.axes());
       if (start == null) {
-        start = actual; // the line begins where the robot stands
+        start = actual; // the line starts at the robot's position
       }
       Frame wanted = ALONG.move(start, state.time());
       wayMm = actual.distance(start);
       errorMm = actual.distance(wanted);
-      // how fast the point goes, and as much more as it takes to get back to it
+      // the velocity of the point, plus a correction back to it
       Twist twist = ALONG.plus(Twist.between(actual, wanted).times(GAIN));
       return solver.velocity(state.axes(), twist);
     }
 
     void print() {
       System.out.printf(
-          Locale.ROOT, "%.1f mm along the line, %.1f mm from where it should be%n", wayMm, errorMm);
+          Locale.ROOT, "%.1f mm along the line, %.1f mm from its target%n", wayMm, errorMm);
     }
   }
 }

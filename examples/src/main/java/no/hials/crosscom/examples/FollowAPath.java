@@ -16,8 +16,8 @@ import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 
 /**
- * Writes a path of 24 points and has {@code krl/play_path.src} drive along it: A1 swings 10 degrees
- * to one side of where it stands, and back.
+ * Writes a path of 24 points and lets {@code krl/play_path.src} execute it: A1 swings 10 degrees to
+ * one side and back.
  */
 public final class FollowAPath {
   private static final int POINTS = 24;
@@ -33,7 +33,7 @@ public final class FollowAPath {
    *     simulated controller
    * @throws IOException if a file could not be read or an access failed
    * @throws KrlFileException if a file has errors
-   * @throws InterruptedException if the waiting was interrupted
+   * @throws InterruptedException if the wait was interrupted
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
@@ -64,12 +64,12 @@ public final class FollowAPath {
       }
       client.writeText("JOV_COUNT", String.valueOf(POINTS));
       client.writeText("JOV_RESULT", "0");
-      client.writeText("JOV_COMMAND", "1"); // last, since it starts the motion
+      client.writeText("JOV_COMMAND", "1"); // last, because it starts the motion
       printUntilDone(client);
     }
   }
 
-  /** Waits until the program has begun: before, it would clear the command. */
+  /** Waits until the program is ready; until then it would clear the command. */
   private static void awaitReady(CrossComClient client) throws IOException {
     long end = System.nanoTime() + Duration.ofSeconds(10).toNanos();
     while (client.readText("JOV_RESULT").equals("0")) {

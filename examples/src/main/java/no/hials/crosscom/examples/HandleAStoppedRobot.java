@@ -13,7 +13,7 @@ import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /**
- * Finds out why a robot stands, confirms the messages, and starts its program again. It needs C3
+ * Finds out why a robot has stopped, confirms the messages, and restarts its program. It needs C3
  * Bridge.
  */
 public final class HandleAStoppedRobot {
@@ -48,8 +48,8 @@ public final class HandleAStoppedRobot {
       controller.emergencyStop(false);
       print("released", client);
 
-      // To confirm means to have understood. A program that does it without a person looking has
-      // switched the message off.
+      // Confirming means that a person has read the message. A program that confirms alone disables
+      // the message.
       client.information().confirmAll();
       print("confirmed", client);
 

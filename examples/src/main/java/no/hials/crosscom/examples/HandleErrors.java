@@ -9,7 +9,7 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.mock.MockServer;
 
-/** Shows what a failed access looks like, and how time limits are set. */
+/** Shows the exceptions of failed accesses, and how to set time limits. */
 public final class HandleErrors {
   private HandleErrors() {}
 
@@ -45,7 +45,7 @@ public final class HandleErrors {
       client.writeVariable(speed);
     } catch (CrossComException e) {
       System.out.println(
-          e.isOutcomeUnknown() ? "look before you write again" : "nothing was written");
+          e.isOutcomeUnknown() ? "check before you write again" : "nothing was written");
     } catch (IOException e) {
       System.out.println(e.getMessage());
     }

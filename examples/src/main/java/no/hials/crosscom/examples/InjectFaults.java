@@ -11,8 +11,8 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 
 /**
- * Lets the simulated server fail in each of several ways, and shows what a program gets: an
- * exception that says what happened, and never a wrong value.
+ * Lets the simulated server fail in several ways, and shows the exceptions: a program never gets a
+ * wrong value.
  */
 public final class InjectFaults {
   private InjectFaults() {}
@@ -40,8 +40,8 @@ public final class InjectFaults {
               robot.host(), cfg -> cfg.port(robot.port()).requestTimeout(Duration.ofMillis(500)));
       for (Map.Entry<String, Fault> fault : faults.entrySet()) {
         robot.clearFaults();
-        robot.fault(request -> true, fault.getValue()); // for the repetition of a read, too
-        // a new connection each time, since some faults cost it
+        robot.fault(request -> true, fault.getValue()); // also for the repeated read
+        // a new connection each time, since some faults close it
         try (CrossComClient client = new CrossComClient(config)) {
           System.out.println(fault.getKey() + ": " + read(client));
         }

@@ -9,15 +9,15 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
 
-/** Finds out which server answers, and what it can do, before a method needs it. */
+/** Finds out the kind of server and its abilities, before a method needs them. */
 public final class InspectTheServer {
   private InspectTheServer() {}
 
   /**
    * Runs the example.
    *
-   * @param args {@code HOST PORT}, or nothing for one simulated controller of each kind
-   * @throws IOException if asking failed
+   * @param args {@code HOST PORT}, or nothing for a simulated controller of each kind
+   * @throws IOException if an access failed
    */
   public static void main(String[] args) throws IOException {
     if (Arguments.nameAController(args)) {
@@ -33,9 +33,9 @@ public final class InspectTheServer {
 
   private static void inspect(String host, int port) throws IOException {
     try (CrossComClient client = new CrossComClient(host, port)) {
-      Server server = client.getServer(); // asked once in a connection
+      Server server = client.getServer(); // asked once per connection
       System.out.println("server: " + server.type());
-      System.out.println("version: " + Objects.toString(server.version(), "not told"));
+      System.out.println("version: " + Objects.toString(server.version(), "unknown"));
       System.out.println("several at once: " + server.knows(MessageType.READ_MULTIPLE));
       System.out.println("files: " + server.knows(MessageType.CREATE_FILE));
       System.out.println("programs: " + server.knows(MessageType.PROGRAM_CONTROL));

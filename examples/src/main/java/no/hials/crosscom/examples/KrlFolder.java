@@ -11,7 +11,7 @@ final class KrlFolder {
    * Returns a file.
    *
    * @param name its name
-   * @return the file, from the project's folder or from that of this module
+   * @return the file, seen from the project's folder or from this module
    */
   static Path file(String name) {
     Path file = Path.of("krl", name);

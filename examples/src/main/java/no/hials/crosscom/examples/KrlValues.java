@@ -34,8 +34,8 @@ public final class KrlValues {
 
     KrlValue position = KrlValue.parse("{FRAME: X 1000.25, Y 0.0, Z 0.1}");
     if (position instanceof KrlStruct struct) {
-      System.out.println("Z in mm: " + struct.get("z").orElseThrow()); // KRL ignores the case
-      System.out.println("A: " + struct.get("A")); // not initialised is not zero
+      System.out.println("Z in mm: " + struct.get("z").orElseThrow()); // KRL ignores case
+      System.out.println("A: " + struct.get("A")); // not initialised, which is not zero
     }
     System.out.println("as a KR C4 prints it: " + position.print());
     System.out.println("to be written: " + position.printShort());

@@ -10,8 +10,8 @@ import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /**
- * Runs a data list and a program of one's own, first one with a mistake. It needs the simulation,
- * which loads them itself; {@link RunKrlProgram} brings a program over the network.
+ * Runs your own data list and program, first with a mistake in it. It needs the simulation, which
+ * loads them itself; {@link RunKrlProgram} uploads a program over the network.
  */
 public final class LoadOwnProgram {
   private static final String CONFIG =

@@ -14,7 +14,7 @@ import no.hials.crosscom.Watch;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 
-/** Logs two angles to a CSV file, fifty times a second, and says where a sample is missing. */
+/** Logs two angles to a CSV file, fifty times a second, and marks missing samples. */
 public final class LogToCsv {
   private static final Duration PERIOD = Duration.ofMillis(20);
   private static final int SAMPLES = 20;
@@ -25,9 +25,9 @@ public final class LogToCsv {
   /**
    * Runs the example. The file is a temporary one, {@code axes...csv}.
    *
-   * @param args {@code HOST PORT}, or nothing for a simulated controller that is slow once
+   * @param args {@code HOST PORT}, or nothing for a simulated controller with one slow answer
    * @throws IOException if reading failed, or the file could not be written
-   * @throws InterruptedException if the waiting was interrupted
+   * @throws InterruptedException if the wait was interrupted
    */
   public static void main(String[] args) throws IOException, InterruptedException {
     if (Arguments.nameAController(args)) {
@@ -35,7 +35,7 @@ public final class LogToCsv {
       return;
     }
     try (MockServer robot = MockServer.start()) {
-      Fault slow = Fault.delay(Duration.ofMillis(70)); // more than three periods
+      Fault slow = Fault.delay(Duration.ofMillis(70)); // longer than three periods
       robot.fault(request -> robot.requestCount() == 11, slow);
       log(robot.host(), robot.port());
     }
@@ -47,7 +47,7 @@ public final class LogToCsv {
     try (CrossComClient client = new CrossComClient(host, port);
         BufferedWriter csv = Files.newBufferedWriter(file)) {
       csv.write("time,a1_deg,a2_deg,missed\n");
-      // the listener only queues: writing to a disk would hold up the next listener
+      // the listener only queues: writing to a disk would delay the next listener
       try (Watch watch = client.watch(PERIOD, samples::add, NAMES)) {
         for (int i = 0; i < SAMPLES; i++) {
           csv.write(line(samples.take()));
@@ -60,7 +60,7 @@ public final class LogToCsv {
     lines.stream().filter(line -> !line.endsWith(",0")).forEach(System.out::println);
   }
 
-  /** Writes what is missing as a number of its own: an invented value would be none. */
+  /** Writes a gap as a count of missing samples, never as an invented value. */
   private static String line(Sample sample) throws IOException {
     return sample.time()
         + ","

@@ -9,7 +9,7 @@ import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.SimulationClock;
 
-/** Measures how fast the simulation is on this machine. It needs the simulation. */
+/** Measures the speed of the simulation on this machine. It needs the simulation. */
 public final class MeasureTheSimulation {
   private static final double CYCLE_SECONDS = 0.012;
 
@@ -64,7 +64,7 @@ public final class MeasureTheSimulation {
   /**
    * Runs the example.
    *
-   * @param args how many minutes to simulate, 10 if not given
+   * @param args the number of minutes to simulate, by default 10
    * @throws IOException if the server could not be started
    * @throws KrlFileException if a program has errors
    */

@@ -14,7 +14,7 @@ import no.hials.crosscom.simulator.SimulationClock;
 
 /**
  * Moves the simulated robot by increments that a client writes, with {@code krl/actuator.src}. It
- * needs the simulation, since it lets the time pass itself.
+ * needs the simulation, since it advances the time itself.
  */
 public final class MoveTheSimulatedRobot {
   private MoveTheSimulatedRobot() {}
@@ -42,12 +42,12 @@ public final class MoveTheSimulatedRobot {
 
   private static void move(Controller controller, CrossComClient client) throws IOException {
     print(controller, client);
-    client.writeVariable(new KRLPos("MYPOS").setX(-2).setZ(1)); // mm a step
+    client.writeVariable(new KRLPos("MYPOS").setX(-2).setZ(1)); // mm per step
     for (int i = 0; i < 5; i++) {
       controller.step(Duration.ofMillis(240));
       print(controller, client);
     }
-    client.writeVariable(new KRLPos("MYPOS")); // zeros: stand still
+    client.writeVariable(new KRLPos("MYPOS")); // zeros: stop
     controller.stepUntil(controller::standing, Duration.ofSeconds(10));
     print(controller, client);
   }

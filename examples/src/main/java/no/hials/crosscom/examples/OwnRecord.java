@@ -50,7 +50,7 @@ public final class OwnRecord {
                   + "OFFSET {X 1.0,Y 2.0,Z 3.0,A 0.0,B 0.0,C 0.0}}");
       try (CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
         KRLRecord<Weld> variable = new KRLRecord<>("MYWELD", Weld.class);
-        client.readVariable(variable); // one access for all of it
+        client.readVariable(variable); // one access for the whole structure
         Weld weld = variable.recordValue();
         System.out.println(
             "seam " + weld.seam() + " " + weld.name() + ", Z " + weld.offset().getZ() + " mm");

@@ -12,8 +12,8 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.simulator.KrlFileException;
 
 /**
- * Has {@code krl/play_path.src} drive along ten points, and shows that a path with one bad point is
- * refused as a whole. {@link FollowAPath} does by hand what the player does here.
+ * Plays a path of ten points with {@code krl/play_path.src}, and shows that a path with a bad point
+ * is refused as a whole. {@link FollowAPath} does the same without the player.
  */
 public final class PlayAPath {
   private static final Duration LIMIT = Duration.ofSeconds(30);
@@ -28,7 +28,7 @@ public final class PlayAPath {
    *     run, or nothing for a simulated controller
    * @throws IOException if a file could not be read, an access failed, or the path was refused
    * @throws KrlFileException if a file has errors
-   * @throws InterruptedException if the waiting was interrupted
+   * @throws InterruptedException if the wait was interrupted
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
@@ -41,11 +41,11 @@ public final class PlayAPath {
         double swing = 0.2 * i * (10 - i);
         points.add(start.plus(Axes.of(swing, 0, 0, 0, 0.5 * i, 0)));
       }
-      player.playAxes(points, LIMIT); // comes back when the robot is at the last point
+      player.playAxes(points, LIMIT); // returns when the robot is at the last point
       Axes end = Axes.of(cell.client().readJointAngles());
       System.out.println("came to " + Arrays.toString(end.toArray()) + " degrees");
 
-      points.add(start.with(0, 169)); // too near the end of A1's range
+      points.add(start.with(0, 169)); // too close to the end of A1's range
       try {
         player.playAxes(points, LIMIT);
       } catch (ControlRefusedException e) {

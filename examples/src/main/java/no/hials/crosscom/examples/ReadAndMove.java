@@ -10,9 +10,9 @@ import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 
 /**
- * Reads, writes and moves by calls that other languages can make as well: without lambdas and
- * records. {@code python/read_and_move.py} is the same in Python; {@code krl/follow_axis.src} is
- * what moves.
+ * Reads, writes and moves with calls that other languages can make too: without lambdas and
+ * records. {@code python/read_and_move.py} is the same in Python; {@code krl/follow_axis.src} moves
+ * the robot.
  */
 public final class ReadAndMove {
   private ReadAndMove() {}
@@ -52,7 +52,7 @@ public final class ReadAndMove {
       System.out.println("override in %: " + client.readText("$OV_PRO"));
 
       while (!client.readText("JOV_AXIS").equals(client.readText("$AXIS_ACT"))) {
-        checkActive(client); // until the program's target is where the robot stands
+        checkActive(client); // until the program has set its target to the robot's position
       }
       KRLE6Axis target = new KRLE6Axis("JOV_AXIS");
       client.readVariable(target);

@@ -10,7 +10,7 @@ import no.hials.crosscom.KRL.KRLBoolArray;
 import no.hials.crosscom.KRL.KRLReal;
 import no.hials.crosscom.KRL.KRLRealArray;
 
-/** Reads a whole array in one access, an array element by element, and one element. */
+/** Reads a whole array in one access, an array element by element, and a single element. */
 public final class ReadArrays {
   private ReadArrays() {}
 
@@ -27,27 +27,27 @@ public final class ReadArrays {
   }
 
   private static void read(CrossComClient client) throws IOException {
-    KRLRealArray least = new KRLRealArray("$SOFTN_END[]"); // empty brackets: all of it
+    KRLRealArray least = new KRLRealArray("$SOFTN_END[]"); // empty brackets: the whole array
     client.readVariable(least);
     System.out.println("least angles of A1 to A6 in degrees: " + first(least, 6));
 
-    KRLBoolArray inputs = new KRLBoolArray("$IN[]"); // 4096 of them, still one access
+    KRLBoolArray inputs = new KRLBoolArray("$IN[]"); // 4096 elements, still one access
     client.readVariable(inputs);
     System.out.println("inputs that are on: " + on(inputs));
 
-    // With its length, an array that a controller does not give whole is read one by one: an access
-    // an element, so it is worth knowing how far it has come.
+    // An array that the controller cannot send whole is read element by element, given its length.
+    // With one access per element, it is useful to see the progress.
     KRLRealArray torques = new KRLRealArray("$TORQUE_AXIS_ACT[]", 6);
     client.readVariable(
         torques, (done, total) -> System.out.println("torque " + done + " of " + total));
     System.out.println("torques of A1 to A6 in Nm: " + first(torques, 6));
 
-    KRLReal most = new KRLReal("$SOFTP_END[1]"); // KRL counts from 1
+    KRLReal most = new KRLReal("$SOFTP_END[1]"); // KRL indices start at 1
     client.readVariable(most);
     System.out.println("greatest angle of A1 in degrees: " + most.doubleValue());
   }
 
-  /** Returns numbers as KRL does, from 1. */
+  /** Returns indices as in KRL, starting at 1. */
   private static List<Integer> on(KRLBoolArray inputs) {
     List<Integer> numbers = new ArrayList<>();
     boolean[] values = Objects.requireNonNull(inputs.getValue(), "it has been read");

@@ -25,7 +25,7 @@ public final class RunAProgram {
   private RunAProgram() {}
 
   /**
-   * Runs the example in a simulated controller: it would start a program on a real one.
+   * Runs the example in a simulated controller, since it would start a program on a real one.
    *
    * @param args not used
    * @throws IOException if a command failed
@@ -47,7 +47,7 @@ public final class RunAProgram {
     try {
       client.programs().select("/R1/WRONG");
     } catch (CrossComRefusedException e) {
-      // the controller gives no reason; the pendant shows the errors
+      // the controller sends no reason; the pendant shows the errors
       System.out.println("not selected, code " + e.getCode());
     }
     client.programs().select("/R1/COUNTS");
@@ -57,7 +57,7 @@ public final class RunAProgram {
   private static void run(CrossComClient client) throws IOException {
     client.programs().start(Interpreter.ROBOT); // moves a machine
     System.out.println(client.readText("$PRO_STATE1"));
-    client.programs().stop(Interpreter.ROBOT); // no emergency stop: it takes a working network
+    client.programs().stop(Interpreter.ROBOT); // not an emergency stop: it needs a working network
     System.out.println(client.readText("$PRO_STATE1"));
     client.programs().cancel(Interpreter.ROBOT); // now its files can be changed again
     System.out.println(client.readText("$PRO_STATE1"));

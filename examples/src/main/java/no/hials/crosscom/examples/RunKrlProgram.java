@@ -18,10 +18,10 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.OperatingMode;
 
 /**
- * Brings {@code krl/actuator.src} to the controller, runs it, and moves the robot by it, all over
- * the network. It needs C3 Bridge.
+ * Uploads {@code krl/actuator.src} to the controller, runs it, and moves the robot with it, all
+ * over the network. It needs C3 Bridge.
  *
- * <p><b>On a real controller this moves the robot</b>, by 40 mm and more: begin in T1.
+ * <p><b>On a real controller this moves the robot</b>, by 40 mm and more: start in T1.
  */
 public final class RunKrlProgram {
   private static final String CONFIG = "KRC:\\R1\\System\\$config.dat";
@@ -75,7 +75,7 @@ public final class RunKrlProgram {
     System.out.println("the same bytes: " + Arrays.equals(sent, stored));
   }
 
-  /** Adds the lines of {@code krl/config.dat} that the controller's own list has not. */
+  /** Adds the lines of {@code krl/config.dat} that are missing in the controller's list. */
   private static void declareGlobals(CrossComClient client) throws IOException {
     String list = client.files().downloadText(CONFIG, TransferConfig.DEFAULT);
     StringBuilder added = new StringBuilder();
@@ -97,11 +97,11 @@ public final class RunKrlProgram {
     while (client.readText("JOV_STEPS").equals("0")) {
       checkActive(client); // until the program is in its loop
     }
-    client.writeVariable(new KRLPos("MYPOS").setZ(1)); // mm a step
+    client.writeVariable(new KRLPos("MYPOS").setZ(1)); // mm per step
     while (height(client) < z + 40) {
       checkActive(client);
     }
-    client.writeVariable(new KRLPos("MYPOS")); // zeros: stand still
+    client.writeVariable(new KRLPos("MYPOS")); // zeros: stop
     System.out.println("moved up by 40 mm or more");
   }
 

@@ -10,8 +10,8 @@ import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /**
- * Switches an output on and off, and reads an input, by way of the submit interpreter: {@code
- * krl/jov_sps.sub} copies globals that a client may write to {@code $OUT}, which it may not.
+ * Switches an output on and off, and reads an input, through the submit interpreter: a client
+ * cannot write {@code $OUT}, so {@code krl/jov_sps.sub} copies global variables to it.
  */
 public final class SetOutputs {
   private static final Duration CYCLE = Duration.ofMillis(12);
@@ -31,7 +31,7 @@ public final class SetOutputs {
   public static void main(String[] args) throws IOException, KrlFileException {
     if (Arguments.nameAController(args)) {
       try (CrossComClient client = new CrossComClient(args[0], Integer.parseInt(args[1]))) {
-        grip(client, () -> {}); // its time passes by itself
+        grip(client, () -> {}); // its time passes automatically
       }
       return;
     }
@@ -56,11 +56,11 @@ public final class SetOutputs {
 
   private static void set(SubmitOutputs signals, boolean value, Runnable pause) throws IOException {
     signals.setOutput(GRIPPER, value);
-    // Written is not switched: the submit interpreter has its own pace.
+    // A write does not switch the output: the submit interpreter does, in its own cycle.
     long end = System.nanoTime() + Duration.ofSeconds(5).toNanos();
     while (signals.output(GRIPPER) != value) {
       if (System.nanoTime() > end) {
-        throw new IOException("output " + GRIPPER + " must be " + value + ", is not after 5 s");
+        throw new IOException("output " + GRIPPER + " must be " + value + ", is not within 5 s");
       }
       pause.run();
     }

@@ -12,8 +12,8 @@ import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.mock.MockServer;
 
 /**
- * Computes where the flange is and which axis angles lead there, and compares it with {@code
- * $POS_ACT}. It needs the simulation, since it puts the robot somewhere.
+ * Computes the pose of the flange and the axis angles for it, and compares the pose with {@code
+ * $POS_ACT}. It needs the simulation, since it places the robot.
  */
 public final class SolveKinematics {
   private static final Axes AXES = Axes.of(30, -80, 100, 10, 60, -20);
@@ -25,7 +25,7 @@ public final class SolveKinematics {
    *
    * @param args not used
    * @throws IOException if an access failed
-   * @throws UnreachableException if the robot cannot get to where it is
+   * @throws UnreachableException if the robot cannot reach its own position
    */
   public static void main(String[] args) throws IOException, UnreachableException {
     RobotModel model = RobotModel.kr6r900sixx();

@@ -16,8 +16,8 @@ import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 
 /**
- * Swings A1 by a control law of its own, one command every 20 ms, and shows how a law that wants
- * too much is stopped. {@code krl/ext_move_axis.src} is what moves, {@code krl/jov_sps.sub} the
+ * Swings A1 with its own control law, one command every 20 ms, and shows how a law that is too fast
+ * is stopped. {@code krl/ext_move_axis.src} moves the robot; {@code krl/jov_sps.sub} is the
  * watchdog.
  */
 public final class SwingAxisOne {
@@ -34,7 +34,7 @@ public final class SwingAxisOne {
    *     JOV_SPS} run, or nothing for a simulated controller
    * @throws IOException if a file could not be read, an access failed, or the loop refused to start
    * @throws KrlFileException if a file has errors
-   * @throws InterruptedException if the waiting was interrupted
+   * @throws InterruptedException if the wait was interrupted
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
@@ -63,7 +63,7 @@ public final class SwingAxisOne {
         LoopConfig.create(
             cfg ->
                 cfg.period(Duration.ofMillis(20))
-                    .noInput() // the law moves the robot by itself
+                    .noInput() // the law moves the robot without an input device
                     .duration(Duration.ofSeconds(2))
                     .safety(safety -> safety.modes(mode)));
 

@@ -19,7 +19,7 @@ public final class TransferFiles {
   private TransferFiles() {}
 
   /**
-   * Runs the example in a simulated controller: it would write a file on a real one.
+   * Runs the example in a simulated controller, since it would write a file on a real one.
    *
    * @param args not used
    * @throws IOException if a file could not be transferred
@@ -37,8 +37,8 @@ public final class TransferFiles {
     TransferConfig careful =
         TransferConfig.create(
             cfg ->
-                cfg.overwrite(true) // else it fails if the controller has one of this name
-                    .verification(Verification.CONTENT) // reads it back, and compares
+                cfg.overwrite(true) // otherwise it fails if the file exists
+                    .verification(Verification.CONTENT) // reads it back and compares
                     .progress((bytes, total) -> System.out.println(bytes + " of " + total)));
     client.files().upload(source, NAME, careful);
   }
@@ -53,7 +53,7 @@ public final class TransferFiles {
     Path folder = Files.createTempDirectory("jopenshowvar");
     Path copy = folder.resolve("actuator.src");
     try {
-      client.files().download(NAME, copy); // whole, or not at all
+      client.files().download(NAME, copy); // complete or not at all
       System.out.println(Files.readAllLines(copy, StandardCharsets.ISO_8859_1).get(0));
     } finally {
       Files.deleteIfExists(copy);

@@ -29,13 +29,13 @@ public final class TwoRobots {
   private TwoRobots() {}
 
   /**
-   * Runs the example. It needs the simulation, since it moves two robots and lets their time pass.
+   * Runs the example. It needs the simulation, since it moves two robots and advances their time.
    *
    * @param args not used
    * @throws IOException if a file could not be read or an access failed
    * @throws KrlFileException if a file has errors
    * @throws ExecutionException if reading failed
-   * @throws InterruptedException if the waiting was interrupted
+   * @throws InterruptedException if the wait was interrupted
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, ExecutionException, InterruptedException {

@@ -10,8 +10,8 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 
 /**
- * Writes twice without getting an answer, and looks afterwards what became of it: one write was
- * done, the other one was not. It needs the simulation, which loses the answers.
+ * Writes twice without an answer, and then checks the outcome: the first write was executed, the
+ * second was not. It needs the simulation, which loses the answers.
  */
 public final class UnknownOutcome {
   private UnknownOutcome() {}
@@ -20,7 +20,7 @@ public final class UnknownOutcome {
    * Runs the example.
    *
    * @param args not used
-   * @throws IOException if an access failed that should not
+   * @throws IOException if an access failed unexpectedly
    */
   public static void main(String[] args) throws IOException {
     try (MockServer robot = MockServer.start()) {
@@ -38,7 +38,8 @@ public final class UnknownOutcome {
 
         System.out.println("the connection is closed while reading");
         robot.enqueue(Fault.closeBefore());
-        System.out.println("MYINT = " + client.readText("MYINT")); // a read is repeated by itself
+        System.out.println(
+            "MYINT = " + client.readText("MYINT")); // reads are repeated automatically
       }
     }
   }

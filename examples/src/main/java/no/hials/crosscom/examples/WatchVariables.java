@@ -17,7 +17,7 @@ public final class WatchVariables {
    *
    * @param args {@code HOST PORT}, or nothing for a simulated controller
    * @throws IOException if reading failed
-   * @throws InterruptedException if the waiting was interrupted
+   * @throws InterruptedException if the wait was interrupted
    */
   public static void main(String[] args) throws IOException, InterruptedException {
     try (Controller controller = Controller.of(args)) {

@@ -32,10 +32,10 @@ public final class WriteVariables {
     client.writeVariable(text);
 
     KRLPos pos = new KRLPos("MYPOS").setX(2).setY(1);
-    client.writeVariable(pos); // all eight fields; those not set are written as 0.0
+    client.writeVariable(pos); // all eight fields; unset fields are 0.0
 
     pos.setZ(30.5);
-    client.writeFields(pos, "Z"); // only Z; the controller leaves the others as they are
+    client.writeFields(pos, "Z"); // only Z; the other fields stay unchanged
 
     System.out.println("$OV_PRO = " + client.readText("$OV_PRO"));
     System.out.println("MYSTRING[] = " + client.readText("MYSTRING[]"));

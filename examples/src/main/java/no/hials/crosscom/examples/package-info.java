@@ -1,7 +1,7 @@
 /**
- * Examples, one class a task. Each takes {@code HOST PORT} as its arguments, and starts the
- * simulated controller if it gets none. Those that load programs or let the time pass need the
- * simulation, and say so.
+ * Examples, one class per task. Each takes {@code HOST PORT} as its arguments, and starts the
+ * simulated controller without arguments. Examples that load programs or advance the time need the
+ * simulation, as their documentation says.
  *
  * <p>The snippets of the documentation are lines of these classes; a test compares them.
  */

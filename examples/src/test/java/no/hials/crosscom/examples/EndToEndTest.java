@@ -28,7 +28,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Does all that a user does with a program over C3 Bridge, on a simulated controller. */
+/** All steps of a user with a program over C3 Bridge, on a simulated controller. */
 class EndToEndTest {
   private static final String SRC = "KRC:\\R1\\PROGRAM\\ACTUATOR.SRC";
   private static final String DAT = "KRC:\\R1\\PROGRAM\\ACTUATOR.DAT";

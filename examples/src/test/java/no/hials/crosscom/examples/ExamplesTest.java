@@ -16,7 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Runs every example as a user would. */
+/** Runs every example like a user. */
 class ExamplesTest {
   private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
   private final PrintStream original = System.out;
@@ -157,7 +157,7 @@ class ExamplesTest {
   @Test
   void transferFilesPrintsHowFarItHasComeAndWhatTheControllerHas() {
     assertThat(run(() -> TransferFiles.main(new String[0])).lines())
-        .startsWith("0 of 1398", "1398 of 1398", "ACTUATOR.SRC, 1398 bytes")
+        .startsWith("0 of 1418", "1418 of 1418", "ACTUATOR.SRC, 1418 bytes")
         .hasSize(4);
   }
 
@@ -202,7 +202,7 @@ class ExamplesTest {
 
   @Test
   void swingAxisOneStopsALawThatIsTooFast() {
-    // how the first law ends depends on how busy the computer is
+    // the end of the first law depends on the load of the computer
     assertThat(run(() -> SwingAxisOne.main(new String[0])))
         .startsWith("swing: ")
         .contains("too fast: SPEED: the speed of A1 must be at most 30 degrees/s, is 90");
@@ -234,7 +234,7 @@ class ExamplesTest {
   @Test
   void inspectTheServerTellsTheTwoKindsApart() {
     assertThat(run(() -> InspectTheServer.main(new String[0])).lines())
-        .startsWith("server: KUKAVARPROXY", "version: not told", "several at once: false")
+        .startsWith("server: KUKAVARPROXY", "version: unknown", "several at once: false")
         .contains("server: C3_BRIDGE", "version: 1.4", "several at once: true", "programs: true");
   }
 
@@ -280,7 +280,7 @@ class ExamplesTest {
     assertThat(run(() -> DigitalTwin.main(new String[0])).lines())
         .hasSize(5)
         .doesNotHaveDuplicates()
-        .allMatch(line -> line.endsWith("; the robot says 0.000 mm from there"));
+        .allMatch(line -> line.endsWith("; $POS_ACT is 0.000 mm away"));
   }
 
   @Test
@@ -328,7 +328,7 @@ class ExamplesTest {
     List<String> lines = run(() -> ControlByVelocity.main(new String[0])).lines().toList();
 
     assertThat(lines.get(0)).startsWith("TIME_OVER");
-    assertThat(lines.get(1)).isEqualTo("the robot stood after the dead-man was let go: true");
+    assertThat(lines.get(1)).isEqualTo("the robot stopped after the dead-man was released: true");
     assertThat(lines.get(2)).matches("moved along Y: [1-9].* mm");
   }
 
@@ -336,8 +336,9 @@ class ExamplesTest {
   void followALineGoesAlongTheLine() {
     assertThat(run(() -> FollowALine.main(new String[0])))
         .contains("TIME_OVER")
-        // how near depends on what else this computer does; FollowingTest has simulated time
-        .containsPattern("[1-9][0-9]\\.[0-9] mm along the line, [12]?[0-9]\\.[0-9] mm from where");
+        // the distance depends on the load of this computer; FollowingTest has simulated time
+        .containsPattern(
+            "[1-9][0-9]\\.[0-9] mm along the line, [12]?[0-9]\\.[0-9] mm from its target");
   }
 
   @Test

@@ -43,7 +43,7 @@ class KrlProgramsTest {
     controller = server.controller();
     controller.load(KRL.resolve("config.dat"));
     controller.setMode(OperatingMode.AUT);
-    // not with A5 at 0, where a straight path would lead through a singularity
+    // not with A5 at 0, where a straight path would pass a singularity
     controller.place(Axes.of(0, -90, 90, 0, 45, 0));
     client = new CrossComClient(server.host(), server.port());
   }
@@ -101,7 +101,7 @@ class KrlProgramsTest {
     return client.readJointAngles();
   }
 
-  /** Lets the loop plan ten more steps, and then stops it by zeros. */
+  /** Lets the loop plan ten more steps, and then stops it with zeros. */
   private int tenSteps(String increment, String zeros) throws IOException {
     int before = readInt("JOV_STEPS");
     write(increment);
@@ -215,7 +215,7 @@ class KrlProgramsTest {
       point.setX(start.getX() - 50 + 50 * Math.cos(angle)).setY(50 * Math.sin(angle));
       point.setZ(start.getZ() - 2 * (i - 1));
       point.setA(start.getA()).setB(start.getB()).setC(start.getC());
-      // of the first point, which is where the robot stands; LIN to the others ignores them
+      // of the first point, the robot's position; LIN to the others ignores them
       point.setS(start.getS()).setT(start.getT());
       client.writeVariable(point);
     }
@@ -282,7 +282,7 @@ class KrlProgramsTest {
     controller.step(Duration.ofSeconds(5));
     assertThat(axes()).isEqualTo(stoodAt);
 
-    // the client is back: the program goes on when somebody starts it, and moves nothing by itself
+    // the client is back: the program continues only when it is started, and moves nothing
     writeInt("JOV_HEARTBEAT", 11);
     controller.step(Duration.ofMillis(24));
     controller.robot().start();

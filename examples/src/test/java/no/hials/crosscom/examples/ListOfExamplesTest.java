@@ -11,11 +11,11 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Compares the table of examples in README.md with the examples there are. */
+/** Compares the table of examples in README.md with the examples. */
 class ListOfExamplesTest {
   private static final Path JAVA = Path.of("src", "main", "java", "no", "hials", "crosscom");
 
-  /** A line of the table: a link to a Java file with a {@code main} method, and what it shows. */
+  /** A line of the table: a link to a Java file with a {@code main} method, and its description. */
   private static final Pattern LINE =
       Pattern.compile("(?m)^\\| \\[(\\w+)]\\((src/main/java/[\\w/]+/\\1\\.java)\\) \\| .+ \\|$");
 

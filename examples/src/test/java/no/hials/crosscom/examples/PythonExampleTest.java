@@ -12,10 +12,10 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Runs the Python example, if there is a Python that can. */
+/** Runs the Python example if a suitable Python is installed. */
 class PythonExampleTest {
   private static final String PYTHON =
-      System.getenv().getOrDefault("PYTHON", "python3"); // such as that of a virtual environment
+      System.getenv().getOrDefault("PYTHON", "python3"); // for example of a virtual environment
 
   private record Result(int exitCode, String output) {}
 
@@ -64,7 +64,7 @@ class PythonExampleTest {
     assertThat(result.exitCode()).isZero();
   }
 
-  /** Returns the classes of this build, so that no jar has to be built first. */
+  /** Returns the classes of this build, so that no jar is needed. */
   private static String classPath() {
     return System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
   }

@@ -34,9 +34,7 @@ class SystemVariablesPageTest {
       return;
     }
 
-    assertThat(page.equals(renewed))
-        .as("the table is an old one; this renews it: " + RENEW)
-        .isTrue();
+    assertThat(page.equals(renewed)).as("the table is outdated; renew it with: " + RENEW).isTrue();
   }
 
   private static String table() {

@@ -19,11 +19,11 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Shows how to test the software of a cell without the cell: the annotation starts a simulated
- * controller for each test, with the programs that the real one has.
+ * controller for each test, with the programs of the real controller.
  */
 class UnitTestYourCellTest {
 
-  /** Is what you would test: it closes a gripper, and checks that it holds a part. */
+  /** The code under test: it closes a gripper, and checks that it holds a part. */
   static final class Gripper {
     private static final int CLOSE = 3;
     private static final int PART_HELD = 2;
@@ -46,7 +46,7 @@ class UnitTestYourCellTest {
       dataLists = "../krl/config.dat",
       programs = "../krl/jov_sps.sub",
       submit = "JOV_SPS",
-      clock = "stepped") // time passes when the test says so: every run is the same
+      clock = "stepped") // the test advances the time, so every run is the same
   private MockServer robot;
 
   private CrossComClient connect(MockServer server) throws IOException {
@@ -99,7 +99,7 @@ class UnitTestYourCellTest {
     try (CrossComClient client = connect(idle)) {
       assertThatExceptionOfType(CrossComAccessException.class)
           .isThrownBy(() -> new Gripper(client).close())
-          .withMessageContaining("JOV_IN[2]"); // nobody has given it a value
+          .withMessageContaining("JOV_IN[2]"); // without a value
     }
     assertThat(idle.requests()).noneMatch(RecordedRequest::isWrite);
   }

@@ -68,7 +68,7 @@ public final class C3FileHandler implements AutoCloseable {
    *     files cannot be changed (assumed)
    */
   public C3FileHandler(FileTree files, Predicate<String> selected) {
-    tree = files.tree();
+    tree = ControllerFileSystem.of(files);
     this.selected = selected;
     writing = new TransferBuffer(tree);
     reading = new TransferBuffer(tree);

@@ -5,107 +5,77 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
-import no.hials.crosscom.simulator.internal.data.BuiltInDataLists;
 import no.hials.crosscom.simulator.internal.files.ControllerFileSystem;
 
 /**
- * The files of the simulated controller, which clients reach with the messages 20 to 30 of C3
- * Bridge and Java code with this class.
+ * The files of the simulated controller. Clients reach them with messages 20 to 30 of C3 Bridge,
+ * Java code with this interface.
  *
- * <p>Names are {@code KRC:\R1\Program\X.SRC}, in any case and with either kind of slash, or {@code
- * /R1/X.SRC}, which finds a file wherever below {@code R1} it is, in {@code Program} first; a new
- * one comes into {@code Program}. The folders are those that a KR C4 has: {@code KRC:\R1} with
- * {@code Mada}, {@code Program}, {@code System} and {@code TP}, and {@code KRC:\STEU\Mada}.
+ * <p>A name is {@code KRC:\R1\Program\X.SRC}, in any case and with either kind of slash, or {@code
+ * /R1/X.SRC}, which finds a file in any folder below {@code R1}, in {@code Program} first; a new
+ * file goes into {@code Program}. The folders are those of a KR C4: {@code KRC:\R1} with {@code
+ * Mada}, {@code Program}, {@code System} and {@code TP}, and {@code KRC:\STEU\Mada}.
  *
- * <p>Thread-safe. It creates no threads.
+ * <p>Thread-safe. It creates no threads. Not for implementation by users: a controller and a server
+ * accept only the trees that this interface creates.
  */
-public final class FileTree {
-  /** How many bytes a tree holds if nothing else is said: 64 MiB. */
-  public static final long DEFAULT_CAPACITY = 64L << 20;
-
-  private final ControllerFileSystem tree;
-  private final boolean inMemory;
-
-  private FileTree(ControllerFileSystem tree, boolean inMemory) {
-    this.tree = tree;
-    this.inMemory = inMemory;
-  }
+public interface FileTree {
+  /** The default capacity of a tree: 64 MiB. */
+  long DEFAULT_CAPACITY = 64L << 20;
 
   /**
-   * Makes a tree in memory that has the data lists {@code $machine.dat} and {@code $config.dat} of
+   * Creates a tree in memory with the data lists {@code $machine.dat} and {@code $config.dat} of
    * the built-in table, and no program.
    *
    * @return the tree
    */
-  public static FileTree inMemory() {
+  static FileTree inMemory() {
     return inMemory(java.time.Clock.systemUTC(), DEFAULT_CAPACITY);
   }
 
   /**
-   * Makes a tree as {@link #inMemory()} does.
+   * Creates a tree in memory, as {@link #inMemory()} does.
    *
-   * @param clock gives the times of the files, and the controller's time zone
-   * @param capacity how many bytes it holds, 1 MiB or more; a file counts 512 bytes more than its
-   *     content. As much again is for files that are on their way
+   * @param clock the source of the files' times, and of the controller's time zone
+   * @param capacity the most bytes it holds, 1 MiB or more; a file counts 512 bytes more than its
+   *     content. Transfers have as much again
    * @return the tree
    */
-  public static FileTree inMemory(java.time.Clock clock, long capacity) {
-    FileTree files = new FileTree(ControllerFileSystem.inMemory(clock, checked(capacity)), true);
+  static FileTree inMemory(java.time.Clock clock, long capacity) {
     try {
-      files.put("KRC:\\R1\\Mada\\$machine.dat", BuiltInDataLists.text("$MACHINE.DAT"));
-      files.put("KRC:\\R1\\System\\$config.dat", BuiltInDataLists.text("$CONFIG.DAT"));
+      return ControllerFileSystem.inMemory(clock, capacity);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    return files;
   }
 
   /**
-   * Makes a tree of a folder of this machine. What clients do happens to its files. They never
-   * reach anything outside: names with {@code ..} and the like are refused, and links are not
-   * followed. The folders of a KR C4 are made if they are missing.
+   * Opens a folder of this machine as a tree. Clients change its files. They never reach anything
+   * outside: names with {@code ..} and the like are refused, and links are not followed. Folders of
+   * a KR C4 that are missing are created.
    *
    * <p>The attributes that clients set, read-only too, are kept in memory only.
    *
-   * @param folder what {@code KRC:\} is
+   * @param folder the folder that becomes {@code KRC:\}
    * @return the tree
    * @throws IOException if the folder cannot be used
    */
-  public static FileTree over(Path folder) throws IOException {
+  static FileTree over(Path folder) throws IOException {
     return over(folder, java.time.Clock.systemUTC(), DEFAULT_CAPACITY);
   }
 
   /**
-   * Makes a tree as {@link #over(Path)} does.
+   * Opens a folder of this machine as a tree, as {@link #over(Path)} does.
    *
-   * @param folder what {@code KRC:\} is
-   * @param clock gives the controller's time zone; the times are the files'
-   * @param capacity as for {@link #inMemory(java.time.Clock, long)}; what is in the folder counts
+   * @param folder the folder that becomes {@code KRC:\}
+   * @param clock the source of the controller's time zone; the times are those of the files
+   * @param capacity as for {@link #inMemory(java.time.Clock, long)}; the files in the folder count
    * @return the tree
    * @throws IOException if the folder cannot be used
    */
-  public static FileTree over(Path folder, java.time.Clock clock, long capacity)
-      throws IOException {
-    Objects.requireNonNull(clock, "clock");
-    return new FileTree(ControllerFileSystem.over(folder, clock, checked(capacity)), false);
-  }
-
-  private static long checked(long capacity) {
-    if (capacity < 1 << 20) {
-      throw new IllegalArgumentException("capacity must be 1 MiB or more, is " + capacity);
-    }
-    return capacity;
-  }
-
-  /**
-   * Returns the file system behind this view, as C3 Bridge reaches it.
-   *
-   * @return the file system
-   */
-  public ControllerFileSystem tree() {
-    return tree;
+  static FileTree over(Path folder, java.time.Clock clock, long capacity) throws IOException {
+    return ControllerFileSystem.over(folder, clock, capacity);
   }
 
   /**
@@ -113,30 +83,26 @@ public final class FileTree {
    *
    * @return true if they are in memory
    */
-  public boolean isInMemory() {
-    return inMemory;
-  }
+  boolean isInMemory();
 
   /**
-   * Writes a file, read-only or selected or not, and makes the folders that it needs.
+   * Writes a file, even if it is read-only or selected, and creates missing folders.
    *
    * @param name its full or KRC name
    * @param content all of it
-   * @throws IOException if the name is none, is that of a folder, or there is no room
+   * @throws IOException if the name is invalid or that of a folder, or the tree is full
    */
-  public void put(String name, byte[] content) throws IOException {
-    tree.put(name, content.clone());
-  }
+  void put(String name, byte[] content) throws IOException;
 
   /**
    * Writes a file of text, as {@link #put(String, byte[])} does.
    *
    * @param name its full or KRC name
    * @param text all of it; written as ISO 8859-1, as KRL is
-   * @throws IOException if the name is none, is that of a folder, or there is no room
+   * @throws IOException if the name is invalid or that of a folder, or the tree is full
    */
-  public void put(String name, String text) throws IOException {
-    tree.put(name, text.getBytes(StandardCharsets.ISO_8859_1));
+  default void put(String name, String text) throws IOException {
+    put(name, text.getBytes(StandardCharsets.ISO_8859_1));
   }
 
   /**
@@ -144,59 +110,46 @@ public final class FileTree {
    *
    * @param name its full or KRC name
    * @return its content, a copy
-   * @throws IOException if it is not there or a folder
+   * @throws IOException if it does not exist or is a folder
    */
-  public byte[] get(String name) throws IOException {
-    return tree.read(name).clone();
-  }
+  byte[] get(String name) throws IOException;
 
   /**
    * Reads a file of text.
    *
    * @param name its full or KRC name
-   * @return its content, read as ISO 8859-1; nothing if there is no such file
+   * @return its content, read as ISO 8859-1; empty if the file does not exist
    */
-  public Optional<String> text(String name) {
+  default Optional<String> text(String name) {
     try {
-      return Optional.of(new String(tree.read(name), StandardCharsets.ISO_8859_1));
+      return Optional.of(new String(get(name), StandardCharsets.ISO_8859_1));
     } catch (IOException e) {
       return Optional.empty();
     }
   }
 
   /**
-   * Says whether there is a file or a folder.
+   * Returns whether a file or folder exists.
    *
-   * @param name its full or KRC name, or anything
-   * @return true if so
+   * @param name its full or KRC name; false for an invalid name
+   * @return true if it exists
    */
-  public boolean exists(String name) {
-    try {
-      tree.item(name);
-      return true;
-    } catch (IOException e) {
-      return false;
-    }
-  }
+  boolean exists(String name);
 
   /**
    * Lists a folder.
    *
    * @param folder its full or KRC name
-   * @return the names in it, without that of the folder; sorted, whatever their case
-   * @throws IOException if it is not there or no folder
+   * @return the names in it, without that of the folder; sorted, ignoring case
+   * @throws IOException if it does not exist or is no folder
    */
-  public List<String> list(String folder) throws IOException {
-    return tree.names(folder);
-  }
+  List<String> list(String folder) throws IOException;
 
   /**
-   * Deletes a file, read-only or selected or not, or a folder with all that is in it.
+   * Deletes a file, even if it is read-only or selected, or a folder with its content.
    *
    * @param name its full or KRC name
-   * @throws IOException if it is not there, or {@code KRC:\} or a folder directly in it
+   * @throws IOException if it does not exist, or is {@code KRC:\} or a folder directly in it
    */
-  public void delete(String name) throws IOException {
-    tree.delete(name, true, module -> false);
-  }
+  void delete(String name) throws IOException;
 }

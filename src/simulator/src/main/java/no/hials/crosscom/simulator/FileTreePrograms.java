@@ -34,14 +34,14 @@ final class FileTreePrograms {
   /** So that a text that is no program cannot fill the memory; assumed. */
   private static final int MAX_LENGTH = 4 << 20;
 
-  private final FileTree files;
+  private final ControllerFileSystem files;
   private final Controller controller;
 
   /** What each module was loaded from, by its file's name in capital letters without the end. */
   private final Map<String, Module> loaded = new HashMap<>();
 
   FileTreePrograms(FileTree files, Controller controller) {
-    this.files = files;
+    this.files = ControllerFileSystem.of(files);
     this.controller = controller;
     try {
       modules().forEach(this::keepList);
@@ -172,8 +172,7 @@ final class FileTreePrograms {
 
   /** Reads all modules; of files of the same name in several folders the first one counts. */
   private Map<String, Module> modules() throws IOException {
-    ControllerFileSystem tree = files.tree();
-    List<FileItem> items = new ArrayList<>(tree.modules());
+    List<FileItem> items = new ArrayList<>(files.modules());
     // a data list belongs before its program
     items.sort((a, b) -> Boolean.compare(!isList(a), !isList(b)));
     Map<String, Module> modules = new LinkedHashMap<>();
@@ -181,7 +180,7 @@ final class FileTreePrograms {
       Module module = modules.computeIfAbsent(key(item.path().name()), key -> new Module());
       String end = end(item);
       if (!module.parts.containsKey(end)) {
-        module.parts.put(end, tree.read(item.path().fullName()));
+        module.parts.put(end, files.read(item.path().fullName()));
         module.names.put(end, item.path().name());
       }
     }

@@ -1,15 +1,11 @@
 package no.hials.crosscom.simulator.internal.files;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Instant;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Predicate;
@@ -20,20 +16,20 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
 import no.hials.crosscom.protocol.code.ModulePart;
+import no.hials.crosscom.simulator.FileTree;
+import no.hials.crosscom.simulator.internal.data.BuiltInDataLists;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The rules of the tree: how names are found, and what is refused with which code. Where neither
- * c3-bridge.md nor c3-vectors.tsv says a code, it is assumed: {@link ErrorCode#GENERAL} for what is
- * not there, {@link ErrorCode#ACCESS} for what is in the way or in use, {@link ErrorCode#ARGUMENT}
- * for what makes no sense.
+ * The files of the controller as C3 Bridge sees them: how names are found, and which code a refused
+ * request gets. Where neither c3-bridge.md nor c3-vectors.tsv has a code, it is assumed: {@link
+ * ErrorCode#GENERAL} for an item that is missing, {@link ErrorCode#ACCESS} for an item that exists
+ * already or is in use, {@link ErrorCode#ARGUMENT} for arguments that make no sense.
  *
- * <p>Thread-safe: one lock, which is held during access to the file system, too, as what a rule has
- * checked must not change before it is done.
+ * <p>Thread-safe. One lock is held during access to the disk too, because the result of a check
+ * must stay true until the change is done.
  */
-public final class ControllerFileSystem {
-  private static final String PROGRAMS = "R1";
-  private static final String PROGRAM_FOLDER = "Program";
+public final class ControllerFileSystem implements FileTree {
   private static final List<String> FOLDERS =
       List.of("R1/Mada", "R1/Program", "R1/System", "R1/TP", "STEU/Mada");
 
@@ -47,47 +43,45 @@ public final class ControllerFileSystem {
 
   private final ReentrantLock lock = new ReentrantLock();
   private final ItemStore store;
+  private final FileNameResolver names;
+  private final CheckedWriter writer;
+  private final ItemCreator creator;
   private final Clock clock;
   private final long capacity;
   private long transfers;
 
   private ControllerFileSystem(ItemStore store, Clock clock, long capacity) throws IOException {
+    if (capacity < 1 << 20) {
+      throw new IllegalArgumentException("capacity must be 1 MiB or more, is " + capacity);
+    }
     this.store = store;
-    this.clock = clock;
+    this.clock = Objects.requireNonNull(clock, "clock");
     this.capacity = capacity;
+    names = new FileNameResolver(store);
+    writer = new CheckedWriter(store, names, capacity);
+    creator = new ItemCreator(store, names, writer);
     for (String folder : FOLDERS) {
-      makeFolders(ControllerPath.parse("/" + folder).path());
+      writer.makeFolders(ControllerPath.parse("/" + folder).path());
     }
   }
 
-  /**
-   * Makes a tree in memory, with the folders of a KR C4.
-   *
-   * @param clock gives the times of the files, and the time zone
-   * @param capacity how many bytes it may hold; as much again are for transfers
-   * @return the tree
-   */
-  public static ControllerFileSystem inMemory(Clock clock, long capacity) {
-    try {
-      return new ControllerFileSystem(new MemoryStore(clock), clock, capacity);
-    } catch (IOException e) {
-      throw new IllegalArgumentException("the folders need a larger capacity: " + e, e);
-    }
+  /** Creates the files of {@link FileTree#inMemory(Clock, long)}. */
+  public static ControllerFileSystem inMemory(Clock clock, long capacity) throws IOException {
+    ControllerFileSystem files = new ControllerFileSystem(new MemoryStore(clock), clock, capacity);
+    files.put("KRC:\\R1\\Mada\\$machine.dat", BuiltInDataLists.text("$MACHINE.DAT"));
+    files.put("KRC:\\R1\\System\\$config.dat", BuiltInDataLists.text("$CONFIG.DAT"));
+    return files;
   }
 
-  /**
-   * Makes a tree of a folder of this machine, in which the folders of a KR C4 are made if they are
-   * missing.
-   *
-   * @param folder what {@code KRC:\} is
-   * @param clock gives the time zone
-   * @param capacity as for {@link #inMemory}; what is in the folder already counts
-   * @return the tree
-   * @throws IOException if the folder cannot be used
-   */
+  /** Opens the files of {@link FileTree#over(Path, Clock, long)}. */
   public static ControllerFileSystem over(Path folder, Clock clock, long capacity)
       throws IOException {
     return new ControllerFileSystem(new FolderStore(folder, capacity), clock, capacity);
+  }
+
+  /** Returns a file tree as what it always is. */
+  public static ControllerFileSystem of(FileTree files) {
+    return (ControllerFileSystem) files;
   }
 
   private <T> T locked(Callable<T> work) throws IOException {
@@ -115,96 +109,88 @@ public final class ControllerFileSystem {
         });
   }
 
+  // the file tree of Java code
+
+  @Override
+  public boolean isInMemory() {
+    return store instanceof MemoryStore;
+  }
+
+  @Override
+  public void put(String name, byte[] content) throws IOException {
+    byte[] copy = content.clone();
+    lockedDo(
+        () -> {
+          ControllerPath path = names.resolve(name);
+          writer.makeFolders(path.parent());
+          FileItem old = store.find(path);
+          CheckedWriter.refuseFolder(path, old);
+          writer.write(path, copy, old);
+        });
+  }
+
+  @Override
+  public byte[] get(String name) throws IOException {
+    return read(name).clone();
+  }
+
+  @Override
+  public boolean exists(String name) {
+    try {
+      item(name);
+      return true;
+    } catch (IOException e) {
+      return false;
+    }
+  }
+
+  @Override
+  public List<String> list(String folder) throws IOException {
+    return locked(
+        () ->
+            store.children(names.existingFolder(folder).path()).stream()
+                .map(item -> item.path().name())
+                .toList());
+  }
+
+  @Override
+  public void delete(String name) throws IOException {
+    delete(name, true, module -> false);
+  }
+
   // names
 
-  /** Finds the place that a name means, whether something is there or not. */
-  private ControllerPath resolve(String name) throws IOException {
-    ControllerPath.Parsed parsed = ControllerPath.parse(name);
-    ControllerPath path = parsed.path();
-    if (!parsed.krcForm() || path.names().size() != 2 || store.find(path) != null) {
-      return path;
-    }
-    FileItem module = search(path);
-    if (module != null) {
-      return module.path();
-    }
-    // a new program of the short form belongs where c3-bridge.md, type 27, finds one
-    boolean program = path.names().get(0).equalsIgnoreCase(PROGRAMS) && path.name().contains(".");
-    return program
-        ? ControllerPath.ROOT.child(path.names().get(0)).child(PROGRAM_FOLDER).child(path.name())
-        : path;
-  }
-
-  /** Finds the file that the short form {@code /R1/X.SRC} means: programs first, then the rest. */
-  private @Nullable FileItem search(ControllerPath krcName) throws IOException {
-    FileItem top = store.find(krcName.parent());
-    if (top == null || !top.directory()) {
-      return null;
-    }
-    FileItem program = store.find(top.path().known(PROGRAM_FOLDER));
-    FileItem found =
-        program != null && program.directory() ? search(program, krcName.name()) : null;
-    return found != null ? found : search(top, krcName.name());
-  }
-
-  private @Nullable FileItem search(FileItem folder, String name) throws IOException {
-    for (FileItem item : store.children(folder.path())) {
-      FileItem found = item.directory() ? search(item, name) : item;
-      if (found != null && found.path().name().equalsIgnoreCase(name)) {
-        return found;
-      }
-    }
-    return null;
-  }
-
-  private FileItem existing(String name) throws IOException {
-    ControllerPath path = resolve(name);
-    FileItem item = store.find(path);
-    if (item == null) {
-      throw FileRefusedException.missing(path);
-    }
-    return item;
-  }
-
-  private FileItem existingFile(String name) throws IOException {
-    FileItem item = existing(name);
-    if (item.directory()) {
-      throw FileRefusedException.argument(item.path() + " is a folder");
-    }
-    return item;
-  }
-
   /**
-   * Gives the full name of an item, in capital letters as c3-bridge.md, type 27, has it.
+   * Returns the full name of an item, in capital letters as c3-bridge.md, type 27, has it.
    *
    * @param name in either form
    * @return such as {@code KRC:\R1\PROGRAM\X.SRC}
-   * @throws IOException if it is not there
+   * @throws IOException if the item does not exist
    */
   public String fullName(String name) throws IOException {
-    return locked(() -> ControllerPath.upper(existing(name).path().fullName()));
+    return locked(() -> ControllerPath.upper(names.existing(name).path().fullName()));
   }
 
   /**
-   * Gives the KRC name of an item, in capital letters (c3-vectors.tsv, type 28).
+   * Returns the KRC name of an item, in capital letters (c3-vectors.tsv, type 28).
    *
    * @param name in either form
    * @return such as {@code /R1/X.SRC}; with all folders if the short form means another item
-   * @throws IOException if it is not there
+   * @throws IOException if the item does not exist
    */
   public String krcName(String name) throws IOException {
-    return locked(
-        () -> {
-          FileItem item = existing(name);
-          List<String> names = item.path().names();
-          if (!item.directory() && names.size() > 1) {
-            String brief = "/" + names.get(0) + "/" + item.path().name();
-            if (resolve(brief).isSame(item.path())) {
-              return ControllerPath.upper(brief);
-            }
-          }
-          return ControllerPath.upper("/" + String.join("/", names));
-        });
+    return locked(() -> names.krcName(names.existing(name)));
+  }
+
+  /**
+   * Lists the programs and data lists below {@code KRC:\R1}, in the order in which the short form
+   * of a name finds them.
+   *
+   * @return the files
+   * @throws IOException if the files cannot be read
+   */
+  public List<FileItem> modules() throws IOException {
+    return locked(names::modules);
   }
 
   // reading
@@ -217,7 +203,7 @@ public final class ControllerFileSystem {
    * @throws IOException if it is not there
    */
   public FileItem item(String name) throws IOException {
-    return locked(() -> existing(name));
+    return locked(() -> names.existing(name));
   }
 
   /**
@@ -228,7 +214,7 @@ public final class ControllerFileSystem {
    * @throws IOException if there is none
    */
   public byte[] read(String name) throws IOException {
-    return locked(() -> store.read(existingFile(name)));
+    return locked(() -> store.read(names.existingFile(name)));
   }
 
   /**
@@ -244,7 +230,7 @@ public final class ControllerFileSystem {
     return locked(
         () -> {
           DirectoryListing listing = new DirectoryListing(types, flags);
-          list(existingFolder(name), flags.has(ListFlag.RECURSIVE), listing);
+          list(names.existingFolder(name), flags.has(ListFlag.RECURSIVE), listing);
           return new Listed(listing.names(), listing.infos());
         });
   }
@@ -257,69 +243,12 @@ public final class ControllerFileSystem {
    */
   public record Listed(List<String> names, List<String> infos) {}
 
-  private FileItem existingFolder(String name) throws IOException {
-    FileItem folder = existing(name);
-    if (!folder.directory()) {
-      throw FileRefusedException.argument(folder.path() + " is no folder");
-    }
-    return folder;
-  }
-
   private void list(FileItem folder, boolean recursive, DirectoryListing listing)
       throws IOException {
     for (FileItem item : store.children(folder.path())) {
       listing.add(item);
       if (recursive && item.directory()) {
         list(item, true, listing);
-      }
-    }
-  }
-
-  /**
-   * Lists the names in a folder, however many they are.
-   *
-   * @param name the folder
-   * @return the last names
-   * @throws IOException if it is none
-   */
-  public List<String> names(String name) throws IOException {
-    return locked(
-        () ->
-            store.children(existingFolder(name).path()).stream()
-                .map(item -> item.path().name())
-                .toList());
-  }
-
-  /**
-   * Lists all programs and data lists below {@code KRC:\R1}, in the order in which the short form
-   * of a name finds them.
-   *
-   * @return the files
-   * @throws IOException if the tree cannot be read
-   */
-  public List<FileItem> modules() throws IOException {
-    return locked(
-        () -> {
-          List<FileItem> modules = new ArrayList<>();
-          FileItem top = store.find(ControllerPath.ROOT.known(PROGRAMS));
-          if (top != null && top.directory()) {
-            modules(top, modules);
-          }
-          ControllerPath first = ControllerPath.ROOT.known(PROGRAMS).known(PROGRAM_FOLDER);
-          List<FileItem> sorted = new ArrayList<>(modules);
-          sorted.removeIf(item -> !first.contains(item.path()));
-          modules.removeIf(item -> first.contains(item.path()));
-          sorted.addAll(modules);
-          return sorted;
-        });
-  }
-
-  private void modules(FileItem folder, List<FileItem> modules) throws IOException {
-    for (FileItem item : store.children(folder.path())) {
-      if (item.directory()) {
-        modules(item, modules);
-      } else if (FileItem.isModule(item.path().name())) {
-        modules.add(item);
       }
     }
   }
@@ -349,7 +278,7 @@ public final class ControllerFileSystem {
       throws IOException {
     lockedDo(
         () -> {
-          FileItem item = existing(name);
+          FileItem item = names.existing(name);
           int changed = mask.bits() & SETTABLE;
           store.setAttributes(item, (item.attributes() & ~changed) | (attributes.bits() & changed));
         });
@@ -368,109 +297,9 @@ public final class ControllerFileSystem {
       throws IOException {
     lockedDo(
         () -> {
-          ControllerPath path = resolve(name);
-          write(path, content, overwritten(path, flags, inUse));
+          ControllerPath path = names.resolve(name);
+          writer.write(path, content, writer.overwritten(path, flags, inUse));
         });
-  }
-
-  /**
-   * Writes a file whatever is there, and makes the folders that it needs.
-   *
-   * @param name the file
-   * @param content all of it, which nobody changes any more
-   * @throws IOException if it cannot be
-   */
-  public void put(String name, byte[] content) throws IOException {
-    lockedDo(
-        () -> {
-          ControllerPath path = resolve(name);
-          makeFolders(path.parent());
-          FileItem old = store.find(path);
-          refuseFolder(path, old);
-          write(path, content, old);
-        });
-  }
-
-  private void makeFolders(ControllerPath folder) throws IOException {
-    FileItem item = store.find(folder);
-    if (item == null) {
-      makeFolders(folder.parent());
-      reserve(ItemStore.ITEM_COST, folder);
-      store.makeFolder(own(folder));
-    } else if (!item.directory()) {
-      throw FileRefusedException.access(folder, "is no folder");
-    }
-  }
-
-  private void write(ControllerPath path, byte[] content, @Nullable FileItem old)
-      throws IOException {
-    if (old == null) {
-      reserve(content.length + (long) ItemStore.ITEM_COST, path);
-      store.write(own(path), content);
-    } else {
-      reserve(content.length - old.size(), path);
-      store.write(old.path(), content);
-    }
-  }
-
-  /** Gives the place of something new with its folders in their own spelling. */
-  private ControllerPath own(ControllerPath path) throws IOException {
-    FileItem parent = store.find(path.parent());
-    if (parent == null || !parent.directory() || path.isRoot()) {
-      throw FileRefusedException.missing(path.parent());
-    }
-    return parent.path().known(path.name());
-  }
-
-  private void reserve(long bytes, ControllerPath path) throws IOException {
-    if (bytes > 0 && bytes > capacity - store.used()) {
-      throw tooLarge(path, capacity);
-    }
-  }
-
-  static FileRefusedException tooLarge(ControllerPath path, long limit) {
-    return new FileRefusedException(
-        ErrorCode.MEMORY, path + " does not fit, the limit is " + limit + " bytes in all");
-  }
-
-  /** Checks what a copy takes the place of; null if there is nothing. */
-  private @Nullable FileItem overwritten(
-      ControllerPath path, Flags<CopyFlag> flags, Predicate<String> inUse) throws IOException {
-    FileItem old = store.find(path);
-    if (old != null) {
-      refuseFolder(path, old);
-      if (!flags.has(CopyFlag.OVERWRITE)) {
-        throw FileRefusedException.access(path, "is there already");
-      }
-      if (old.readOnly() && !flags.has(CopyFlag.OVERWRITE_READ_ONLY)) {
-        throw FileRefusedException.access(path, "is read-only");
-      }
-      refuseInUse(old, inUse);
-    }
-    return old;
-  }
-
-  private static void refuseFolder(ControllerPath path, @Nullable FileItem old) throws IOException {
-    if (old != null && old.directory()) {
-      throw FileRefusedException.access(path, "is a folder");
-    }
-  }
-
-  /** Refuses an item that is, or has in it, a file of a selected module. */
-  private void refuseInUse(FileItem item, Predicate<String> inUse) throws IOException {
-    if (item.directory()) {
-      for (FileItem child : store.children(item.path())) {
-        refuseInUse(child, inUse);
-      }
-      return;
-    }
-    List<String> names = item.path().names();
-    String name = item.path().name();
-    if (names.get(0).equalsIgnoreCase(PROGRAMS)
-        && FileItem.isModule(name)
-        && inUse.test(ControllerPath.upper(FileItem.base(name)))) {
-      throw FileRefusedException.access(item.path(), "is selected");
-    }
   }
 
   /**
@@ -493,96 +322,7 @@ public final class ControllerFileSystem {
       String template,
       Predicate<String> inUse)
       throws IOException {
-    lockedDo(
-        () -> {
-          switch (type) {
-            case DIRECTORY -> createFolder(resolve(name), always);
-            case MODULE -> createModule(name, parts, always, template, inUse);
-            case BINARY, TEXT, RAW -> {
-              byte[] content =
-                  template.isEmpty() ? new byte[0] : store.read(existingFile(template));
-              createFiles(Map.of(resolve(name), content), always, inUse);
-            }
-            default ->
-                throw FileRefusedException.argument(
-                    "an item of type " + type + " cannot be created");
-          }
-        });
-  }
-
-  private void createFolder(ControllerPath path, boolean always) throws IOException {
-    FileItem old = store.find(path);
-    if (old == null) {
-      ControllerPath own = own(path);
-      reserve(ItemStore.ITEM_COST, path);
-      store.makeFolder(own);
-    } else if (!always || !old.directory()) {
-      throw FileRefusedException.access(path, "is there already");
-    }
-  }
-
-  private void createModule(
-      String name,
-      Flags<ModulePart> parts,
-      boolean always,
-      String template,
-      Predicate<String> inUse)
-      throws IOException {
-    boolean ended = FileItem.isModule(name);
-    String base = ended ? FileItem.base(name) : name;
-    List<String> ends = new ArrayList<>();
-    for (ModulePart part : List.of(ModulePart.SUB, ModulePart.SRC, ModulePart.DAT)) {
-      if (parts.has(part)) {
-        ends.add(part.name().toLowerCase(Locale.ROOT));
-      }
-    }
-    if (ends.isEmpty() && ended) {
-      ends.add(FileItem.extension(name));
-    }
-    if (ends.isEmpty()) {
-      throw FileRefusedException.argument("a module needs a part, the flags are " + parts);
-    }
-    Map<ControllerPath, byte[]> files = new LinkedHashMap<>();
-    for (String end : ends) {
-      ControllerPath path = resolve(base + "." + end);
-      files.put(path, content(path, end, template));
-    }
-    createFiles(files, always, inUse);
-  }
-
-  private byte[] content(ControllerPath path, String end, String template) throws IOException {
-    if (!template.isEmpty()) {
-      String base = FileItem.isModule(template) ? FileItem.base(template) : template;
-      return store.read(existingFile(base + "." + end));
-    }
-    String name = FileItem.base(path.name());
-    String text =
-        end.equals("dat") ? "DEFDAT " + name + "\r\nENDDAT\r\n" : "DEF " + name + "( )\r\nEND\r\n";
-    return ("&ACCESS RVP\r\n" + text).getBytes(StandardCharsets.ISO_8859_1);
-  }
-
-  /** Creates all of some files or none. */
-  private void createFiles(
-      Map<ControllerPath, byte[]> files, boolean always, Predicate<String> inUse)
-      throws IOException {
-    long bytes = 0;
-    for (Map.Entry<ControllerPath, byte[]> file : files.entrySet()) {
-      ControllerPath path = file.getKey();
-      own(path);
-      FileItem old = store.find(path);
-      refuseFolder(path, old);
-      if (old != null && !always) {
-        throw FileRefusedException.access(path, "is there already");
-      }
-      if (old != null) {
-        refuseInUse(old, inUse);
-      }
-      bytes += file.getValue().length + (long) ItemStore.ITEM_COST;
-    }
-    reserve(bytes, files.keySet().iterator().next());
-    for (Map.Entry<ControllerPath, byte[]> file : files.entrySet()) {
-      write(file.getKey(), file.getValue(), store.find(file.getKey()));
-    }
+    lockedDo(() -> creator.create(name, type, parts, always, template, inUse));
   }
 
   /**
@@ -596,9 +336,9 @@ public final class ControllerFileSystem {
   public void delete(String name, boolean always, Predicate<String> inUse) throws IOException {
     lockedDo(
         () -> {
-          FileItem item = existing(name);
+          FileItem item = names.existing(name);
           refuseTop(item);
-          refuseInUse(item, inUse);
+          writer.refuseInUse(item, inUse);
           if (!always && item.readOnly()) {
             throw FileRefusedException.access(item.path(), "is read-only");
           }
@@ -639,12 +379,12 @@ public final class ControllerFileSystem {
       throws IOException {
     lockedDo(
         () -> {
-          FileItem item = existing(source);
-          ControllerPath path = resolve(destination);
+          FileItem item = names.existing(source);
+          ControllerPath path = names.resolve(destination);
           refuseWithin(item, path);
-          FileItem old = overwritten(path, flags, inUse);
+          FileItem old = writer.overwritten(path, flags, inUse);
           if (!item.directory()) {
-            write(path, store.read(item), old);
+            writer.write(path, store.read(item), old);
             return;
           }
           if (!flags.has(CopyFlag.RECURSIVE)) {
@@ -652,8 +392,8 @@ public final class ControllerFileSystem {
                 item.path() + " is a folder, the copy not recursive");
           }
           refuseFile(path, old);
-          ControllerPath own = own(path);
-          reserve(checkNames(item, own), path);
+          ControllerPath own = names.asStored(path);
+          writer.reserve(checkNames(item, own), path);
           copyFolder(item, own);
         });
   }
@@ -707,17 +447,17 @@ public final class ControllerFileSystem {
       throws IOException {
     lockedDo(
         () -> {
-          FileItem item = existing(source);
-          ControllerPath path = resolve(destination);
+          FileItem item = names.existing(source);
+          ControllerPath path = names.resolve(destination);
           refuseTop(item);
-          refuseInUse(item, inUse);
-          ControllerPath own = own(path);
+          writer.refuseInUse(item, inUse);
+          ControllerPath own = names.asStored(path);
           if (item.path().isSame(path)) {
             store.move(item, own); // changes the case of the name
             return;
           }
           refuseWithin(item, path);
-          FileItem old = overwritten(path, flags, inUse);
+          FileItem old = writer.overwritten(path, flags, inUse);
           if (item.directory()) {
             refuseFile(path, old);
             checkNames(item, own);

@@ -161,7 +161,7 @@ final class FolderStore implements ItemStore {
             file(file.path()), StandardOpenOption.READ, LinkOption.NOFOLLOW_LINKS)) {
       byte[] content = in.readNBytes(limit);
       if (in.read() >= 0) {
-        throw ControllerFileSystem.tooLarge(file.path(), limit);
+        throw CheckedWriter.tooLarge(file.path(), limit);
       }
       return content;
     }

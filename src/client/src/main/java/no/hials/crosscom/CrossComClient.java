@@ -28,6 +28,11 @@ import no.hials.crosscom.c3.Motion;
 import no.hials.crosscom.c3.Pendant;
 import no.hials.crosscom.c3.Programs;
 import no.hials.crosscom.internal.Cancellation;
+import no.hials.crosscom.internal.c3.C3Files;
+import no.hials.crosscom.internal.c3.C3Information;
+import no.hials.crosscom.internal.c3.C3Motion;
+import no.hials.crosscom.internal.c3.C3Pendant;
+import no.hials.crosscom.internal.c3.C3Programs;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -110,11 +115,11 @@ public final class CrossComClient implements Closeable {
     this.transferTurn = new ReentrantLock(true);
     this.channel = new C3Channel(connection, transfers, callbacks);
     this.variables = new VariableExchange(config, connection, channel, Cancellation.NEVER);
-    this.programs = new Programs(channel);
-    this.motion = new Motion(channel);
-    this.pendant = new Pendant(channel);
-    this.files = new ControllerFiles(channel, transferTurn);
-    this.information = new Information(channel);
+    this.programs = new C3Programs(channel);
+    this.motion = new C3Motion(channel);
+    this.pendant = new C3Pendant(channel);
+    this.files = new C3Files(channel, transferTurn);
+    this.information = new C3Information(channel);
     connection.start();
   }
 
@@ -129,11 +134,11 @@ public final class CrossComClient implements Closeable {
     this.transferTurn = client.transferTurn;
     this.channel = client.channel.forCall(call);
     this.variables = new VariableExchange(config, connection, channel, call);
-    this.programs = new Programs(channel);
-    this.motion = new Motion(channel);
-    this.pendant = new Pendant(channel);
-    this.files = new ControllerFiles(channel, transferTurn);
-    this.information = new Information(channel);
+    this.programs = new C3Programs(channel);
+    this.motion = new C3Motion(channel);
+    this.pendant = new C3Pendant(channel);
+    this.files = new C3Files(channel, transferTurn);
+    this.information = new C3Information(channel);
   }
 
   /**

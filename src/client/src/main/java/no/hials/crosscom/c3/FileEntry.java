@@ -2,8 +2,6 @@ package no.hials.crosscom.c3;
 
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Flags;
@@ -24,25 +22,6 @@ public record FileEntry(
     Optional<Flags<FileAttribute>> attributes,
     OptionalLong size,
     String info) {
-
-  /**
-   * Type, attributes and size, as in c3-vectors.tsv, type 21. The reference does not describe the
-   * text; what looks different is left as it is.
-   */
-  private static final Pattern LONG_INFO = Pattern.compile("(\\d{1,9}),(-?\\d{1,9}),(\\d{1,18})");
-
-  static FileEntry of(String name, String info) {
-    Matcher matcher = LONG_INFO.matcher(info);
-    if (!matcher.matches()) {
-      return new FileEntry(name, Optional.empty(), Optional.empty(), OptionalLong.empty(), info);
-    }
-    return new FileEntry(
-        name,
-        Optional.of(new Code<>(ItemType.class, Integer.parseInt(matcher.group(1)))),
-        Optional.of(new Flags<>(FileAttribute.class, Integer.parseInt(matcher.group(2)))),
-        OptionalLong.of(Long.parseLong(matcher.group(3))),
-        info);
-  }
 
   /**
    * Says whether it is known to be a directory, real or virtual.

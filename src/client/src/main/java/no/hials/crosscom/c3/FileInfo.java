@@ -7,8 +7,6 @@ import no.hials.crosscom.protocol.code.EditMode;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
-import no.hials.crosscom.protocol.file.FileProperties;
-import no.hials.crosscom.protocol.file.ItemTime;
 
 /**
  * The properties of a file or directory on the controller.
@@ -31,22 +29,6 @@ public record FileInfo(
     Optional<Instant> accessed,
     Optional<Instant> modified,
     Code<EditMode> editMode) {
-
-  static FileInfo of(FileProperties properties) {
-    return new FileInfo(
-        properties.name(),
-        properties.itemType(),
-        properties.size(),
-        properties.attributes(),
-        time(properties.created()),
-        time(properties.accessed()),
-        time(properties.modified()),
-        properties.editMode());
-  }
-
-  private static Optional<Instant> time(ItemTime time) {
-    return time.ticks() == 0 ? Optional.empty() : Optional.of(time.instant());
-  }
 
   static boolean isDirectory(Code<ItemType> type) {
     return type.is(ItemType.DIRECTORY) || type.is(ItemType.VIRTUAL_DIRECTORY);

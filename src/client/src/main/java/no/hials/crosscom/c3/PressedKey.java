@@ -3,7 +3,7 @@ package no.hials.crosscom.c3;
 import java.util.concurrent.atomic.AtomicBoolean;
 import no.hials.crosscom.CrossComException;
 
-/** A pressed key of the pendant, which is released when this is closed. For several threads. */
+/** A pressed key of the pendant; closing it releases the key. For several threads. */
 public final class PressedKey implements AutoCloseable {
   private final Pendant pendant;
   private final KeyAction key;
@@ -15,20 +15,20 @@ public final class PressedKey implements AutoCloseable {
   }
 
   /**
-   * Gives the key.
+   * Returns the key.
    *
-   * @return which
+   * @return the key
    */
   public KeyAction key() {
     return key;
   }
 
   /**
-   * Releases the key, also in a thread that was interrupted. If the exchange fails so that nobody
-   * knows, it is done once more: releasing a key twice moves nothing. After a success, closing
-   * again does nothing; after a failure, it tries again.
+   * Releases the key, also in an interrupted thread. If the outcome is unknown, the release is sent
+   * once more: releasing a key twice moves nothing. Closing again does nothing after a success, and
+   * tries again after a failure.
    *
-   * @throws CrossComException if the server refused, or the exchange failed: the key may still be
+   * @throws CrossComException if the server refuses, or the exchange fails: the key may still be
    *     pressed
    */
   @Override
@@ -47,6 +47,15 @@ public final class PressedKey implements AutoCloseable {
       if (interrupted) {
         Thread.currentThread().interrupt();
       }
+    }
+  }
+
+  /** Releases the key, and adds a failure to that of the press. */
+  void releaseAfter(CrossComException failure) {
+    try {
+      close();
+    } catch (CrossComException e) {
+      failure.addSuppressed(e);
     }
   }
 

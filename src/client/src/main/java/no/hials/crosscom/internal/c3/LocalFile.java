@@ -1,4 +1,4 @@
-package no.hials.crosscom.c3;
+package no.hials.crosscom.internal.c3;
 
 import java.io.Closeable;
 import java.io.IOException;

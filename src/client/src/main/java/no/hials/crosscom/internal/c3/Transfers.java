@@ -1,4 +1,4 @@
-package no.hials.crosscom.c3;
+package no.hials.crosscom.internal.c3;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -9,6 +9,7 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.CrossComTransferException;
+import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.MessageChannel;
 
@@ -20,13 +21,13 @@ final class Transfers {
   /** The most bytes of a file that are kept in memory, whatever size a server claims. */
   static final int MAX_IN_MEMORY = 64 << 20;
 
-  private final MessageChannel link;
+  private final MessageChannel channel;
 
   /** Held for a whole transfer, but guards nothing that others than transfers use. */
   private final ReentrantLock turn;
 
-  Transfers(MessageChannel link, ReentrantLock turn) {
-    this.link = link;
+  Transfers(MessageChannel channel, ReentrantLock turn) {
+    this.channel = channel;
     this.turn = turn;
   }
 
@@ -45,7 +46,7 @@ final class Transfers {
   void upload(
       InputStream content, long size, String name, TransferConfig config, Cancellation cancellation)
       throws IOException {
-    Upload upload = new Upload(link, name, size, config, cancellation);
+    Upload upload = new Upload(channel, name, size, config, cancellation);
     begin(upload);
     try {
       upload.run(content);
@@ -56,7 +57,7 @@ final class Transfers {
 
   byte[] download(String name, TransferConfig config, Cancellation cancellation)
       throws IOException {
-    Download download = new Download(link, name, MAX_IN_MEMORY, config, cancellation);
+    Download download = new Download(channel, name, MAX_IN_MEMORY, config, cancellation);
     begin(download);
     try {
       ByteArrayOutputStream target = new ByteArrayOutputStream();
@@ -70,7 +71,7 @@ final class Transfers {
 
   void download(String name, Path target, TransferConfig config, Cancellation cancellation)
       throws IOException {
-    Download download = new Download(link, name, Transfer.MAX_SIZE, config, cancellation);
+    Download download = new Download(channel, name, Transfer.MAX_SIZE, config, cancellation);
     begin(download);
     try (LocalFile file = new LocalFile(target, config.overwrite())) {
       download.run(file.output());

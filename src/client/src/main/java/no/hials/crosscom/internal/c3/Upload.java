@@ -1,10 +1,12 @@
-package no.hials.crosscom.c3;
+package no.hials.crosscom.internal.c3;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.Arrays;
 import java.util.EnumSet;
 import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.c3.TransferConfig;
+import no.hials.crosscom.c3.Verification;
 import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.MessageType;
@@ -36,12 +38,12 @@ final class Upload extends Transfer {
   private final long size;
 
   Upload(
-      MessageChannel link,
+      MessageChannel channel,
       String name,
       long size,
       TransferConfig config,
       Cancellation cancellation) {
-    super(link, "upload", name, config, cancellation);
+    super(channel, "upload", name, config, cancellation);
     this.size = size;
   }
 
@@ -50,8 +52,8 @@ final class Upload extends Transfer {
       throw failed("a file must have at most " + MAX_SIZE + " bytes, has " + size);
     }
     // first, as otherwise a server that cannot is said not to give properties
-    link.require(MessageType.WRITE_CONTENT, what);
-    if (!config.overwrite() && ControllerFiles.exists(link, name)) {
+    channel.require(MessageType.WRITE_CONTENT, what);
+    if (!config.overwrite() && C3Files.exists(channel, name)) {
       throw failed("the controller has it already, and overwriting was not asked for");
     }
     store(content);
@@ -60,7 +62,7 @@ final class Upload extends Transfer {
 
   private void store(InputStream content) throws IOException {
     // on another connection the buffer would be empty, and its end would store an empty file
-    MessageChannel one = link.onOneConnection();
+    MessageChannel one = channel.onOneConnection();
     boolean stored = false;
     try {
       checkSize(
@@ -143,7 +145,8 @@ final class Upload extends Transfer {
       return;
     }
     long stored =
-        link.ask(
+        channel
+            .ask(
                 new FilePropertiesRequest(0, Flags.of(FileProperty.SIZE), name),
                 FilePropertiesResponse.class,
                 "check of the size of " + name + " after its upload")
@@ -152,7 +155,7 @@ final class Upload extends Transfer {
     if (stored != size) {
       throw failed("the file is stored, but has " + stored + " bytes instead of " + size);
     }
-    if (digest != null && !Arrays.equals(digest.digest(), Download.digest(link, name, config))) {
+    if (digest != null && !Arrays.equals(digest.digest(), Download.digest(channel, name, config))) {
       throw failed("the file is stored, but its content is not what was sent");
     }
   }

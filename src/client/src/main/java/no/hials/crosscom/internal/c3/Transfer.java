@@ -1,8 +1,10 @@
-package no.hials.crosscom.c3;
+package no.hials.crosscom.internal.c3;
 
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import no.hials.crosscom.CrossComTransferException;
+import no.hials.crosscom.c3.TransferConfig;
+import no.hials.crosscom.c3.Verification;
 import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.code.ContentOperation;
@@ -17,7 +19,7 @@ abstract class Transfer {
   /** The most bytes that a file can have, since sizes and offsets are u32 (c3-bridge.md). */
   static final long MAX_SIZE = 0xFFFF_FFFFL;
 
-  final MessageChannel link;
+  final MessageChannel channel;
   final String what;
   final String name;
   final TransferConfig config;
@@ -28,12 +30,12 @@ abstract class Transfer {
   long bytes;
 
   Transfer(
-      MessageChannel link,
+      MessageChannel channel,
       String what,
       String name,
       TransferConfig config,
       Cancellation cancellation) {
-    this.link = link;
+    this.channel = channel;
     this.what = what + " of " + name;
     this.name = name;
     this.config = config;
@@ -81,6 +83,6 @@ abstract class Transfer {
   }
 
   final CrossComTransferException failed(String why) {
-    return link.transferFailed(what, name, bytes, why);
+    return channel.transferFailed(what, name, bytes, why);
   }
 }

@@ -1,10 +1,12 @@
-package no.hials.crosscom.c3;
+package no.hials.crosscom.internal.c3;
 
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Arrays;
 import java.util.Objects;
 import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.c3.TransferConfig;
+import no.hials.crosscom.c3.Verification;
 import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.MessageType;
@@ -36,37 +38,38 @@ final class Download extends Transfer {
    * @param limit how many bytes the file may have
    */
   Download(
-      MessageChannel link,
+      MessageChannel channel,
       String name,
       long limit,
       TransferConfig config,
       Cancellation cancellation) {
-    super(link, "download", name, config, cancellation);
+    super(channel, "download", name, config, cancellation);
     this.limit = limit;
   }
 
   /** Fetches a file, and once more to compare if that is to be done. */
   void run(OutputStream target) throws IOException {
     fetch(target);
-    if (digest != null && !Arrays.equals(digest.digest(), digest(link, name, config))) {
+    if (digest != null && !Arrays.equals(digest.digest(), digest(channel, name, config))) {
       throw failed("what came a second time to compare is something else");
     }
   }
 
   /** Fetches a file for its digest only. */
-  static byte[] digest(MessageChannel link, String name, TransferConfig config) throws IOException {
+  static byte[] digest(MessageChannel channel, String name, TransferConfig config)
+      throws IOException {
     TransferConfig quiet =
         TransferConfig.create(
             cfg ->
                 cfg.flags(config.flags().toArray(CopyFlag[]::new))
                     .verification(Verification.CONTENT));
-    Download download = new Download(link, name, MAX_SIZE, quiet, Cancellation.NEVER);
+    Download download = new Download(channel, name, MAX_SIZE, quiet, Cancellation.NEVER);
     download.fetch(OutputStream.nullOutputStream());
     return Objects.requireNonNull(download.digest).digest();
   }
 
   private void fetch(OutputStream target) throws IOException {
-    MessageChannel one = link.onOneConnection();
+    MessageChannel one = channel.onOneConnection();
     try {
       ContentSizeResponse begun =
           one.ask(

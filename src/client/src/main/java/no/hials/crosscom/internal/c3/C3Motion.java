@@ -1,0 +1,83 @@
+package no.hials.crosscom.internal.c3;
+
+import java.util.Arrays;
+import java.util.function.Predicate;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.KRL.structs.KRLAxis;
+import no.hials.crosscom.KRL.structs.KRLFrame;
+import no.hials.crosscom.KRL.structs.KRLStruct;
+import no.hials.crosscom.c3.Motion;
+import no.hials.crosscom.internal.MessageChannel;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.MotionType;
+import no.hials.crosscom.protocol.program.MotionRequest;
+import no.hials.crosscom.protocol.program.MotionResponse;
+
+/** Moves the robot by messages of type 11. */
+public final class C3Motion implements Motion {
+  private final MessageChannel channel;
+
+  /**
+   * Creates the motions of a client.
+   *
+   * @param channel sends the messages
+   */
+  public C3Motion(MessageChannel channel) {
+    this.channel = channel;
+  }
+
+  @Override
+  public void ptp(KRLFrame target) throws CrossComException {
+    move(MotionType.PTP, text(target));
+  }
+
+  @Override
+  public void ptp(KRLAxis target) throws CrossComException {
+    move(MotionType.PTP, text(target));
+  }
+
+  @Override
+  public void lin(KRLFrame target) throws CrossComException {
+    move(MotionType.LIN, text(target));
+  }
+
+  @Override
+  public void ptpRel(KRLFrame offset) throws CrossComException {
+    move(MotionType.PTP_REL, text(offset));
+  }
+
+  @Override
+  public void ptpRel(KRLAxis offset) throws CrossComException {
+    move(MotionType.PTP_REL, text(offset));
+  }
+
+  @Override
+  public void linRel(KRLFrame offset) throws CrossComException {
+    move(MotionType.LIN_REL, text(offset));
+  }
+
+  private void move(MotionType type, String position) throws CrossComException {
+    channel.ask(
+        new MotionRequest(0, Code.of(type), position),
+        MotionResponse.class,
+        "motion " + type + " " + position);
+  }
+
+  private static String text(KRLFrame position) {
+    return text(position, position::isSet);
+  }
+
+  private static String text(KRLAxis position) {
+    return text(position, position::isSet);
+  }
+
+  private static String text(KRLStruct position, Predicate<String> isSet) {
+    String[] fields =
+        Arrays.stream(position.getNodes()).filter(isSet).toList().toArray(new String[0]);
+    if (fields.length == 0) {
+      throw new IllegalArgumentException(
+          position.getName() + " is no position: none of its fields was set or read");
+    }
+    return position.getStringValueOf(fields);
+  }
+}

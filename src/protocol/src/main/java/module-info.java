@@ -1,6 +1,6 @@
 /** The messages of KUKAVARPROXY and C3 Bridge, the codec for them, and the KRL values in them. */
 module no.hials.crosscom.protocol {
-  requires static transitive org.jspecify;
+  requires static org.jspecify;
 
   exports no.hials.crosscom.protocol;
   exports no.hials.crosscom.protocol.code;

@@ -21,6 +21,7 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.data.DataListWriter;
 import no.hials.crosscom.simulator.internal.data.DataLists;
+import no.hials.crosscom.simulator.internal.data.Declarations;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.VariableDeclaration;
 import no.hials.crosscom.simulator.internal.data.VariableNote;
@@ -221,9 +222,8 @@ public final class VariableTable {
   }
 
   /** Forgets what is known of a variable that is no longer the same. */
-  private void forget(String declarator) {
-    int bracket = declarator.indexOf('[');
-    String key = Scope.key(bracket < 0 ? declarator : declarator.substring(0, bracket));
+  private void forget(String name) {
+    String key = Scope.key(name);
     synchronized (scope) {
       if (notes.containsKey(key)) {
         Map<String, VariableNote> rest = new HashMap<>(notes);
@@ -243,20 +243,7 @@ public final class VariableTable {
    *     NAME[24]; FRAME OFFSET}
    */
   public void declareStruc(String name, String definition) {
-    List<Scope.Component> components = new ArrayList<>();
-    for (String group : definition.split(";", -1)) {
-      String declaration = group.strip();
-      int blank = declaration.indexOf(' ');
-      if (blank < 0) {
-        throw new IllegalArgumentException(
-            "a group of components is a type and names, is '" + declaration + "'");
-      }
-      // commas within brackets part dimensions
-      for (String component : declaration.substring(blank).split(",(?![^\\[]*])", -1)) {
-        components.add(new Scope.Component(declaration.substring(0, blank), component));
-      }
-    }
-    scope.declareStruc(name, components);
+    Declarations.declareStruc(scope, name, definition);
   }
 
   /**
@@ -266,7 +253,7 @@ public final class VariableTable {
    * @param constants the constants, without {@code #}
    */
   public void declareEnum(String name, String... constants) {
-    scope.declareEnum(name, List.of(constants));
+    Declarations.declareEnum(scope, name, List.of(constants));
   }
 
   /**
@@ -295,17 +282,14 @@ public final class VariableTable {
    *     an uninitialised variable
    */
   public void declare(String name, String type, Access access, @Nullable String value) {
-    if (Scope.key(type).equals("SIGNAL")) {
-      if (value == null) {
-        throw new IllegalArgumentException("SIGNAL " + name + " needs a wiring");
-      }
-      scope.declareSignal(name, value, access);
-      forget(name);
-      return;
+    boolean isSignal = Scope.key(type).equals("SIGNAL");
+    if (isSignal && value == null) {
+      throw new IllegalArgumentException("SIGNAL " + name + " needs a wiring");
     }
+    String declaration = type + " " + name + (isSignal ? " " + value : "");
     try {
-      scope.declare(name, type, access, value == null ? null : parse(value));
-      forget(name);
+      KrlValue initial = isSignal || value == null ? null : parse(value);
+      forget(Declarations.declare(scope, declaration, access, initial));
     } catch (RefusedException e) {
       throw refusedToJava(name, e);
     }

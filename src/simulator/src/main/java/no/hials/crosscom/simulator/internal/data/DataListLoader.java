@@ -140,45 +140,35 @@ public final class DataListLoader {
     checkNewType(declaration.name(), declaration.position());
     Scope target = target(declaration.global(), declaration.position());
     try {
-      target.declareEnum(declaration.name(), declaration.constants());
-    } catch (IllegalArgumentException e) {
+      Declarations.declare(target, declaration);
+    } catch (KrlErrorException e) {
       brokenTypes.add(Scope.key(declaration.name()));
-      throw new KrlErrorException(declaration.position(), String.valueOf(e.getMessage()));
+      throw e;
     }
   }
 
   private void declareStruc(Declaration.Struc declaration) throws KrlErrorException {
     checkNewType(declaration.name(), declaration.position());
     Scope target = target(declaration.global(), declaration.position());
-    List<Scope.Component> components = new ArrayList<>();
+    List<Type.Component> components = new ArrayList<>();
     boolean whole = true;
     for (Declaration.Component component : declaration.components()) {
-      whole &= tell(() -> components.add(component(component)));
+      whole &= tell(() -> components.add(component(target, component)));
     }
-    if (whole) {
-      try {
-        target.declareStruc(declaration.name(), components);
-        return;
-      } catch (IllegalArgumentException e) {
-        errors.accept(new KrlError(declaration.position(), String.valueOf(e.getMessage())));
-      }
+    if (!whole || !tell(() -> Declarations.declare(target, declaration, components))) {
+      brokenTypes.add(Scope.key(declaration.name()));
     }
-    brokenTypes.add(Scope.key(declaration.name()));
   }
 
-  private Scope.Component component(Declaration.Component component) throws KrlErrorException {
-    Declaration.Declarator declarator = component.declarator();
-    checkType(component.type(), declarator.position());
-    List<Integer> dimensions = dimensions(declarator);
-    StringBuilder text = new StringBuilder(declarator.name());
-    if (!dimensions.isEmpty()) {
-      text.append(dimensions);
-    }
-    return new Scope.Component(component.type(), text.toString());
+  private Type.Component component(Scope target, Declaration.Component component)
+      throws KrlErrorException {
+    checkType(target, component.type(), component.declarator().position());
+    return Declarations.component(module, component);
   }
 
-  private void checkType(String name, Position position) throws KrlErrorException {
-    if (!module.knowsType(name)) {
+  private static void checkType(Scope scope, String name, Position position)
+      throws KrlErrorException {
+    if (!scope.knowsType(name)) {
       throw new KrlErrorException(
           position, "a type is declared before it is used, type " + name + " is not declared");
     }
@@ -209,7 +199,7 @@ public final class DataListLoader {
     boolean typeKnown =
         brokenTypes.contains(Scope.key(group.type()))
             ? module.knowsType(group.type())
-            : tell(() -> checkType(group.type(), group.position()));
+            : tell(() -> checkType(module, group.type(), group.position()));
     for (Declaration.Declarator declarator : group.variables()) {
       tell(
           () -> {
@@ -224,14 +214,8 @@ public final class DataListLoader {
   private void declareVariable(
       Declaration.Variables group, Declaration.Declarator source, Scope target)
       throws KrlErrorException {
-    Declarator declarator;
-    try {
-      declarator = Declarator.of(module.type(group.type()), source.name(), lengths(group, source));
-    } catch (IllegalArgumentException e) {
-      throw new KrlErrorException(source.position(), String.valueOf(e.getMessage()));
-    }
     Expression initial = source.initial();
-    Storage contents = declarator.uninitialised();
+    Storage contents = DeclaredType.of(module, group.type(), source).uninitialised();
     if (initial != null) {
       contents =
           contents instanceof Storage.Array
@@ -244,40 +228,8 @@ public final class DataListLoader {
       target.put(old.with(contents));
     } else {
       Access access = access(old, source.name(), group.constant(), group.comment());
-      target.put(new VariableEntry(source.name(), access, contents, null, null));
+      target.put(VariableEntry.variable(source.name(), access, contents));
     }
-  }
-
-  private List<Integer> lengths(Declaration.Variables group, Declaration.Declarator source)
-      throws KrlErrorException {
-    if (Scope.key(group.type()).equals(Type.Base.CHAR.name())
-        && source.dimensions().size() == 1
-        && source.dimensions().get(0) == null
-        && source.initial() instanceof Expression.TextLiteral text
-        && !text.text().isEmpty()) {
-      return List.of(text.text().length());
-    }
-    return dimensions(source);
-  }
-
-  private List<Integer> dimensions(Declaration.Declarator declarator) throws KrlErrorException {
-    List<Integer> lengths = new ArrayList<>();
-    for (Expression dimension : declarator.dimensions()) {
-      if (dimension == null) {
-        throw new KrlErrorException(
-            declarator.position(),
-            "only a CHAR array with a text behind it may leave its length open, "
-                + declarator.name()
-                + " needs a length");
-      }
-      int length = ConstantExpressions.integer(dimension, module);
-      if (length < 1) {
-        throw new KrlErrorException(
-            dimension.position(), "the length of a dimension is 1 or more, is " + length);
-      }
-      lengths.add(length);
-    }
-    return lengths;
   }
 
   /** Gives an array with one value in every element. */
@@ -339,27 +291,20 @@ public final class DataListLoader {
       if (old != null && old.source() != null) {
         checkBound(old, null, signal.position());
       }
+      checkEnd(signal.first());
+      checkEnd(signal.last());
       Access access = access(old, signal.name(), false, signal.comment());
-      target.declareSignal(signal.name(), wiring(signal), access);
-    } catch (IllegalArgumentException e) {
-      broken.add(Scope.key(signal.name()));
-      throw new KrlErrorException(signal.position(), String.valueOf(e.getMessage()));
+      target.put(VariableEntry.signal(signal.name(), access, SignalWiring.of(module, signal)));
     } catch (KrlErrorException e) {
       broken.add(Scope.key(signal.name()));
       throw e;
     }
   }
 
-  private String wiring(Declaration.Signal signal) throws KrlErrorException {
-    Expression.Variable first = signal.first();
-    Expression.Variable last = signal.last();
-    if (first == null) {
-      return "FALSE";
+  private void checkEnd(Expression.@Nullable Variable expression) throws KrlErrorException {
+    if (expression == null) {
+      return;
     }
-    return terminal(first) + (last == null ? "" : " TO " + terminal(last));
-  }
-
-  private String terminal(Expression.Variable expression) throws KrlErrorException {
     VariablePath path = ConstantExpressions.path(expression, module);
     try {
       boolean isElement =
@@ -367,15 +312,14 @@ public final class DataListLoader {
               && path.first().index().count() == 1
               && module.storage(path) instanceof Storage.Scalar;
       if (isElement) {
-        return path.first().name() + path.first().index();
+        return;
       }
     } catch (RefusedException e) {
-      throw new KrlErrorException(expression.position(), print(path) + ": " + e.getMessage());
+      throw refused(expression.position(), path.toString(), e);
     }
     throw new KrlErrorException(
         expression.position(),
-        "a SIGNAL is wired to inputs or outputs, expected one such as $OUT[1], found "
-            + print(path));
+        "a SIGNAL is wired to inputs or outputs, expected one such as $OUT[1], found " + path);
   }
 
   // initial values
@@ -408,10 +352,11 @@ public final class DataListLoader {
     VariablePath path = ConstantExpressions.path(declaration.target(), module);
     try {
       Storage part = contents.read(path);
-      Storage changed = assigned(part, print(path), declaration.position(), declaration.value());
+      Storage changed =
+          assigned(part, path.toString(), declaration.position(), declaration.value());
       owner.put(variable.with(contents.change(path, old -> changed)));
     } catch (RefusedException e) {
-      throw refused(declaration.position(), print(path), e);
+      throw refused(declaration.position(), path.toString(), e);
     }
   }
 
@@ -472,14 +417,6 @@ public final class DataListLoader {
     } catch (RefusedException e) {
       throw refused(field.position(), field.name(), e);
     }
-  }
-
-  private static String print(VariablePath path) {
-    StringBuilder out = new StringBuilder();
-    for (VariablePath.Step step : path.steps()) {
-      out.append(out.length() > 0 ? "." : "").append(step.name()).append(step.index());
-    }
-    return out.toString();
   }
 
   // other modules

@@ -70,7 +70,7 @@ public final class DataListWriter {
         signals.add(variable);
       } else {
         contents.put(variable, storage);
-        collect(DeclaredType.of(storage).type(), types);
+        collect(DeclaredType.of(storage).element(), types);
       }
     }
 
@@ -84,7 +84,7 @@ public final class DataListWriter {
 
   private static @Nullable Storage current(VariableEntry variable) {
     try {
-      return Scope.current(variable);
+      return variable.current();
     } catch (RefusedException e) {
       throw new IllegalStateException(
           variable.name() + " is bound to what is no value of it: " + e.getMessage(), e);
@@ -114,7 +114,7 @@ public final class DataListWriter {
       return;
     }
     if (type instanceof Type.Struc struc) {
-      struc.components().forEach(component -> collect(component.type(), types));
+      struc.components().forEach(component -> collect(component.type().element(), types));
     }
     Type known = types.putIfAbsent(Scope.key(type.name()), type);
     if (known != null && !known.equals(type)) {
@@ -132,19 +132,15 @@ public final class DataListWriter {
       StringBuilder text = new StringBuilder("STRUC " + type.name());
       String before = "";
       String separator = " ";
-      for (Declarator component : struc.components()) {
-        String own = component.type().name();
+      for (Type.Component component : struc.components()) {
+        String own = component.type().element().name();
         text.append(separator).append(own.equals(before) ? "" : own + " ");
-        text.append(component.name()).append(dimensions(component.dimensions()));
+        text.append(component.name()).append(component.type().printDimensions());
         before = own;
         separator = ",";
       }
       line(text.toString());
     }
-  }
-
-  private static String dimensions(List<Integer> dimensions) {
-    return dimensions.isEmpty() ? "" : dimensions.toString().replace(" ", "");
   }
 
   // variables
@@ -170,10 +166,10 @@ public final class DataListWriter {
     String filling = array != null && name.startsWith("$") ? filling(name, array) : null;
     String behind = isText ? null : array == null ? value : filling;
     line(
-        (shape.type() instanceof Type.Base ? "" : "DECL ")
+        (shape.element() instanceof Type.Base ? "" : "DECL ")
             + (constant ? "CONST " : "")
-            + shape.type().name()
-            + (" " + name + dimensions(shape.dimensions()))
+            + shape.element().name()
+            + (" " + name + shape.printDimensions())
             + (behind == null ? "" : "=" + behind)
             + comment(variable, constant ? Access.READ_WRITE : variable.access()));
     if (isText && value != null) {

@@ -1,18 +1,85 @@
 package no.hials.crosscom.simulator.internal.data;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import no.hials.crosscom.lang.Declaration;
+import no.hials.crosscom.lang.Expression;
 
 /**
- * What a declaration says of a variable besides its name.
+ * The type of a variable or component.
  *
- * @param type the type of an element
- * @param dimensions the length of each, none for what is no array; the last one of a CHAR array is
- *     the length of its texts
+ * @param element the type of an element
+ * @param dimensions the length of each dimension; empty without an array; the last length of a CHAR
+ *     array is the length of its texts
  */
-record DeclaredType(Type type, List<Integer> dimensions) {
+record DeclaredType(Type element, List<Integer> dimensions) {
+  /** Keeps a typing error from filling the memory. */
+  private static final long MAX_ELEMENTS = 1_000_000;
 
-  /** Finds out how contents were declared. */
+  /**
+   * Evaluates a declaration.
+   *
+   * @param scope where types and constants are looked up
+   * @param type the name of the type
+   */
+  static DeclaredType of(Scope scope, String type, Declaration.Declarator declarator)
+      throws KrlErrorException {
+    if (!scope.knowsType(type)) {
+      throw new KrlErrorException(declarator.position(), "type " + type + " is not declared");
+    }
+    Type element = scope.type(type);
+    List<Integer> lengths = lengths(scope, element, declarator);
+    // three dimensions of an INT each would not fit a long
+    double elements = 1;
+    for (int length : lengths) {
+      elements *= length;
+    }
+    if (elements > MAX_ELEMENTS) {
+      throw new KrlErrorException(
+          declarator.position(),
+          String.format(
+              Locale.ROOT,
+              "%s must have 1 to %d elements, has %.0f",
+              declarator.name(),
+              MAX_ELEMENTS,
+              elements));
+    }
+    return new DeclaredType(element, lengths);
+  }
+
+  private static List<Integer> lengths(Scope scope, Type element, Declaration.Declarator declarator)
+      throws KrlErrorException {
+    boolean takesLengthOfText =
+        element == Type.Base.CHAR
+            && declarator.dimensions().size() == 1
+            && declarator.dimensions().get(0) == null
+            && declarator.initial() instanceof Expression.TextLiteral text
+            && !text.text().isEmpty();
+    if (takesLengthOfText) {
+      return List.of(((Expression.TextLiteral) declarator.initial()).text().length());
+    }
+    List<Integer> lengths = new ArrayList<>();
+    for (Expression dimension : declarator.dimensions()) {
+      if (dimension == null) {
+        throw new KrlErrorException(
+            declarator.position(),
+            "only a CHAR array with a text as its value may leave its length open, "
+                + declarator.name()
+                + " needs a length");
+      }
+      int length = ConstantExpressions.integer(dimension, scope);
+      if (length < 1) {
+        throw new KrlErrorException(
+            dimension.position(), "the length of a dimension is 1 or more, is " + length);
+      }
+      lengths.add(length);
+    }
+    return List.copyOf(lengths);
+  }
+
+  /** Returns the type with which contents were declared. */
   static DeclaredType of(Storage contents) {
     List<Integer> dimensions = new ArrayList<>();
     Storage element = contents;
@@ -31,11 +98,36 @@ record DeclaredType(Type type, List<Integer> dimensions) {
     return new DeclaredType(type, List.copyOf(dimensions));
   }
 
-  /** Prints it as behind a name: {@code FRAME[16]}. */
+  /** Returns a variable of this type without a value. */
+  Storage uninitialised() {
+    int depth = dimensions.size();
+    Storage first = element.uninitialised();
+    if (element == Type.Base.CHAR && depth > 0) {
+      depth--;
+      first = new Storage.Text(dimensions.get(depth), null);
+    }
+    if (depth == 0) {
+      return first;
+    }
+    int[] lengths = new int[depth];
+    int count = 1;
+    for (int i = 0; i < depth; i++) {
+      lengths[i] = dimensions.get(i);
+      count *= lengths[i];
+    }
+    Storage[] elements = new Storage[count];
+    Arrays.fill(elements, first);
+    return new Storage.Array(lengths, elements);
+  }
+
+  /** Prints the dimensions as in a declaration: {@code [16,24]}. */
+  String printDimensions() {
+    return dimensions.isEmpty() ? "" : dimensions.toString().replace(" ", "");
+  }
+
+  /** Prints the type as in messages: {@code FRAME[16]}. */
   @Override
   public String toString() {
-    return dimensions.isEmpty()
-        ? type.name()
-        : type.name() + dimensions.toString().replace(" ", "");
+    return element.name() + printDimensions();
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.simulator.internal.data;
 
-import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
@@ -12,8 +11,6 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
-import no.hials.crosscom.protocol.value.KrlBool;
-import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Access;
 import no.hials.crosscom.simulator.Refusal;
@@ -52,14 +49,6 @@ public final class Scope {
      */
     void check(VariablePath path, KrlValue value) throws RefusedException;
   }
-
-  /**
-   * A component of a STRUC.
-   *
-   * @param type the type's name
-   * @param declarator the component's name, for an array with dimensions
-   */
-  public record Component(String type, String declarator) {}
 
   private final @Nullable Scope parent;
   private final Map<String, Type> types = new HashMap<>();
@@ -109,7 +98,7 @@ public final class Scope {
     }
   }
 
-  // declarations; all are IllegalArgumentException if they are wrong
+  // declarations
 
   /**
    * Gives a name as the maps have it.
@@ -132,30 +121,10 @@ public final class Scope {
     }
   }
 
-  /**
-   * Declares a STRUC type, in place of one of the same name. Variables declared before keep theirs.
-   *
-   * @param name the type's name
-   * @param components the components in print order
-   */
-  public synchronized void declareStruc(String name, List<Component> components) {
-    checkTypeName(name);
-    List<Declarator> declarators = new ArrayList<>();
-    for (Component component : components) {
-      declarators.add(Declarator.parse(type(component.type()), component.declarator()));
-    }
-    types.put(key(name), Type.Struc.of(name, declarators));
-  }
-
-  /**
-   * Declares an ENUM type, in place of one of the same name. Variables declared before keep theirs.
-   *
-   * @param name the type's name
-   * @param constants the constants, without {@code #}
-   */
-  public synchronized void declareEnum(String name, List<String> constants) {
-    checkTypeName(name);
-    types.put(key(name), Type.Enumeration.of(name, constants));
+  /** Declares a type, in place of one of the same name. */
+  synchronized void declareType(Type type) {
+    checkTypeName(type.name());
+    types.put(key(type.name()), type);
   }
 
   /**
@@ -168,6 +137,15 @@ public final class Scope {
     return types.containsKey(key(name)) || (parent != null && parent.knowsType(name));
   }
 
+  /**
+   * Returns a variable without a value.
+   *
+   * @param type the name of its type, which must be known
+   */
+  public Storage uninitialised(String type) {
+    return type(type).uninitialised();
+  }
+
   /** Gives a type of this scope or of one around it; IllegalArgumentException if none has it. */
   synchronized Type type(String name) {
     Type type = types.get(key(name));
@@ -178,42 +156,6 @@ public final class Scope {
       return parent.type(name);
     }
     throw new IllegalArgumentException("type " + name + " is not declared");
-  }
-
-  /**
-   * Declares a variable, in place of one of the same name in this scope.
-   *
-   * @param declarator the name, for an array with its dimensions: {@code MYPOINTS[10]}
-   * @param type the type's name
-   * @param access what clients and programs may do
-   * @param value the initial value; for an array all elements or one value for every element; null
-   *     for none
-   * @throws RefusedException if the value is not of the type; then nothing has changed
-   */
-  public synchronized void declare(
-      String declarator, String type, Access access, @Nullable KrlValue value)
-      throws RefusedException {
-    Declarator parsed = Declarator.parse(type(type), declarator);
-    Storage contents = parsed.uninitialised();
-    if (value != null) {
-      contents = contents.assign(value);
-    }
-    put(new VariableEntry(parsed.name(), access, contents, null, null));
-  }
-
-  /**
-   * Declares a SIGNAL, in place of a variable of the same name in this scope.
-   *
-   * @param name its name
-   * @param wiring {@code $OUT[5]}, {@code $OUT[5] TO $OUT[8]} or {@code FALSE}
-   * @param access what clients and programs may do
-   */
-  public synchronized void declareSignal(String name, String wiring, Access access) {
-    Declarator parsed = Declarator.parse(Type.Base.BOOL, name);
-    if (!parsed.dimensions().isEmpty()) {
-      throw new IllegalArgumentException("SIGNAL " + name + " must have no dimensions");
-    }
-    put(new VariableEntry(parsed.name(), access, null, SignalWiring.parse(wiring), null));
   }
 
   /** Takes a variable in place of one of the same name in this scope. */
@@ -345,8 +287,8 @@ public final class Scope {
     if (variable == null) {
       return around(path).read(path);
     }
-    Storage contents = current(variable);
-    return contents == null ? signalValue(path, variable) : contents.read(path).value();
+    Storage contents = variable.current();
+    return contents == null ? variable.wiring(path).value(this) : contents.read(path).value();
   }
 
   /**
@@ -361,8 +303,10 @@ public final class Scope {
     if (variable == null) {
       return around(path).print(path);
     }
-    Storage contents = current(variable);
-    return contents == null ? signalValue(path, variable).print() : contents.read(path).text();
+    Storage contents = variable.current();
+    return contents == null
+        ? variable.wiring(path).value(this).print()
+        : contents.read(path).text();
   }
 
   /**
@@ -377,7 +321,7 @@ public final class Scope {
     if (variable == null) {
       return around(path).storage(path);
     }
-    Storage contents = current(variable);
+    Storage contents = variable.current();
     if (contents == null) {
       throw new RefusedException(Refusal.UNKNOWN_VARIABLE, variable.name() + " is a SIGNAL");
     }
@@ -392,18 +336,11 @@ public final class Scope {
    * @throws RefusedException if there is no such variable
    */
   public synchronized Storage contents(String name) throws RefusedException {
-    Storage contents = current(find(key(name)));
+    Storage contents = find(key(name)).current();
     if (contents == null) {
       throw new RefusedException(Refusal.UNKNOWN_VARIABLE, name + " is a SIGNAL");
     }
     return contents;
-  }
-
-  /** Gives what a variable holds now; null for a SIGNAL. */
-  static @Nullable Storage current(VariableEntry variable) throws RefusedException {
-    Storage contents = variable.contents();
-    Supplier<KrlValue> source = variable.source();
-    return contents == null || source == null ? contents : contents.assign(source.get());
   }
 
   private Scope around(VariablePath path) throws RefusedException {
@@ -454,7 +391,7 @@ public final class Scope {
       throws RefusedException {
     Storage contents = variable.contents();
     if (contents == null) {
-      assignSignal(path, variable, value, writer);
+      assignWired(variable.wiring(path), value, writer);
       return;
     }
     String key = path.first().name();
@@ -525,58 +462,12 @@ public final class Scope {
         : OptionalInt.of(signal.first());
   }
 
-  private static SignalWiring checkedSignal(VariablePath path, VariableEntry variable)
+  private synchronized void assignWired(SignalWiring signal, KrlValue value, Writer writer)
       throws RefusedException {
-    SignalWiring signal = variable.signal();
-    if (signal == null) {
-      throw new IllegalStateException(variable.name() + " has neither contents nor wiring");
-    }
-    if (!path.first().index().isNone()) {
-      throw Storage.badIndex("a SIGNAL is no array");
-    }
-    if (!path.isLast(0)) {
-      throw new RefusedException(Refusal.UNKNOWN_COMPONENT, "a SIGNAL has no components");
-    }
-    return signal;
-  }
-
-  private KrlValue signalValue(VariablePath path, VariableEntry variable) throws RefusedException {
-    SignalWiring signal = checkedSignal(path, variable);
-    String array = signal.array();
-    if (array == null) {
-      return new KrlBool(false);
-    }
-    if (signal.isSingle()) {
-      return elementValue(array, signal.first());
-    }
-    int bits = 0;
-    for (int i = signal.last(); i >= signal.first(); i--) {
-      if (!(elementValue(array, i) instanceof KrlBool bit)) {
-        throw new RefusedException(Refusal.WRONG_TYPE, array + " is no array of BOOL");
-      }
-      bits = bits << 1 | (bit.value() ? 1 : 0);
-    }
-    return new KrlInt(bits);
-  }
-
-  private KrlValue elementValue(String array, int index) throws RefusedException {
-    return storage(VariablePath.element(array, index)).value();
-  }
-
-  private void assignSignal(
-      VariablePath path, VariableEntry variable, KrlValue value, Writer writer)
-      throws RefusedException {
-    SignalWiring signal = checkedSignal(path, variable);
     String array = signal.array();
     if (array == null) {
       throw new RefusedException(Refusal.READ_ONLY, "is not wired");
     }
-    assignWired(signal, value, writer);
-  }
-
-  private synchronized void assignWired(SignalWiring signal, KrlValue value, Writer writer)
-      throws RefusedException {
-    String array = String.valueOf(signal.array());
     if (parent != null && !variables.containsKey(array)) {
       parent.assignWired(signal, value, writer);
       return;
@@ -585,22 +476,10 @@ public final class Scope {
     if (writer != Writer.SYSTEM && target.access() == Access.READ_ONLY) {
       throw new RefusedException(Refusal.READ_ONLY, array + " may only be read");
     }
-    if (signal.isSingle()) {
-      assign(VariablePath.element(array, signal.first()), target, value, writer);
-      return;
-    }
-    if (!(value instanceof KrlInt number)) {
-      throw new RefusedException(Refusal.WRONG_TYPE, "needs INT, was given " + value.print());
-    }
-    int width = signal.last() - signal.first() + 1;
-    if (width < Integer.SIZE && number.value() >>> width != 0) {
-      throw new RefusedException(
-          Refusal.OUT_OF_RANGE, "has " + width + " bits, was given " + number);
-    }
-    for (int i = 0; i < width; i++) {
-      KrlBool bit = new KrlBool((number.value() >>> i & 1) != 0);
+    int index = signal.first();
+    for (KrlValue element : signal.elements(value)) {
       try {
-        assign(VariablePath.element(array, signal.first() + i), find(array), bit, writer);
+        assign(VariablePath.element(array, index++), find(array), element, writer);
       } catch (RefusedException e) {
         variables.put(array, target); // all bits or none
         throw e;

@@ -1,50 +1,107 @@
 package no.hials.crosscom.simulator.internal.data;
 
-import java.util.Locale;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.lang.Declaration;
+import no.hials.crosscom.lang.Expression;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.Refusal;
+import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The wiring of a SIGNAL (krl.md 1.5): a name for one input or output, or for several as an INT.
  *
- * @param array {@code $IN}, {@code $OUT} or another array in upper case; null if not wired
+ * @param array {@code $IN}, {@code $OUT} or another array in upper case; null without wiring
  * @param first the first element, the lowest bit (assumed: krl.md marks the bit order as U)
  * @param last the last element
  */
 record SignalWiring(@Nullable String array, int first, int last) {
-  private static final Pattern FORM =
-      Pattern.compile("([^\\[\\]]+)\\[(\\d{1,7})](?:\\s+TO\\s+([^\\[\\]]+)\\[(\\d{1,7})])?");
+  static final String RULE =
+      "a SIGNAL is $OUT[a], $OUT[a] TO $OUT[b] with at most 32 bits, or FALSE";
 
-  static SignalWiring parse(String text) {
-    String upper = text.strip().toUpperCase(Locale.ROOT);
-    if (upper.equals("FALSE")) {
+  private static final int MAX_INDEX = 9_999_999;
+
+  /**
+   * Evaluates a declaration. The array need not exist yet.
+   *
+   * @param scope where constants are looked up
+   */
+  static SignalWiring of(Scope scope, Declaration.Signal signal) throws KrlErrorException {
+    Expression.Variable firstEnd = signal.first();
+    Expression.Variable lastEnd = signal.last();
+    if (firstEnd == null) {
       return new SignalWiring(null, 0, 0);
     }
-    Matcher matcher = FORM.matcher(upper);
-    if (matcher.matches() && VariablePath.isName(matcher.group(1))) {
-      int first = Integer.parseInt(matcher.group(2));
-      if (matcher.group(3) == null) {
-        return new SignalWiring(matcher.group(1), first, first);
-      }
-      int last = Integer.parseInt(matcher.group(4));
-      if (matcher.group(1).equals(matcher.group(3))
-          && last > first
-          && last - first < Integer.SIZE) {
-        return new SignalWiring(matcher.group(1), first, last);
+    VariablePath first = ConstantExpressions.path(firstEnd, scope);
+    VariablePath last = lastEnd == null ? first : ConstantExpressions.path(lastEnd, scope);
+    if (isElement(first) && isElement(last)) {
+      String array = first.first().name();
+      int from = first.first().index().number(0);
+      int to = last.first().index().number(0);
+      boolean inOrder = lastEnd == null || (to > from && to - from < Integer.SIZE);
+      if (array.equals(last.first().name()) && from >= 0 && to <= MAX_INDEX && inOrder) {
+        return new SignalWiring(array, from, to);
       }
     }
-    throw new IllegalArgumentException(
-        "a SIGNAL is $OUT[a], $OUT[a] TO $OUT[b] with at most 32 bits, or FALSE, is '"
-            + text
-            + "'");
+    throw new KrlErrorException(
+        signal.position(),
+        RULE + ", is '" + (lastEnd == null ? first.toString() : first + " TO " + last) + "'");
+  }
+
+  private static boolean isElement(VariablePath path) {
+    return path.isLast(0) && path.first().index().count() == 1 && !path.first().index().isOpen();
   }
 
   boolean isSingle() {
     return first == last;
   }
 
-  /** Prints it as in a declaration. */
+  /** Returns the value: a BOOL, or an INT of several elements. */
+  KrlValue value(Scope scope) throws RefusedException {
+    if (array == null) {
+      return new KrlBool(false);
+    }
+    if (isSingle()) {
+      return element(scope, first);
+    }
+    int bits = 0;
+    for (int i = last; i >= first; i--) {
+      if (!(element(scope, i) instanceof KrlBool bit)) {
+        throw new RefusedException(Refusal.WRONG_TYPE, array + " is no array of BOOL");
+      }
+      bits = bits << 1 | (bit.value() ? 1 : 0);
+    }
+    return new KrlInt(bits);
+  }
+
+  private KrlValue element(Scope scope, int index) throws RefusedException {
+    return scope.storage(VariablePath.element(String.valueOf(array), index)).value();
+  }
+
+  /** Returns the value of each element, given the value of the signal. */
+  List<KrlValue> elements(KrlValue value) throws RefusedException {
+    if (isSingle()) {
+      return List.of(value);
+    }
+    if (!(value instanceof KrlInt number)) {
+      throw new RefusedException(Refusal.WRONG_TYPE, "needs INT, was given " + value.print());
+    }
+    int width = last - first + 1;
+    if (width < Integer.SIZE && number.value() >>> width != 0) {
+      throw new RefusedException(
+          Refusal.OUT_OF_RANGE, "has " + width + " bits, was given " + number);
+    }
+    List<KrlValue> bits = new ArrayList<>(width);
+    for (int i = 0; i < width; i++) {
+      bits.add(new KrlBool((number.value() >>> i & 1) != 0));
+    }
+    return bits;
+  }
+
+  /** Prints the wiring as in a declaration. */
   @Override
   public String toString() {
     if (array == null) {

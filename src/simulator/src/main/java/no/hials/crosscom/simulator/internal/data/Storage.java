@@ -158,6 +158,16 @@ public abstract sealed class Storage {
                     component -> component.change(path, step + 1, change)));
   }
 
+  /**
+   * Returns a CHAR array that just holds a text.
+   *
+   * @param text the text
+   * @throws RefusedException if a character is not in ISO 8859-1
+   */
+  public static Storage ofText(KrlString text) throws RefusedException {
+    return new Text(Math.max(1, text.text().length()), null).assign(text);
+  }
+
   static RefusedException badIndex(String what) {
     return new RefusedException(Refusal.BAD_INDEX, what);
   }

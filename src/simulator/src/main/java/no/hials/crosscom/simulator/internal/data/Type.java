@@ -138,6 +138,14 @@ sealed interface Type {
   }
 
   /**
+   * A component of a structure.
+   *
+   * @param name as declared, without dimensions
+   * @param type its type
+   */
+  record Component(String name, DeclaredType type) {}
+
+  /**
    * A structure.
    *
    * @param name the type's name
@@ -145,20 +153,20 @@ sealed interface Type {
    * @param positions where each stands in that order, by its name in upper case
    * @param depth how many structures lie in one another, this one included
    */
-  record Struc(String name, List<Declarator> components, Map<String, Integer> positions, int depth)
+  record Struc(String name, List<Component> components, Map<String, Integer> positions, int depth)
       implements Type {
     private static final List<Set<String>> POSITIONS =
         List.of(Set.of("FRAME", "POS", "E6POS"), Set.of("AXIS", "E6AXIS"));
 
-    static Struc of(String name, List<Declarator> components) {
+    static Struc of(String name, List<Component> components) {
       Map<String, Integer> positions = new HashMap<>();
       int deepest = 0;
-      for (Declarator component : components) {
+      for (Component component : components) {
         String key = component.name().toUpperCase(Locale.ROOT);
         if (positions.put(key, positions.size()) != null) {
           throw new IllegalArgumentException("STRUC " + name + " has " + key + " twice");
         }
-        if (component.type() instanceof Struc struc) {
+        if (component.type().element() instanceof Struc struc) {
           deepest = Math.max(deepest, struc.depth);
         }
       }
@@ -180,7 +188,7 @@ sealed interface Type {
     public Storage uninitialised() {
       Storage[] parts = new Storage[components.size()];
       for (int i = 0; i < parts.length; i++) {
-        parts[i] = components.get(i).uninitialised();
+        parts[i] = components.get(i).type().uninitialised();
       }
       return new Storage.Struc(this, parts);
     }

@@ -34,6 +34,6 @@ public record VariableDeclaration(
     }
     DeclaredType shape = DeclaredType.of(contents);
     return new VariableDeclaration(
-        variable.name(), shape.type().name(), shape.dimensions(), variable.access());
+        variable.name(), shape.element().name(), shape.dimensions(), variable.access());
   }
 }

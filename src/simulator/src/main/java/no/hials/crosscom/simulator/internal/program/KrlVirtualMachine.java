@@ -280,7 +280,11 @@ final class KrlVirtualMachine {
     if (argument instanceof Storage contents) {
       frame.setLocal(slot, contents);
     } else if (argument instanceof KrlString text && parameter.array()) {
-      frame.setLocal(slot, SymbolTable.text(text));
+      try {
+        frame.setLocal(slot, Storage.ofText(text));
+      } catch (RefusedException e) {
+        throw KrlExecutionException.of(parameter.path().toString(), e);
+      }
     } else if (argument instanceof KrlValue value) {
       new StorageLocation.Local(slot).write(frame, parameter.path(), value);
     }

@@ -7,18 +7,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.StringJoiner;
 import java.util.function.BiConsumer;
 import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.Declaration.Declarator;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Routine;
-import no.hials.crosscom.protocol.value.KrlInt;
-import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.simulator.Access;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.internal.data.ConstantExpressions;
+import no.hials.crosscom.simulator.internal.data.Declarations;
 import no.hials.crosscom.simulator.internal.data.Index;
 import no.hials.crosscom.simulator.internal.data.KrlErrorException;
 import no.hials.crosscom.simulator.internal.data.Scope;
@@ -28,10 +25,6 @@ import org.jspecify.annotations.Nullable;
 
 /** The variables that a routine can name: its own, its module's, and those of the controller. */
 final class SymbolTable {
-  private static final String RESULT = "RESULT";
-  private static final VariablePath RESULT_PATH =
-      new VariablePath(List.of(new VariablePath.Step(RESULT, Index.NONE)));
-
   private final KrlModule module;
   private final Scope globals;
   private final Map<String, KrlModule> modules;
@@ -102,19 +95,12 @@ final class SymbolTable {
     for (Declaration declaration : routine.declarations()) {
       try {
         if (declaration instanceof Declaration.Struc struc) {
-          List<Scope.Component> components = new ArrayList<>();
-          for (Declaration.Component component : struc.components()) {
-            components.add(
-                new Scope.Component(component.type(), declarator(component.declarator())));
-          }
-          own.declareStruc(struc.name(), components);
+          Declarations.declare(own, struc);
         } else if (declaration instanceof Declaration.Enumeration enumeration) {
-          own.declareEnum(enumeration.name(), enumeration.constants());
+          Declarations.declare(own, enumeration);
         }
       } catch (KrlErrorException e) {
         errors.accept(e.error().position(), e.error().message());
-      } catch (IllegalArgumentException e) {
-        errors.accept(declaration.position(), String.valueOf(e.getMessage()));
       }
     }
   }
@@ -133,7 +119,7 @@ final class SymbolTable {
         parameter.out() ? new StorageLocation.Parameter(slot) : new StorageLocation.Local(slot);
     if (variables == null) {
       errors.accept(parameter.position(), "parameter " + parameter.name() + " has no declaration");
-      declareLocal(parameter.position(), parameter.name(), key, "INT", location);
+      declareLocal(new Declarator(parameter.position(), key, List.of(), null), "INT", location);
       return;
     }
     for (Declarator variable : variables.variables()) {
@@ -176,67 +162,38 @@ final class SymbolTable {
   }
 
   private void declareLocal(Declarator variable, String type, StorageLocation location) {
-    try {
-      declareLocal(
-          variable.position(), declarator(variable), Scope.key(variable.name()), type, location);
-    } catch (KrlErrorException e) {
-      errors.accept(e.error().position(), e.error().message());
-    }
-  }
-
-  private void declareLocal(
-      Position position, String declarator, String key, String type, StorageLocation location) {
+    String key = Scope.key(variable.name());
     if (own.contains(key)) {
-      errors.accept(position, key + " is declared twice");
+      errors.accept(variable.position(), key + " is declared twice");
       return;
     }
     try {
-      own.declare(declarator, type, Access.READ_WRITE, null);
+      Declarations.declare(own, type, closed(variable), Access.READ_WRITE);
       locals.add(own.contents(key));
       locations.put(key, location);
-    } catch (RefusedException | IllegalArgumentException e) {
-      errors.accept(position, String.valueOf(e.getMessage()));
+    } catch (KrlErrorException e) {
+      errors.accept(e.error().position(), e.error().message());
+    } catch (RefusedException e) {
+      throw new IllegalStateException(key + " was just declared", e);
     }
   }
 
-  /** Prints a declared name with its dimensions. One left open is 1 long until the call. */
-  private String declarator(Declarator variable) throws KrlErrorException {
-    if (variable.dimensions().isEmpty()) {
-      return variable.name();
-    }
-    StringJoiner text = new StringJoiner(",", variable.name() + "[", "]");
+  /** Returns a declarator whose open dimensions are 1 long until the call. */
+  private static Declarator closed(Declarator variable) {
+    List<Expression> dimensions = new ArrayList<>();
     for (Expression dimension : variable.dimensions()) {
-      if (dimension == null) {
-        text.add("1");
-      } else if (ConstantExpressions.evaluate(dimension, own) instanceof KrlInt length
-          && length.value() > 0) {
-        text.add(String.valueOf(length.value()));
-      } else {
-        throw new KrlErrorException(
-            dimension.position(), "the length of a dimension is an INT of at least 1");
-      }
+      dimensions.add(
+          dimension == null ? new Expression.IntLiteral(variable.position(), 1) : dimension);
     }
-    return text.toString();
+    return new Declarator(variable.position(), variable.name(), dimensions, null);
   }
 
   private void declareSignal(Declaration.Signal signal) {
-    String wiring = signal.first() == null ? "FALSE" : wire(signal.first());
-    if (signal.last() != null) {
-      wiring += " TO " + wire(signal.last());
-    }
     try {
-      own.declareSignal(signal.name(), wiring, Access.READ_WRITE);
-    } catch (IllegalArgumentException e) {
-      errors.accept(signal.position(), String.valueOf(e.getMessage()));
+      Declarations.declare(own, signal, Access.READ_WRITE);
+    } catch (KrlErrorException e) {
+      errors.accept(e.error().position(), e.error().message());
     }
-  }
-
-  private static String wire(Expression.Variable variable) {
-    Expression.Step step = variable.steps().get(0);
-    return step.indices().size() == 1
-            && step.indices().get(0) instanceof Expression.IntLiteral index
-        ? step.name() + "[" + index.value() + "]"
-        : step.name();
   }
 
   /** Makes a variable of another module known: {@code IMPORT ... IS /R1/MODULE..NAME}. */
@@ -259,26 +216,11 @@ final class SymbolTable {
 
   /** Gives a variable of a type, for the value of a function; null if there is no such type. */
   @Nullable Storage result(Position position, String type) {
-    Scope scratch = new Scope(own);
-    try {
-      scratch.declare(RESULT, type, Access.READ_WRITE, null);
-      return scratch.storage(RESULT_PATH);
-    } catch (RefusedException | IllegalArgumentException e) {
-      errors.accept(position, String.valueOf(e.getMessage()));
+    if (!own.knowsType(type)) {
+      errors.accept(position, "type " + type + " is not declared");
       return null;
     }
-  }
-
-  /** Gives a CHAR array that just holds a text. */
-  static Storage text(KrlString text) {
-    Scope scratch = new Scope();
-    try {
-      scratch.declare(
-          RESULT + "[" + Math.max(1, text.text().length()) + "]", "CHAR", Access.READ_WRITE, text);
-      return scratch.contents(RESULT);
-    } catch (RefusedException e) {
-      throw new IllegalArgumentException(e);
-    }
+    return own.uninitialised(type);
   }
 
   // look-up

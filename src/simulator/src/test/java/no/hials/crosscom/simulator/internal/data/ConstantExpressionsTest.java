@@ -24,13 +24,13 @@ class ConstantExpressionsTest {
 
   @BeforeEach
   void declareVariables() throws RefusedException {
-    scope.declare("TWO", "INT", Access.READ_ONLY, new KrlInt(2));
-    scope.declare("HALF", "REAL", Access.READ_ONLY, new KrlReal(0.5f));
-    scope.declare("LIST[2]", "INT", Access.READ_ONLY, new KrlInt(7));
-    scope.declare("VARIABLE", "INT", Access.READ_WRITE, new KrlInt(1));
-    scope.declare("$SYSTEM", "INT", Access.READ_ONLY, new KrlInt(1));
-    scope.declare("EMPTY", "INT", Access.READ_ONLY, null);
-    scope.declareSignal("SIG", "FALSE", Access.READ_ONLY);
+    Declarations.declare(scope, "INT TWO", Access.READ_ONLY, new KrlInt(2));
+    Declarations.declare(scope, "REAL HALF", Access.READ_ONLY, new KrlReal(0.5f));
+    Declarations.declare(scope, "INT LIST[2]", Access.READ_ONLY, new KrlInt(7));
+    Declarations.declare(scope, "INT VARIABLE", Access.READ_WRITE, new KrlInt(1));
+    Declarations.declare(scope, "INT $SYSTEM", Access.READ_ONLY, new KrlInt(1));
+    Declarations.declare(scope, "INT EMPTY", Access.READ_ONLY, null);
+    Declarations.declare(scope, "SIGNAL SIG FALSE", Access.READ_ONLY, null);
   }
 
   /** Gives the tree of an expression, which begins in column 7. */

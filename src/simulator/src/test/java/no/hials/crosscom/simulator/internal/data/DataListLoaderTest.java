@@ -25,13 +25,12 @@ class DataListLoaderTest {
 
   @BeforeEach
   void declareGlobals() throws RefusedException {
-    globals.declareEnum("MODE", List.of("A", "B"));
-    globals.declareStruc("FRAME", List.of(new Scope.Component("REAL", "X")));
-    globals.declareStruc(
-        "LOAD", List.of(new Scope.Component("REAL", "M"), new Scope.Component("FRAME", "CM")));
-    globals.declare("$OUT[8]", "BOOL", Access.READ_WRITE, null);
-    globals.declare("$OV", "INT", Access.READ_ONLY, null);
-    globals.declare("SHARED", "INT", Access.READ_WRITE, null);
+    Declarations.declareEnum(globals, "MODE", List.of("A", "B"));
+    Declarations.declareStruc(globals, "FRAME", "REAL X");
+    Declarations.declareStruc(globals, "LOAD", "REAL M; FRAME CM");
+    Declarations.declare(globals, "BOOL $OUT[8]", Access.READ_WRITE, null);
+    Declarations.declare(globals, "INT $OV", Access.READ_ONLY, null);
+    Declarations.declare(globals, "INT SHARED", Access.READ_WRITE, null);
   }
 
   /** Loads a data list whose declarations begin in line 2; gives what is wrong. */

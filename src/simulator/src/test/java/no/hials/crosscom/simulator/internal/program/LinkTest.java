@@ -52,8 +52,8 @@ class LinkTest {
         "INT X[] | 2:5: only a parameter's dimensions are left open, not those of X",
         "GLOBAL INT X | 2:1: GLOBAL and CONST are for variables of data lists only",
         "INT X[I] | 2:7: a value here is made of literals",
-        "INT X[0] | 2:7: the length of a dimension is an INT of at least 1",
-        "STRUC S NOTYPE X | 2:1: type NOTYPE is not declared",
+        "INT X[0] | 2:7: the length of a dimension is 1 or more, is 0",
+        "STRUC S NOTYPE X | 2:16: type NOTYPE is not declared",
         "ENUM E A,A | 2:1: ENUM E must have at least one constant and none twice",
         "SIGNAL S $OUT[1] TO $IN[4] | 2:1: a SIGNAL is $OUT[a]",
         "IMPORT INT N IS /R1/NOBODY..N | 2:1: no module NOBODY with a variable N",
@@ -121,7 +121,12 @@ class LinkTest {
     assertThat(
             new Rig()
                 .errorsOf(
-                    "DEF TEST()\nINTERRUPT DECL 4 WHEN SLOW() DO TEST()\nEND\nDEFFCT BOOL SLOW()\nRETURN TRUE\nENDFCT\n"))
+                    "DEF TEST()\n"
+                        + "INTERRUPT DECL 4 WHEN SLOW() DO TEST()\n"
+                        + "END\n"
+                        + "DEFFCT BOOL SLOW()\n"
+                        + "RETURN TRUE\n"
+                        + "ENDFCT\n"))
         .containsExactly("test.src:2:23: the condition of an interrupt must not call SLOW");
   }
 

@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Builds the records of declarations. */
 final class DeclarationBuilder {
-  /** krl.md 1.1. */
+  /** The maximum length of a name (docs/reference/krl-values.md#names). */
   private static final int MAX_NAME = 24;
 
   private final Errors errors;

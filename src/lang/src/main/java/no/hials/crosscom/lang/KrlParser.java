@@ -22,8 +22,8 @@ public final class KrlParser {
   private KrlParser() {}
 
   /**
-   * Parses a file. The file is read as ISO 8859-1 (krl.md 4: latin-1), so every byte is a
-   * character; a UTF-8 byte order mark is skipped.
+   * Parses a file. The file is read as ISO 8859-1, so every byte is a character; a UTF-8 byte order
+   * mark is skipped.
    *
    * @param file the file; positions name it by this path
    * @return the tree and the errors

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param comment the comment, without {@code ;}; empty without a comment
  */
 record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
-  /** The types that need no {@code DECL} (krl.md 4). */
+  /** The types that need no {@code DECL} (docs/reference/krl-language.md#declarations). */
   private static final Set<String> BASE_TYPES =
       Set.of("INT", "REAL", "BOOL", "CHAR", "FRAME", "POS", "E6POS", "AXIS", "E6AXIS");
 

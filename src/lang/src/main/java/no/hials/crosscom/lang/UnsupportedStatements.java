@@ -6,8 +6,8 @@ import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import org.antlr.v4.runtime.Token;
 
 /**
- * The KRL statements that are not supported, as distinct from unknown statements (splines: krl.md
- * 4; the list of the others is assumed to be complete).
+ * The KRL statements that are not supported, as distinct from unknown statements
+ * (docs/reference/krl-language.md#motions). The list is assumed to be complete.
  */
 final class UnsupportedStatements {
   private static final Set<String> WORDS =

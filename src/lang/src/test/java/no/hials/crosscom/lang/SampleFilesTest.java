@@ -8,7 +8,7 @@ import java.net.URISyntaxException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
-/** Complete files as found on a controller (krl.md 4). */
+/** Complete files as found on a controller (docs/reference/krl-language.md#files). */
 class SampleFilesTest {
   static Path path(String name) throws URISyntaxException {
     return Path.of(SampleFilesTest.class.getResource(name).toURI());

@@ -1,16 +1,16 @@
 /*
- * The lines of KRL: .src, .sub and .dat files (krl.md 4).
+ * The lines of KRL: .src, .sub and .dat files (docs/reference/krl-language.md).
  *
- * KRL is a language of lines, so the start rule is a line. What belongs together over several
- * lines (DEF ... END, IF ... ENDIF) is put together by FileBuilder: a mistake in a line stays
- * in that line, and a missing ENDIF is one error and not a hundred.
+ * KRL is line-oriented, so the start rule is a line. FileBuilder combines the lines of a block
+ * (DEF ... END, IF ... ENDIF). So an error affects only its line, and a missing ENDIF is one
+ * error, not a hundred.
  *
- * Every choice is made by the next token, but for the operators of an expression. So an error
- * is found at the first token that cannot stand where it is.
+ * The next token decides every choice, except for operators in expressions. So an error is found
+ * at the first token that is not allowed in its place.
  *
- * Keywords that have a meaning at one place only (SEC, STEP, DISTANCE, ...) are names elsewhere:
- * $DATE.SEC is a component. Types are names, too. Statements that are not supported (SPTP, ...)
- * are no part of the grammar: see UnsupportedStatements.
+ * Keywords with a meaning in only one place (SEC, STEP, DISTANCE, ...) are names elsewhere:
+ * $DATE.SEC is a component. Types are names too. Unsupported statements (SPTP, ...) are not part
+ * of the grammar; see UnsupportedStatements.
  */
 grammar KrlGrammar;
 
@@ -58,7 +58,7 @@ definition
 
 routineBegin : DEF name parameters ;
 
-// That a function may give an array (CHAR[]) is assumed.
+// Assumed: a function can return an array (CHAR[]).
 functionBegin : DEFFCT name brackets? name parameters ;
 
 parameters : '(' (parameter (',' parameter)*)? ')' ;
@@ -71,7 +71,7 @@ declarator : name brackets? ('=' expression)? ;
 
 struc : STRUC name component (',' component)* ;
 
-// A component without a type has the one before it.
+// A component without a type has the type of the previous component.
 component : name name? brackets? ;
 
 enumeration : ENUM name name (',' name)* ;
@@ -88,7 +88,7 @@ importPath : ('/' name)+ '..' name ;
 
 // ---- statements
 
-// What begins with a name: a label, a call, a declaration without DECL, an assignment.
+// The lines that start with a name: a label, a call, a declaration without DECL, an assignment.
 named
   : name
     ( ':'
@@ -154,7 +154,8 @@ action
 
 pulse : PULSE '(' variable ',' expression ',' expression ')' ;
 
-// PTP takes C_DIS and the like alone as well (assumed); the others have no C_PTP (krl.md 4).
+// Assumed: PTP allows C_DIS and the like alone. The others have no C_PTP
+// (docs/reference/krl-language.md#motions).
 motion
   : (PTP | PTP_REL) expression (anyApproximation anyApproximation?)?
   | LIN expression (pathApproximation pathApproximation?)?
@@ -171,16 +172,14 @@ pathApproximation : C_DIS | C_VEL | C_ORI ;
 
 // ---- expressions
 
-// The order of the alternatives is the precedence, the tightest first; operators of one
-// alternative are taken from left to right.
+// The order of the alternatives is the precedence, highest first; operators of an alternative
+// associate to the left.
 //
-// krl.md 4 names the operators (partly U) but not their order. KUKA's manuals, as far as known,
-// rank NOT B_NOT, then * /, then + -, then AND B_AND, then EXOR B_EXOR, then OR B_OR, and last the
-// comparisons; so does the grammar Roiki11/KRLparser (krl.md 4), with the geometric operator
-// behind NOT. Taken literally A==1 AND B==2 is then (A==(1 AND B))==2, which has no type.
-// Assumed here: the comparisons stand between the bit operators and the logical ones. So
-// A==1 AND B==2 joins two comparisons, and A B_AND 4==4 compares the result of B_AND. For three
-// BOOLs without parentheses (A AND B==C) a controller may differ.
+// Assumed: the comparisons are between the bit operators and the logical operators. So
+// A==1 AND B==2 joins two comparisons, and A B_AND 4==4 compares the result of B_AND. The sources
+// place the comparisons last, where A==1 AND B==2 would be (A==(1 AND B))==2, which has no type
+// (docs/reference/krl-language.md#operators). For three BOOLs without parentheses
+// (A AND B==C) a controller may differ.
 expression
   : operator=('+' | '-' | NOT | B_NOT) expression
   | expression operator=':' expression
@@ -209,7 +208,7 @@ primary
   | reference
   ;
 
-// {X 1,Y 2} or {FRAME: X 1,Y 2}: whether the first name is a type shows behind it.
+// {X 1,Y 2} or {FRAME: X 1,Y 2}: a colon after the first name makes it a type.
 aggregate : '{' (name (':' (field (',' field)*)? | brackets? expression (',' field)*))? '}' ;
 
 field : name brackets? expression ;
@@ -230,7 +229,7 @@ arguments : '(' argument (',' argument)* ')' ;
 
 argument : expression? ;
 
-// Keywords at one place, names at all others.
+// Keywords in one place, names elsewhere.
 name
   : NAME
   | CA
@@ -357,7 +356,7 @@ RIGHT_BRACKET : ']' ;
 LEFT_BRACE : '{' ;
 RIGHT_BRACE : '}' ;
 
-// krl.md 1.1
+// (docs/reference/krl-values.md#scalars)
 INT : DIGIT+ ;
 REAL : DIGIT+ EXPONENT | DIGIT+ '.' DIGIT* EXPONENT? | '.' DIGIT+ EXPONENT? ;
 BITS : '\'' ('B' [01]+ | 'H' [0-9A-F]+) '\'' ;
@@ -370,7 +369,7 @@ COMMENT : ';' ~[\r\n]* -> channel(HIDDEN) ;
 BLANK : [ \t]+ -> channel(HIDDEN) ;
 NEWLINE : '\r'? '\n' ;
 
-// What is no token is one all the same: the parser says where it stands and what it is.
+// Invalid characters are tokens too, so that the parser reports them with their position.
 OPEN_TEXT : '"' ~["\r\n]* ;
 WRONG_BITS : '\'' ~['\r\n;]* '\''? ;
 UNKNOWN : . ;

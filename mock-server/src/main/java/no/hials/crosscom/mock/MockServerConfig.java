@@ -15,521 +15,485 @@ import no.hials.crosscom.simulator.SimulationClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a {@link MockServer} behaves. Immutable; made by {@link #create}.
+ * The behaviour of a {@link MockServer}. Immutable; created by {@link #create}. The {@link Builder}
+ * describes the options.
  *
- * <p>By default it is as strict as KUKAVARPROXY about what a client may ask for, and kinder about
- * when and how its requests arrive, so that a test is quick and does not depend on timing. {@link
- * Builder#asOnTheController} ends the kindness. With {@link ServerType#C3_BRIDGE} as {@link
- * #server} the defaults are those of C3 Bridge where they differ (c3-bridge.md, "Common to all
- * messages"; krl.md 1.8); which they are is decided when all is set, so the order does not matter.
- *
- * @param bindAddress the address to listen on; by default the loopback address, so that nobody
- *     takes the server for a robot's
- * @param port the TCP port to listen on, 0 (the default) for a free one
- * @param failedRead how a refused read is answered; by default as KUKAVARPROXY does since 2019, or
- *     {@link FailedRead#FAILURE_ZERO} with C3 Bridge. Of C3 Bridge's own messages the code decides
- * @param failedWriteTail the tail of the answer to a refused write, behind the echoed value, or
- *     with C3 Bridge behind none; by default {@code 00 01 00}, with C3 Bridge {@code 00 00 00}. It
- *     must say failure
- * @param trimValues whether blanks at the ends of a value are cut off before it is sent, as
- *     KUKAVARPROXY does (the default) and C3 Bridge does not (krl.md 1.4)
- * @param maxClients how many clients are served at a time; one more is accepted and closed at once;
- *     10 by default as in KUKAVARPROXY, with C3 Bridge 0; 0 for no limit
- * @param idleTimeout how long a client may send nothing before it is disconnected; 30 s by default
- *     as in KUKAVARPROXY, with C3 Bridge zero; zero for ever
- * @param maxAggregateLength how many bytes the text of a written aggregate may have; 255 by default
- *     (krl.md 1.7; assumed for C3 Bridge, too), 0 for no limit
- * @param recordedRequests how many of the last requests are kept, 10,000 by default
- * @param joinSplitRequests whether a request that arrives in pieces is put together, the default.
- *     KUKAVARPROXY does not: it reads at most 2048 bytes at a time, answers the whole requests in
- *     them in turn, and drops the rest without an answer (krl.md 1.8). Assumed: what it reads next
- *     is taken for the beginning of a request, whatever it is. C3 Bridge puts it together
- * @param oneAtATime whether the {@link #latency} of a request holds up those of all clients, as on
- *     the controller (the default), or of its own client only
- * @param pendingRequests what becomes of a request that arrives while another is served; by default
- *     it waits
- * @param unknownFunction how a request of an unknown function number is answered; by default as
- *     KUKAVARPROXY does, or C3 Bridge, which closes the connection
- * @param ping whether reading {@code PING} answers {@code PONG} without asking the controller; true
- *     by default, as in KUKAVARPROXY since 2019. Before, it was a variable like others. C3 Bridge
- *     asks the controller first
- * @param latency how long the controller takes for a request; by default no time
- * @param discoveryPort the UDP port on which the question {@code WHEREAREYOU?} is answered with
- *     {@code KUKA|MODEL|SERIAL}, 0 for a free one; nothing (the default) for no discovery.
- *     KUKAVARPROXY has port 6999, and so has C3 Bridge in what it calls legacy mode. MODEL is the
- *     text of {@code $MODEL_NAME[]} without quotes, with C3 Bridge with them (c3-vectors.tsv);
- *     SERIAL the number {@code $KR_SERIALNO}; a field is empty if the variable cannot be read
- * @param discoveryReplyPort the port of the sender that is answered to; 7000 by default as in
- *     KUKAVARPROXY, 0 for the port it sent from
- * @param clock how the time of {@link MockServer#controller} passes; by default as real time
- * @param robot the robot that the controller moves; by default a KR 6 R900 sixx
- * @param server which server it is; KUKAVARPROXY by default
- * @param version the version of C3 Bridge, at least 1.0; 1.4 by default. An older one does not know
- *     the messages that came later (c3-bridge.md, "Minimum server versions"). That it has types 6
- *     and 7 before they are correct is assumed, and so is what is wrong with them: all of them are
- *     answered with {@code NOT_IMPLEMENTED}, and nothing is read or written. What is wrong with
- *     large files before 1.4 is not simulated
- * @param computerName what C3 Bridge calls the computer that it runs on
- * @param standardDiscoveryPort the UDP port on which C3 Bridge answers the same question, and the
- *     names of its {@code @PROXY_} variables, to the port they came from; 0 for a free one, nothing
- *     (the default) for none. C3 Bridge has port 7000
- * @param files the files that clients of C3 Bridge reach; nothing (the default) for a tree in
- *     memory of the server's own
+ * <p>The default is as strict as KUKAVARPROXY about the requests, and more tolerant about the time
+ * and the pieces in which they arrive, so that a test is fast and does not depend on timing. {@link
+ * Builder#asOnTheController} is strict about these, too. With {@link ServerType#C3_BRIDGE} the
+ * defaults are those of C3 Bridge where they differ (docs/reference/servers.md). The options can be
+ * set in any order.
  */
-public record MockServerConfig(
-    InetAddress bindAddress,
-    int port,
-    FailedRead failedRead,
-    Tail failedWriteTail,
-    boolean trimValues,
-    int maxClients,
-    Duration idleTimeout,
-    int maxAggregateLength,
-    int recordedRequests,
-    boolean joinSplitRequests,
-    boolean oneAtATime,
-    PendingRequests pendingRequests,
-    UnknownFunction unknownFunction,
-    boolean ping,
-    Latency latency,
-    OptionalInt discoveryPort,
-    int discoveryReplyPort,
-    SimulationClock clock,
-    RobotModel robot,
-    ServerType server,
-    Version version,
-    String computerName,
-    OptionalInt standardDiscoveryPort,
-    Optional<FileTree> files) {
-
+public final class MockServerConfig {
   private static final int MAX_PORT = 65_535;
   private static final int MAX_RECORDED = 10_000_000;
   private static final int MAX_U8 = 255;
 
-  /** As many as a host name has at most. */
+  /** The length of the longest host name. */
   private static final int MAX_COMPUTER_NAME = 255;
 
-  // of KUKAVARPROXY since 2019 (kukavarproxy.md, krl.md 1.7)
+  // KUKAVARPROXY since 2019 (docs/reference/kukavarproxy.md#connections)
   private static final int MAX_CLIENTS = 10;
   private static final Duration IDLE_TIMEOUT = Duration.ofSeconds(30);
   private static final int MAX_AGGREGATE = 255;
 
-  /** Checks the ranges. */
-  public MockServerConfig {
-    Objects.requireNonNull(bindAddress, "bindAddress");
-    Objects.requireNonNull(failedRead, "failedRead");
-    range("port", port, MAX_PORT);
-    if (failedWriteTail.success()) {
-      throw new IllegalArgumentException("failedWriteTail must say failure, is " + failedWriteTail);
-    }
-    range("maxClients", maxClients, Integer.MAX_VALUE);
-    if (idleTimeout.isNegative() || idleTimeout.toSeconds() > Integer.MAX_VALUE / 1000) {
-      throw new IllegalArgumentException("idleTimeout must be 0 to 24 days, is " + idleTimeout);
-    }
-    range("maxAggregateLength", maxAggregateLength, Integer.MAX_VALUE);
-    range("recordedRequests", recordedRequests, MAX_RECORDED);
-    Objects.requireNonNull(pendingRequests, "pendingRequests");
-    if (pendingRequests == PendingRequests.DROP && !oneAtATime) {
-      throw new IllegalArgumentException(
-          "pendingRequests DROP needs oneAtATime: what is served at a time is never pending");
-    }
-    Objects.requireNonNull(unknownFunction, "unknownFunction");
-    Objects.requireNonNull(latency, "latency");
-    Objects.requireNonNull(clock, "clock");
-    Objects.requireNonNull(robot, "robot");
-    discoveryPort.ifPresent(value -> range("discoveryPort", value, MAX_PORT));
-    range("discoveryReplyPort", discoveryReplyPort, MAX_PORT);
-    Objects.requireNonNull(server, "server");
-    if (version.major() < 1 || version.major() > MAX_U8 || version.minor() > MAX_U8) {
-      throw new IllegalArgumentException("version must be 1.0 to 255.255, is " + version);
-    }
-    if (computerName.length() > MAX_COMPUTER_NAME || computerName.chars().anyMatch(c -> c > '~')) {
-      throw new IllegalArgumentException(
-          "computerName must be ASCII and have at most "
-              + MAX_COMPUTER_NAME
-              + " characters, is "
-              + computerName);
-    }
-    Objects.requireNonNull(files, "files");
-    standardDiscoveryPort.ifPresent(value -> range("standardDiscoveryPort", value, MAX_PORT));
-    if (server == ServerType.KUKAVARPROXY && standardDiscoveryPort.isPresent()) {
-      throw new IllegalArgumentException("standardDiscoveryPort needs server C3_BRIDGE");
-    }
-  }
+  private final Options options;
 
-  private static void range(String field, int value, int max) {
-    if (value < 0 || value > max) {
-      throw new IllegalArgumentException(field + " must be 0 to " + max + ", is " + value);
-    }
+  private MockServerConfig(Options options) {
+    this.options = options;
+    check(
+        isC3() || standardDiscoveryPort().isEmpty(),
+        "standardDiscoveryPort needs server C3_BRIDGE",
+        server());
+    check(
+        oneAtATime() || pendingRequests() != PendingRequests.DROP,
+        "pendingRequests DROP needs oneAtATime, without which no request is pending",
+        oneAtATime());
   }
 
   /**
-   * Makes a configuration.
+   * Creates a configuration.
    *
-   * @param changes sets what shall differ from the defaults
-   * @return the configuration
+   * @param changes sets the options that differ from their defaults
+   * @throws IllegalArgumentException if an option is out of its range
    */
   public static MockServerConfig create(Consumer<Builder> changes) {
     Builder builder = new Builder();
     changes.accept(builder);
-    return builder.build();
+    return new MockServerConfig(builder.options.clone());
   }
 
-  /** Collects the settings; each method is described at the component of the same name. */
-  public static final class Builder {
+  private boolean isC3() {
+    return options.server == ServerType.C3_BRIDGE;
+  }
+
+  private boolean isLossy() {
+    return options.onTheController && !isC3();
+  }
+
+  private static int range(String field, int value, int max) {
+    check(value >= 0 && value <= max, field + " must be 0 to " + max, value);
+    return value;
+  }
+
+  private static void check(boolean holds, String rule, Object value) {
+    if (!holds) {
+      throw new IllegalArgumentException(rule + ", is " + value);
+    }
+  }
+
+  private static <T> T or(@Nullable T value, T otherwise) {
+    return value == null ? otherwise : value;
+  }
+
+  /** Returns the address to listen on. */
+  public InetAddress bindAddress() {
+    return options.bindAddress;
+  }
+
+  /** Returns the TCP port to listen on, 0 for a free one. */
+  public int port() {
+    return options.port;
+  }
+
+  /** Returns the UDP port for discovery, empty if discovery is off. */
+  public OptionalInt discoveryPort() {
+    return options.discoveryPort;
+  }
+
+  /** Returns the port of the sender to which discovery answers, 0 for the port it sent from. */
+  public int discoveryReplyPort() {
+    return options.discoveryReplyPort;
+  }
+
+  /** Returns the UDP port of C3 Bridge's standard discovery, empty if that is off. */
+  public OptionalInt standardDiscoveryPort() {
+    return options.standardDiscoveryPort;
+  }
+
+  /** Returns the server that is simulated. */
+  public ServerType server() {
+    return options.server;
+  }
+
+  /** Returns the version of C3 Bridge. */
+  public Version version() {
+    return options.version;
+  }
+
+  /** Returns the name of the computer that C3 Bridge runs on. */
+  public String computerName() {
+    return options.computerName;
+  }
+
+  /** Returns the answer to a refused read. */
+  public FailedRead failedRead() {
+    return or(options.failedRead, isC3() ? FailedRead.FAILURE_ZERO : FailedRead.EMPTY_SUCCESS);
+  }
+
+  /** Returns the tail of the answer to a refused write. */
+  public Tail failedWriteTail() {
+    return or(options.failedWriteTail, isC3() ? Tail.FAILURE_ZERO : Tail.FAILURE);
+  }
+
+  /** Returns whether values are trimmed before they are sent. */
+  public boolean trimValues() {
+    return or(options.trimValues, !isC3());
+  }
+
+  /** Returns the answer to an unknown function number. */
+  public UnknownFunction unknownFunction() {
+    return or(
+        options.unknownFunction, isC3() ? UnknownFunction.CLOSE : UnknownFunction.EMPTY_ANSWER);
+  }
+
+  /** Returns whether {@code PING} is answered with {@code PONG}. */
+  public boolean ping() {
+    return options.ping;
+  }
+
+  /** Returns the number of clients that are served at a time, 0 for no limit. */
+  public int maxClients() {
+    return or(options.maxClients, isC3() ? 0 : MAX_CLIENTS);
+  }
+
+  /** Returns the time without a request after which a client is disconnected, zero for no limit. */
+  public Duration idleTimeout() {
+    return or(options.idleTimeout, isC3() ? Duration.ZERO : IDLE_TIMEOUT);
+  }
+
+  /** Returns the longest text of an aggregate that can be written, in bytes, 0 for no limit. */
+  public int maxAggregateLength() {
+    return options.maxAggregateLength;
+  }
+
+  /** Returns the number of requests that are kept. */
+  public int recordedRequests() {
+    return options.recordedRequests;
+  }
+
+  /** Returns the time that the controller takes for a request. */
+  public Latency latency() {
+    return options.latency;
+  }
+
+  /** Returns whether the latency of a request delays all clients. */
+  public boolean oneAtATime() {
+    return options.oneAtATime;
+  }
+
+  /** Returns the treatment of a request that arrives while another is served. */
+  public PendingRequests pendingRequests() {
+    return or(
+        options.pendingRequests,
+        isLossy() ? PendingRequests.DROP_OF_SAME_CLIENT : PendingRequests.WAIT);
+  }
+
+  /** Returns whether the server joins the pieces of a request. */
+  public boolean joinSplitRequests() {
+    return or(options.joinSplitRequests, !isLossy());
+  }
+
+  /** Returns the clock of the controller. */
+  public SimulationClock clock() {
+    return options.clock;
+  }
+
+  /** Returns the robot that the controller moves. */
+  public RobotModel robot() {
+    return options.robot;
+  }
+
+  /** Returns the files that C3 Bridge serves, empty for files in memory. */
+  public Optional<FileTree> files() {
+    return options.files;
+  }
+
+  /** The options as they were set; null stands for a default that depends on the server. */
+  private static final class Options implements Cloneable {
     private InetAddress bindAddress = InetAddress.getLoopbackAddress();
     private int port;
+    private OptionalInt discoveryPort = OptionalInt.empty();
+    private int discoveryReplyPort = 7000;
+    private OptionalInt standardDiscoveryPort = OptionalInt.empty();
+    private ServerType server = ServerType.KUKAVARPROXY;
+    private Version version = new Version(1, 4, 0);
+    private String computerName = "KRC4";
     private @Nullable FailedRead failedRead;
     private @Nullable Tail failedWriteTail;
     private @Nullable Boolean trimValues;
+    private @Nullable UnknownFunction unknownFunction;
+    private boolean ping = true;
     private @Nullable Integer maxClients;
     private @Nullable Duration idleTimeout;
     private int maxAggregateLength = MAX_AGGREGATE;
     private int recordedRequests = 10_000;
-    private @Nullable Boolean joinSplitRequests;
+    private Latency latency = Latency.none();
     private boolean oneAtATime = true;
     private @Nullable PendingRequests pendingRequests;
-    private @Nullable UnknownFunction unknownFunction;
-    private boolean ping = true;
-    private Latency latency = Latency.none();
-    private OptionalInt discoveryPort = OptionalInt.empty();
-    private int discoveryReplyPort = 7000;
+    private @Nullable Boolean joinSplitRequests;
     private SimulationClock clock = SimulationClock.real();
     private RobotModel robot = RobotModel.kr6r900sixx();
-    private ServerType server = ServerType.KUKAVARPROXY;
-    private Version version = new Version(1, 4, 0);
-    private String computerName = "KRC4";
-    private OptionalInt standardDiscoveryPort = OptionalInt.empty();
     private Optional<FileTree> files = Optional.empty();
 
-    /** Whether what is not set is as on a controller. */
+    /** Whether an option that is null is as on a controller. */
     private boolean onTheController;
+
+    @Override
+    public Options clone() {
+      try {
+        return (Options) super.clone();
+      } catch (CloneNotSupportedException e) {
+        throw new AssertionError(e);
+      }
+    }
+  }
+
+  /** Sets the options of a configuration. Each method sets one option and returns this builder. */
+  public static final class Builder {
+    private final Options options = new Options();
 
     private Builder() {}
 
-    /**
-     * Sets the address to listen on.
-     *
-     * @param value a local address
-     * @return this
-     */
+    // where the server listens
+
+    /** Sets the address to listen on. The default is the loopback address. */
     public Builder bindAddress(InetAddress value) {
-      bindAddress = value;
+      options.bindAddress = Objects.requireNonNull(value, "bindAddress");
       return this;
     }
 
-    /**
-     * Sets the port to listen on.
-     *
-     * @param value 0 to 65535
-     * @return this
-     */
+    /** Sets the TCP port to listen on, 0 to 65535. The default 0 takes a free port. */
     public Builder port(int value) {
-      port = value;
+      options.port = range("port", value, MAX_PORT);
       return this;
     }
 
     /**
-     * Sets how a refused read is answered.
-     *
-     * @param value the way
-     * @return this
-     */
-    public Builder failedRead(FailedRead value) {
-      failedRead = value;
-      return this;
-    }
-
-    /**
-     * Sets the end of the answer to a refused write.
-     *
-     * @param value a tail of failure
-     * @return this
-     */
-    public Builder failedWriteTail(Tail value) {
-      failedWriteTail = value;
-      return this;
-    }
-
-    /**
-     * Sets whether values are trimmed.
-     *
-     * @param value true to trim
-     * @return this
-     */
-    public Builder trimValues(boolean value) {
-      trimValues = value;
-      return this;
-    }
-
-    /**
-     * Sets how many clients are served at a time.
-     *
-     * @param value 0 or more
-     * @return this
-     */
-    public Builder maxClients(int value) {
-      maxClients = value;
-      return this;
-    }
-
-    /**
-     * Sets how long a client may be silent.
-     *
-     * @param value zero or more
-     * @return this
-     */
-    public Builder idleTimeout(Duration value) {
-      idleTimeout = value;
-      return this;
-    }
-
-    /**
-     * Sets how long the text of a written aggregate may be.
-     *
-     * @param value in bytes, 0 or more
-     * @return this
-     */
-    public Builder maxAggregateLength(int value) {
-      maxAggregateLength = value;
-      return this;
-    }
-
-    /**
-     * Sets how many of the last requests are kept.
-     *
-     * @param value 0 to 10,000,000
-     * @return this
-     */
-    public Builder recordedRequests(int value) {
-      recordedRequests = value;
-      return this;
-    }
-
-    /**
-     * Sets whether a request may arrive in pieces.
-     *
-     * @param value true to put it together
-     * @return this
-     */
-    public Builder joinSplitRequests(boolean value) {
-      joinSplitRequests = value;
-      return this;
-    }
-
-    /**
-     * Sets whether clients hold up each other.
-     *
-     * @param value true for one request at a time over all clients
-     * @return this
-     */
-    public Builder oneAtATime(boolean value) {
-      oneAtATime = value;
-      return this;
-    }
-
-    /**
-     * Sets what becomes of a request that comes too early.
-     *
-     * @param value the way
-     * @return this
-     */
-    public Builder pendingRequests(PendingRequests value) {
-      pendingRequests = value;
-      return this;
-    }
-
-    /**
-     * Sets how a request of an unknown function is answered.
-     *
-     * @param value the way
-     * @return this
-     */
-    public Builder unknownFunction(UnknownFunction value) {
-      unknownFunction = value;
-      return this;
-    }
-
-    /**
-     * Sets whether {@code PING} is answered.
-     *
-     * @param value true to answer it, false to take it for a variable
-     * @return this
-     */
-    public Builder ping(boolean value) {
-      ping = value;
-      return this;
-    }
-
-    /**
-     * Sets how long the controller takes for a request.
-     *
-     * @param value the latency
-     * @return this
-     */
-    public Builder latency(Latency value) {
-      latency = value;
-      return this;
-    }
-
-    /**
-     * Switches discovery on.
-     *
-     * @param value the UDP port, 0 to 65535
-     * @return this
+     * Sets the UDP port, 0 to 65535, on which the server answers {@code WHEREAREYOU?} with {@code
+     * KUKA|MODEL|SERIAL}; 0 takes a free port. By default discovery is off. KUKAVARPROXY uses port
+     * 6999, and so does C3 Bridge in legacy mode (docs/reference/wire-format.md#discovery). MODEL
+     * is {@code $MODEL_NAME[]}, with quotes only from C3 Bridge; SERIAL is {@code $KR_SERIALNO}. A
+     * field is empty if the variable cannot be read.
      */
     public Builder discoveryPort(int value) {
-      discoveryPort = OptionalInt.of(value);
+      options.discoveryPort = OptionalInt.of(range("discoveryPort", value, MAX_PORT));
       return this;
     }
 
     /**
-     * Sets the port to which the question where controllers are is answered.
-     *
-     * @param value 0 to 65535
-     * @return this
+     * Sets the port of the sender to which discovery answers. The default is 7000, as in
+     * KUKAVARPROXY; 0 stands for the port the question came from.
      */
     public Builder discoveryReplyPort(int value) {
-      discoveryReplyPort = value;
+      options.discoveryReplyPort = range("discoveryReplyPort", value, MAX_PORT);
       return this;
     }
 
     /**
-     * Sets all that a client can notice as it is on a KR C4 with KUKAVARPROXY since 2019, or with
-     * C3 Bridge: the limits and answers, which are the defaults, in place of what was set before;
-     * and also {@link Latency#krc4}. With KUKAVARPROXY also {@link #joinSplitRequests} false and
-     * {@link #pendingRequests} {@link PendingRequests#DROP_OF_SAME_CLIENT}. Server, version,
-     * address, ports and what is recorded stay. {@link MockServer#dropCount} shows whether a client
-     * kept to the rules.
+     * Sets the UDP port, 0 to 65535, of C3 Bridge's standard discovery: it answers {@code
+     * WHEREAREYOU?} and the names of {@code @PROXY_} variables to the port they came from. 0 takes
+     * a free port. By default it is off; C3 Bridge uses port 7000.
+     */
+    public Builder standardDiscoveryPort(int value) {
+      options.standardDiscoveryPort =
+          OptionalInt.of(range("standardDiscoveryPort", value, MAX_PORT));
+      return this;
+    }
+
+    // which server it is
+
+    /** Sets the server to simulate. The default is KUKAVARPROXY. */
+    public Builder server(ServerType value) {
+      options.server = Objects.requireNonNull(value, "server");
+      return this;
+    }
+
+    /**
+     * Sets the version of C3 Bridge, 1.0 to 255.255. The default is 1.4. An older version does not
+     * know the messages that were added later (docs/reference/c3-messages.md#server-versions).
+     * Assumed: a version in which types 6 and 7 have bugs answers them with {@code NOT_IMPLEMENTED}
+     * and accesses nothing. The bugs with large files before 1.4 are not simulated.
+     */
+    public Builder version(Version value) {
+      boolean known = value.major() >= 1 && value.major() <= MAX_U8 && value.minor() <= MAX_U8;
+      check(known, "version must be 1.0 to 255.255", value);
+      options.version = value;
+      return this;
+    }
+
+    /** Sets the name of the computer that C3 Bridge runs on, at most 255 ASCII characters. */
+    public Builder computerName(String value) {
+      check(
+          value.length() <= MAX_COMPUTER_NAME && value.chars().allMatch(c -> c <= '~'),
+          "computerName must be ASCII and have at most " + MAX_COMPUTER_NAME + " characters",
+          value);
+      options.computerName = value;
+      return this;
+    }
+
+    // how it answers
+
+    /** Sets the answer to a refused read of message 0. The default is that of the server. */
+    public Builder failedRead(FailedRead value) {
+      options.failedRead = Objects.requireNonNull(value, "failedRead");
+      return this;
+    }
+
+    /**
+     * Sets the tail of the answer to a refused write, a tail of failure. KUKAVARPROXY sends it
+     * after the echoed value, by default {@code 00 01 00}; C3 Bridge after an empty value, by
+     * default {@code 00 00 00}.
+     */
+    public Builder failedWriteTail(Tail value) {
+      check(!value.success(), "failedWriteTail must say failure", value);
+      options.failedWriteTail = value;
+      return this;
+    }
+
+    /**
+     * Sets whether values are trimmed before they are sent. KUKAVARPROXY does so (the default), C3
+     * Bridge does not (docs/reference/krl-values.md#arrays).
+     */
+    public Builder trimValues(boolean value) {
+      options.trimValues = value;
+      return this;
+    }
+
+    /** Sets the answer to an unknown function number. The default is that of the server. */
+    public Builder unknownFunction(UnknownFunction value) {
+      options.unknownFunction = Objects.requireNonNull(value, "unknownFunction");
+      return this;
+    }
+
+    /**
+     * Sets whether the server answers a read of {@code PING} with {@code PONG} without asking the
+     * controller. The default is true, as in KUKAVARPROXY since 2019; before, {@code PING} was a
+     * variable like others. C3 Bridge asks the controller first.
+     */
+    public Builder ping(boolean value) {
+      options.ping = value;
+      return this;
+    }
+
+    // what it allows
+
+    /**
+     * Sets the number of clients that are served at a time, 0 for no limit. The server closes one
+     * more at once. The default is 10, as in KUKAVARPROXY, and 0 with C3 Bridge.
+     */
+    public Builder maxClients(int value) {
+      options.maxClients = range("maxClients", value, Integer.MAX_VALUE);
+      return this;
+    }
+
+    /**
+     * Sets the time without a request after which a client is disconnected, at most 24 days. The
+     * default is 30 s, as in KUKAVARPROXY, and zero with C3 Bridge, which stands for no limit.
+     */
+    public Builder idleTimeout(Duration value) {
+      check(
+          !value.isNegative() && value.toSeconds() <= Integer.MAX_VALUE / 1000,
+          "idleTimeout must be 0 to 24 days",
+          value);
+      options.idleTimeout = value;
+      return this;
+    }
+
+    /**
+     * Sets the longest text of an aggregate that can be written, in bytes. The default is 255
+     * (docs/reference/krl-values.md#lengths; assumed for C3 Bridge); 0 stands for no limit.
+     */
+    public Builder maxAggregateLength(int value) {
+      options.maxAggregateLength = range("maxAggregateLength", value, Integer.MAX_VALUE);
+      return this;
+    }
+
+    /** Sets the number of requests that are kept, 0 to 10,000,000. The default is 10,000. */
+    public Builder recordedRequests(int value) {
+      options.recordedRequests = range("recordedRequests", value, MAX_RECORDED);
+      return this;
+    }
+
+    // when it answers
+
+    /** Sets the time that the controller takes for a request. The default is no time. */
+    public Builder latency(Latency value) {
+      options.latency = Objects.requireNonNull(value, "latency");
+      return this;
+    }
+
+    /**
+     * Sets whether the latency of a request delays all clients, as on the controller (the default),
+     * or only the client that sent it.
+     */
+    public Builder oneAtATime(boolean value) {
+      options.oneAtATime = value;
+      return this;
+    }
+
+    /**
+     * Sets the treatment of a request that arrives while another is served; it waits by default.
+     */
+    public Builder pendingRequests(PendingRequests value) {
+      options.pendingRequests = Objects.requireNonNull(value, "pendingRequests");
+      return this;
+    }
+
+    /**
+     * Sets whether the server joins the pieces of a request, as C3 Bridge does (the default).
+     * KUKAVARPROXY reads at most 2048 bytes at a time, answers the whole requests in them in turn,
+     * and drops the rest without an answer (docs/reference/kukavarproxy.md#pieces-of-requests).
+     * Assumed: it takes the next bytes it reads for the start of a request.
+     */
+    public Builder joinSplitRequests(boolean value) {
+      options.joinSplitRequests = value;
+      return this;
+    }
+
+    // the controller
+
+    /** Sets the clock of {@link MockServer#controller}. The default is real time. */
+    public Builder clock(SimulationClock value) {
+      options.clock = Objects.requireNonNull(value, "clock");
+      return this;
+    }
+
+    /** Sets the robot that the controller moves. The default is a KR 6 R900 sixx. */
+    public Builder robot(RobotModel value) {
+      options.robot = Objects.requireNonNull(value, "robot");
+      return this;
+    }
+
+    /** Sets the files that C3 Bridge serves. By default each server has its own in memory. */
+    public Builder files(FileTree value) {
+      options.files = Optional.of(value);
+      return this;
+    }
+
+    /**
+     * Resets everything a client can notice to the behaviour of a KR C4 with KUKAVARPROXY since
+     * 2019, or with C3 Bridge: the defaults, and {@link Latency#krc4}. With KUKAVARPROXY, {@link
+     * #joinSplitRequests} becomes false and {@link #pendingRequests} becomes {@link
+     * PendingRequests#DROP_OF_SAME_CLIENT}. Server, version, address, ports and the number of
+     * recorded requests stay. {@link MockServer#dropCount} shows whether a client kept the rules.
      *
      * @param seed the seed of the latency
-     * @return this
      */
     public Builder asOnTheController(long seed) {
-      failedRead = null;
-      failedWriteTail = null;
-      trimValues = null;
-      maxClients = null;
-      idleTimeout = null;
-      unknownFunction = null;
-      joinSplitRequests = null;
-      pendingRequests = null;
-      onTheController = true;
+      options.failedRead = null;
+      options.failedWriteTail = null;
+      options.trimValues = null;
+      options.maxClients = null;
+      options.idleTimeout = null;
+      options.unknownFunction = null;
+      options.joinSplitRequests = null;
+      options.pendingRequests = null;
+      options.onTheController = true;
       return maxAggregateLength(MAX_AGGREGATE)
           .ping(true)
           .oneAtATime(true)
           .latency(Latency.krc4(seed));
-    }
-
-    /**
-     * Sets how the time of the controller passes.
-     *
-     * @param value the clock
-     * @return this
-     */
-    public Builder clock(SimulationClock value) {
-      clock = value;
-      return this;
-    }
-
-    /**
-     * Sets the robot that the controller moves.
-     *
-     * @param value the robot
-     * @return this
-     */
-    public Builder robot(RobotModel value) {
-      robot = value;
-      return this;
-    }
-
-    /**
-     * Sets which server it is.
-     *
-     * @param value the server
-     * @return this
-     */
-    public Builder server(ServerType value) {
-      server = value;
-      return this;
-    }
-
-    /**
-     * Sets the version of C3 Bridge.
-     *
-     * @param value 1.0 or later
-     * @return this
-     */
-    public Builder version(Version value) {
-      version = value;
-      return this;
-    }
-
-    /**
-     * Sets what C3 Bridge calls its computer.
-     *
-     * @param value a name of at most 255 ASCII characters
-     * @return this
-     */
-    public Builder computerName(String value) {
-      computerName = value;
-      return this;
-    }
-
-    /**
-     * Switches the standard mode of C3 Bridge's discovery on.
-     *
-     * @param value the UDP port, 0 to 65535
-     * @return this
-     */
-    public Builder standardDiscoveryPort(int value) {
-      standardDiscoveryPort = OptionalInt.of(value);
-      return this;
-    }
-
-    /**
-     * Sets the files that clients of C3 Bridge reach.
-     *
-     * @param value a tree, which several servers may share
-     * @return this
-     */
-    public Builder files(FileTree value) {
-      files = Optional.of(value);
-      return this;
-    }
-
-    private static <T> T or(@Nullable T value, T otherwise) {
-      return value == null ? otherwise : value;
-    }
-
-    private MockServerConfig build() {
-      boolean c3 = server == ServerType.C3_BRIDGE;
-      boolean lossy = onTheController && !c3;
-      return new MockServerConfig(
-          bindAddress,
-          port,
-          or(failedRead, c3 ? FailedRead.FAILURE_ZERO : FailedRead.EMPTY_SUCCESS),
-          or(failedWriteTail, c3 ? Tail.FAILURE_ZERO : Tail.FAILURE),
-          or(trimValues, !c3),
-          or(maxClients, c3 ? 0 : MAX_CLIENTS),
-          or(idleTimeout, c3 ? Duration.ZERO : IDLE_TIMEOUT),
-          maxAggregateLength,
-          recordedRequests,
-          or(joinSplitRequests, !lossy),
-          oneAtATime,
-          or(pendingRequests, lossy ? PendingRequests.DROP_OF_SAME_CLIENT : PendingRequests.WAIT),
-          or(unknownFunction, c3 ? UnknownFunction.CLOSE : UnknownFunction.EMPTY_ANSWER),
-          ping,
-          latency,
-          discoveryPort,
-          discoveryReplyPort,
-          clock,
-          robot,
-          server,
-          version,
-          computerName,
-          standardDiscoveryPort,
-          files);
     }
   }
 }

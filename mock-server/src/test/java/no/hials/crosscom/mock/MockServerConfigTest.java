@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.InetAddress;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
@@ -25,11 +26,39 @@ class MockServerConfigTest {
         .hasMessageContaining(message);
   }
 
+  private static List<Object> options(MockServerConfig config) {
+    return List.of(
+        config.bindAddress(),
+        config.port(),
+        config.failedRead(),
+        config.failedWriteTail(),
+        config.trimValues(),
+        config.maxClients(),
+        config.idleTimeout(),
+        config.maxAggregateLength(),
+        config.recordedRequests(),
+        config.joinSplitRequests(),
+        config.oneAtATime(),
+        config.pendingRequests(),
+        config.unknownFunction(),
+        config.ping(),
+        config.latency(),
+        config.discoveryPort(),
+        config.discoveryReplyPort(),
+        config.clock(),
+        config.robot(),
+        config.server(),
+        config.version(),
+        config.computerName(),
+        config.standardDiscoveryPort(),
+        config.files());
+  }
+
   @Test
   void behavesAsKukavarproxyByDefault() {
-    assertThat(MockServerConfig.create(cfg -> {}))
+    assertThat(options(MockServerConfig.create(cfg -> {})))
         .isEqualTo(
-            new MockServerConfig(
+            List.of(
                 InetAddress.getLoopbackAddress(),
                 0,
                 FailedRead.EMPTY_SUCCESS,
@@ -64,34 +93,35 @@ class MockServerConfigTest {
         RobotModel.kr6r900sixx()
             .withLimits(Axes.of(-9, -9, -9, -9, -9, -9), Axes.of(9, 9, 9, 9, 9, 9));
     assertThat(
-            MockServerConfig.create(
-                cfg ->
-                    cfg.bindAddress(any)
-                        .port(65_535)
-                        .failedRead(FailedRead.FAILURE)
-                        .failedWriteTail(Tail.FAILURE_ZERO)
-                        .trimValues(false)
-                        .maxClients(0)
-                        .idleTimeout(Duration.ZERO)
-                        .maxAggregateLength(0)
-                        .recordedRequests(0)
-                        .joinSplitRequests(false)
-                        .oneAtATime(false)
-                        .pendingRequests(PendingRequests.DROP_OF_SAME_CLIENT)
-                        .unknownFunction(UnknownFunction.CLOSE)
-                        .ping(false)
-                        .latency(Latency.krc4(1))
-                        .discoveryPort(65_535)
-                        .discoveryReplyPort(0)
-                        .clock(SimulationClock.stepped())
-                        .robot(otherLimits)
-                        .server(ServerType.C3_BRIDGE)
-                        .version(new Version(1, 1, 2))
-                        .computerName("VM")
-                        .standardDiscoveryPort(1)
-                        .files(files)))
+            options(
+                MockServerConfig.create(
+                    cfg ->
+                        cfg.bindAddress(any)
+                            .port(65_535)
+                            .failedRead(FailedRead.FAILURE)
+                            .failedWriteTail(Tail.FAILURE_ZERO)
+                            .trimValues(false)
+                            .maxClients(0)
+                            .idleTimeout(Duration.ZERO)
+                            .maxAggregateLength(0)
+                            .recordedRequests(0)
+                            .joinSplitRequests(false)
+                            .oneAtATime(false)
+                            .pendingRequests(PendingRequests.DROP_OF_SAME_CLIENT)
+                            .unknownFunction(UnknownFunction.CLOSE)
+                            .ping(false)
+                            .latency(Latency.krc4(1))
+                            .discoveryPort(65_535)
+                            .discoveryReplyPort(0)
+                            .clock(SimulationClock.stepped())
+                            .robot(otherLimits)
+                            .server(ServerType.C3_BRIDGE)
+                            .version(new Version(1, 1, 2))
+                            .computerName("VM")
+                            .standardDiscoveryPort(1)
+                            .files(files))))
         .isEqualTo(
-            new MockServerConfig(
+            List.of(
                 any,
                 65_535,
                 FailedRead.FAILURE,
@@ -138,9 +168,9 @@ class MockServerConfigTest {
                     .discoveryReplyPort(8)
                     .clock(SimulationClock.stepped())
                     .asOnTheController(9));
-    assertThat(config)
+    assertThat(options(config))
         .isEqualTo(
-            new MockServerConfig(
+            List.of(
                 InetAddress.getLoopbackAddress(),
                 5,
                 FailedRead.EMPTY_SUCCESS,
@@ -169,8 +199,8 @@ class MockServerConfigTest {
 
   @Test
   void behavesAsC3BridgeInAnyOrder() {
-    MockServerConfig expected =
-        new MockServerConfig(
+    List<Object> expected =
+        List.of(
             InetAddress.getLoopbackAddress(),
             0,
             FailedRead.FAILURE_ZERO,
@@ -196,12 +226,15 @@ class MockServerConfigTest {
             OptionalInt.empty(),
             Optional.empty());
     assertThat(
-            MockServerConfig.create(
-                cfg -> cfg.maxClients(3).server(ServerType.C3_BRIDGE).asOnTheController(3)))
+            options(
+                MockServerConfig.create(
+                    cfg -> cfg.maxClients(3).server(ServerType.C3_BRIDGE).asOnTheController(3))))
         .isEqualTo(expected);
     assertThat(
-            MockServerConfig.create(
-                cfg -> cfg.asOnTheController(3).server(ServerType.C3_BRIDGE).trimValues(false)))
+            options(
+                MockServerConfig.create(
+                    cfg ->
+                        cfg.asOnTheController(3).server(ServerType.C3_BRIDGE).trimValues(false))))
         .isEqualTo(expected);
   }
 

@@ -76,7 +76,7 @@ class KukaControllerTest {
   void startsWithTheDefaultsUnlessToldOtherwise(@KukaController MockServer server)
       throws IOException {
     try (MockServer plain = MockServer.start()) {
-      assertThat(server.config()).isEqualTo(plain.config());
+      assertThat(server.config()).usingRecursiveComparison().isEqualTo(plain.config());
     }
   }
 

@@ -56,11 +56,11 @@ final class AdvanceRun {
 
   private final SystemVariableAccess access;
   private final RobotModel robot;
-  private final MotionResolver planner;
+  private final MotionResolver resolver;
   private final Triggers triggers;
   private final Listener listener;
   private RobotModel model;
-  private Interpolator motion;
+  private Interpolator interpolator;
 
   /** Motions that were handed over and have not ended. */
   private Map<Long, MotionOrder> orders = new HashMap<>();
@@ -80,17 +80,17 @@ final class AdvanceRun {
     this.listener = listener;
     model = robot;
     Axes start = access.position(SystemVariableAccess.path("$AXIS_ACT"), robot.home());
-    planner = new MotionResolver(access, robot, start);
-    motion = new Interpolator(robot, start);
+    resolver = new MotionResolver(access, robot, start);
+    interpolator = new Interpolator(robot, start);
     readLimits();
   }
 
-  Interpolator system() {
-    return motion;
+  Interpolator interpolator() {
+    return interpolator;
   }
 
-  MotionResolver planner() {
-    return planner;
+  MotionResolver resolver() {
+    return resolver;
   }
 
   RobotModel model() {
@@ -116,8 +116,8 @@ final class AdvanceRun {
       log.debug("the software limits stay as they were: {}", e.getMessage());
       return;
     }
-    planner.robot(model);
-    motion.robot(model);
+    resolver.robot(model);
+    interpolator.robot(model);
   }
 
   private static boolean isOf(RobotModel model, Axes low, Axes high) {
@@ -143,17 +143,17 @@ final class AdvanceRun {
     readLimits();
     MotionCommand planned;
     try {
-      planned = planner.plan(order);
-      motion.add(planned);
+      planned = resolver.plan(order);
+      interpolator.add(planned);
     } catch (MotionRefusedException e) {
       throw new KrlExecutionException(number(e.problem()), e.problem().message());
     } catch (IllegalArgumentException e) {
       // numbers with which nothing can be computed, such as a target of 1E38 mm
       throw new KrlExecutionException(MessageWindow.BAD_MOTION, String.valueOf(e.getMessage()));
     }
-    planner.startAt(motion.plannedEnd());
+    resolver.startAt(interpolator.plannedEnd());
     orders.put(planned.id(), order);
-    bases.put(planned.id(), planner.base());
+    bases.put(planned.id(), resolver.base());
     triggers.add(planned, order.triggers());
   }
 
@@ -170,7 +170,7 @@ final class AdvanceRun {
   }
 
   int ahead() {
-    int ahead = motion.planned();
+    int ahead = interpolator.planned();
     for (Step step : waiting) {
       ahead += step instanceof Begin ? 1 : 0;
     }
@@ -178,7 +178,7 @@ final class AdvanceRun {
   }
 
   boolean finished() {
-    return waiting.isEmpty() && motion.finished();
+    return waiting.isEmpty() && interpolator.finished();
   }
 
   /** Says whether nothing is put aside either. */
@@ -188,17 +188,17 @@ final class AdvanceRun {
 
   void hold(boolean maximum) {
     waiting.add(new PutAside());
-    motion.brake(maximum);
+    interpolator.brake(maximum);
   }
 
   void release() {
     // nothing is there to go on with if somebody has placed the robot in the meantime
     if (!aside.isEmpty()) {
       Aside last = aside.pop();
-      motion.resume(last.plan(), planner.axisRates());
+      interpolator.resume(last.plan(), resolver.axisRates());
       orders = last.orders();
     }
-    planner.startAt(motion.plannedEnd());
+    resolver.startAt(interpolator.plannedEnd());
   }
 
   void discard(int holds) {
@@ -215,7 +215,7 @@ final class AdvanceRun {
     if (waiting.stream().noneMatch(step -> step instanceof PutAside)) {
       waiting.add(new Forget());
       orders.clear();
-      motion.cancel();
+      interpolator.cancel();
     }
     triggers.retain(kept());
   }
@@ -241,15 +241,15 @@ final class AdvanceRun {
     orders.clear();
     triggers.clear();
     waiting.add(new Forget());
-    motion.cancel();
+    interpolator.cancel();
     settle(false);
   }
 
   /** Puts the robot somewhere, at once. */
   void place(Axes axes) {
-    motion = new Interpolator(model, axes);
+    interpolator = new Interpolator(model, axes);
     discardAll();
-    listener.started(axes, axes, planner.base(), planner.tool());
+    listener.started(axes, axes, resolver.base(), resolver.tool());
   }
 
   /**
@@ -258,7 +258,7 @@ final class AdvanceRun {
    * @param active whether the program runs; motions are planned only then
    */
   void settle(boolean active) {
-    while (!waiting.isEmpty() && motion.standing()) {
+    while (!waiting.isEmpty() && interpolator.standing()) {
       if (waiting.element() instanceof Begin && !active) {
         return;
       }
@@ -270,11 +270,11 @@ final class AdvanceRun {
         continue;
       }
       if (step instanceof PutAside) {
-        aside.push(new Aside(motion.suspend(), orders));
+        aside.push(new Aside(interpolator.suspend(), orders));
         orders = new HashMap<>();
-        listener.leftPath(motion.axes());
+        listener.leftPath(interpolator.axes());
       }
-      planner.startAt(motion.axes());
+      resolver.startAt(interpolator.axes());
     }
   }
 
@@ -290,13 +290,13 @@ final class AdvanceRun {
 
   /** Lets the robot move for a cycle. */
   void cycle(long time, double override, boolean released, SpeedLimit speedLimit) {
-    for (MotionEvent event : motion.cycle(override, released, speedLimit)) {
+    for (MotionEvent event : interpolator.cycle(override, released, speedLimit)) {
       MotionCommand of = event.motion();
       if (event instanceof MotionEvent.Started) {
         listener.started(
-            motion.currentStart(),
-            motion.currentEnd(),
-            bases.getOrDefault(of.id(), planner.base()),
+            interpolator.currentStart(),
+            interpolator.currentEnd(),
+            bases.getOrDefault(of.id(), resolver.base()),
             of.tool());
         triggers.started(of, time);
       } else if (event instanceof MotionEvent.Passed) {
@@ -311,9 +311,9 @@ final class AdvanceRun {
     }
     triggers.cycle(
         time,
-        motion.current().map(MotionCommand::id).orElse(0L),
-        motion.distanceToEnd(),
-        motion.pathVelocity(),
+        interpolator.current().map(MotionCommand::id).orElse(0L),
+        interpolator.distanceToEnd(),
+        interpolator.pathVelocity(),
         Interpolator.CYCLE);
   }
 
@@ -333,7 +333,7 @@ final class AdvanceRun {
     behind.forEach(next -> waiting.addFirst(new Begin(next)));
     orders.clear();
     triggers.retain(kept());
-    planner.startAt(motion.axes());
+    resolver.startAt(interpolator.axes());
     listener.failed(number(fault.problem()), where + fault.problem().message());
   }
 }

@@ -4,8 +4,6 @@ import java.time.Duration;
 import java.time.LocalDateTime;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.Set;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
@@ -13,27 +11,21 @@ import java.util.function.Supplier;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.OperatingMode;
-import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.Message;
 import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.internal.data.Scope;
-import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.motion.Interpolator;
-import no.hials.crosscom.simulator.internal.motion.PointToPoint;
-import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import no.hials.crosscom.simulator.internal.program.LinkException;
-import no.hials.crosscom.simulator.internal.program.MotionOrder;
-import no.hials.crosscom.simulator.internal.program.ProgramEnvironment;
 import no.hials.crosscom.simulator.internal.program.ProgramLibrary;
+import no.hials.crosscom.simulator.internal.program.TriggerOrder;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -55,45 +47,20 @@ public final class ControllerCore {
 
   private static final int SUBMIT_INSTRUCTIONS = 500;
 
-  private static final double PERCENT = 100;
-  private static final VariablePath OV_PRO = SystemVariableAccess.path("$OV_PRO");
-  private static final VariablePath OV_JOG = SystemVariableAccess.path("$OV_JOG");
-  private static final VariablePath ADVANCE = SystemVariableAccess.path("$ADVANCE");
-  private static final VariablePath RED_T1 = SystemVariableAccess.path("$RED_T1");
-  private static final VariablePath VEL_CP_T1 = SystemVariableAccess.path("$VEL_CP_T1");
-  private static final int MAX_ADVANCE = 5;
-
-  private static final VariablePath VEL_LIMIT_T1 =
-      SystemVariableAccess.path("$SPEED_LIMIT_TEACH_MODE");
-  private static final VariablePath T2_OV_REDUCE = SystemVariableAccess.path("$T2_OV_REDUCE");
-
-  /** krl.md 2.2: the override falls to 10 % on entry to T2. */
-  private static final int OVERRIDE_IN_T2 = 10;
-
   /** Fair, so that a clock without a limit lets others in between its cycles. */
   private final ReentrantLock lock = new ReentrantLock(true);
 
-  private final SystemVariableAccess access;
   private final ProgramLibrary library;
   private final KrlInterpreter robot;
   private final KrlInterpreter submit;
-  private final MessageWindow messages = new MessageWindow();
+  private final OperatorPanel panel;
+  private final ManualMotion manual;
+  private final SpeedReduction speed;
   private final Timers timers;
   private final AdvanceRun motions;
   private final SystemVariables variables;
   private volatile long time;
   private volatile boolean closed;
-  private OperatingMode mode = OperatingMode.T1;
-  private boolean emergency;
-
-  /** What moves the robot while no program is active. */
-  private Manual manual = Manual.NOTHING;
-
-  private enum Manual {
-    NOTHING,
-    MOTION,
-    JOG
-  }
 
   /** The simulation's own error after which nothing moves any more. */
   private @Nullable RuntimeException failure;
@@ -107,13 +74,20 @@ public final class ControllerCore {
    * @param begin what {@code $DATE} shows at first
    */
   public ControllerCore(Scope globals, RobotModel model, LocalDateTime begin) {
-    access = new SystemVariableAccess(globals);
+    SystemVariableAccess access = new SystemVariableAccess(globals);
     library = new ProgramLibrary(globals, SystemVariables::stopsAdvanceRun);
-    robot = new KrlInterpreter(Interpreter.ROBOT, new RobotEnvironment());
-    submit = new KrlInterpreter(Interpreter.SUBMIT, new SubmitEnvironment());
     timers = new Timers(access);
-    Triggers triggers = new Triggers(robot::fire);
-    motions = new AdvanceRun(access, model, triggers, new MotionListener());
+    panel = new OperatorPanel(access, this::time);
+    motions = new AdvanceRun(access, model, new Triggers(this::fire), new MotionListener());
+    robot =
+        new KrlInterpreter(
+            Interpreter.ROBOT,
+            new RobotEnvironment(access, this::time, timers, motions, this::failed));
+    submit =
+        new KrlInterpreter(
+            Interpreter.SUBMIT, new SubmitEnvironment(this::time, timers, motions, this::failed));
+    manual = new ManualMotion(robot, motions, panel);
+    speed = new SpeedReduction(access, motions, panel, manual);
     variables = new SystemVariables(globals, access, model, robot, submit, state());
     publish();
     variables.bind(() -> time, begin);
@@ -177,7 +151,7 @@ public final class ControllerCore {
     }
   }
 
-  private static void requireIdle(KrlInterpreter interpreter, String what) {
+  static void requireIdle(KrlInterpreter interpreter, String what) {
     if (interpreter.state() == ProgramState.ACTIVE) {
       throw new IllegalStateException(what + ": a program is active, stop it first");
     }
@@ -207,19 +181,9 @@ public final class ControllerCore {
     }
     requireIdle(interpreter, "start");
     if (kind == Interpreter.ROBOT) {
-      if (external != (mode == OperatingMode.EXT)) {
-        throw new IllegalStateException(
-            external
-                ? "start: the external start works in EXT only, the mode is " + mode
-                : "start: in EXT only the external start works");
-      }
-      if (emergency) {
-        throw new IllegalStateException("start: the emergency stop is pressed");
-      }
-      if (messages.stop()) {
-        throw new IllegalStateException("start: a message has to be confirmed first");
-      }
-      if (manual != Manual.NOTHING) {
+      panel.requireStart(external);
+      panel.requireReleased("start");
+      if (manual.active()) {
         throw new IllegalStateException("start: the robot is moved without a program");
       }
     }
@@ -236,7 +200,7 @@ public final class ControllerCore {
         () -> {
           interpreter(kind).stop();
           if (kind == Interpreter.ROBOT) {
-            endManual();
+            manual.end();
           }
         });
   }
@@ -313,7 +277,7 @@ public final class ControllerCore {
    * @return the mode
    */
   public OperatingMode mode() {
-    return locked(() -> mode);
+    return locked(panel::mode);
   }
 
   /**
@@ -322,25 +286,7 @@ public final class ControllerCore {
    * @param newMode the mode
    */
   public void setMode(OperatingMode newMode) {
-    change(
-        () -> {
-          if (newMode == mode) {
-            return;
-          }
-          if (robot.stop()) {
-            messages.add(
-                Message.Kind.NOTIFICATION,
-                MessageWindow.MODE_CHANGED,
-                "the operating mode was changed from " + mode + " to " + newMode,
-                time);
-          }
-          endManual();
-          mode = newMode;
-          if (mode == OperatingMode.T2 && access.bool(T2_OV_REDUCE, false)) {
-            int reduced = (int) Math.min(OVERRIDE_IN_T2, access.number(OV_PRO, PERCENT));
-            access.write(OV_PRO, new KrlInt(reduced));
-          }
-        });
+    change(() -> panel.setMode(newMode, this::stopRobot));
   }
 
   /**
@@ -349,16 +295,13 @@ public final class ControllerCore {
    * @param pressed whether it is pressed
    */
   public void emergencyStop(boolean pressed) {
-    change(
-        () -> {
-          if (pressed && !emergency) {
-            robot.stop();
-            endManual();
-            messages.add(
-                Message.Kind.ACKNOWLEDGEMENT, MessageWindow.EMERGENCY_STOP, "emergency stop", time);
-          }
-          emergency = pressed;
-        });
+    change(() -> panel.emergencyStop(pressed, this::stopRobot));
+  }
+
+  private boolean stopRobot() {
+    boolean running = robot.stop();
+    manual.end();
+    return running;
   }
 
   /**
@@ -367,7 +310,7 @@ public final class ControllerCore {
    * @return the last 1000, the oldest first
    */
   public List<Message> messages() {
-    return locked(messages::list);
+    return locked(panel::messages);
   }
 
   /**
@@ -378,7 +321,7 @@ public final class ControllerCore {
   public int confirmAll() {
     return locked(
         () -> {
-          int confirmed = messages.confirm();
+          int confirmed = panel.confirmAll();
           publish();
           return confirmed;
         });
@@ -412,7 +355,7 @@ public final class ControllerCore {
    * @return the commanded axis angles
    */
   public Axes axes() {
-    return locked(() -> motions.system().axes());
+    return locked(() -> motions.interpolator().axes());
   }
 
   /**
@@ -421,7 +364,7 @@ public final class ControllerCore {
    * @return whether no axis moves
    */
   public boolean standing() {
-    return locked(() -> motions.system().standing());
+    return locked(() -> motions.interpolator().standing());
   }
 
   /**
@@ -456,8 +399,8 @@ public final class ControllerCore {
         () ->
             robot.state() == ProgramState.ACTIVE
                 || submit.state() == ProgramState.ACTIVE
-                || manual != Manual.NOTHING
-                || !motions.system().standing());
+                || manual.active()
+                || !motions.interpolator().standing());
   }
 
   /**
@@ -502,11 +445,8 @@ public final class ControllerCore {
   public void move(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     lock.lock();
     try {
-      requireReleased("move");
-      if (manual == Manual.JOG) {
-        throw new IllegalStateException("move: a jog key is pressed");
-      }
-      moveLocked(Manual.MOTION, kind, target);
+      manual.move(kind, target);
+      publish();
     } finally {
       lock.unlock();
     }
@@ -524,12 +464,8 @@ public final class ControllerCore {
   public void jog(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     lock.lock();
     try {
-      requireReleased("jog");
-      if (!mode.manual()) {
-        throw new IllegalStateException("jog: the operating mode must be T1 or T2, is " + mode);
-      }
-      endManual();
-      moveLocked(Manual.JOG, kind, target);
+      manual.jog(kind, target);
+      publish();
     } finally {
       lock.unlock();
     }
@@ -539,51 +475,10 @@ public final class ControllerCore {
   public void releaseJog() {
     change(
         () -> {
-          if (manual == Manual.JOG) {
-            endManual();
+          if (manual.jogging()) {
+            manual.end();
           }
         });
-  }
-
-  private void moveLocked(Manual why, MotionKind kind, KrlStruct target)
-      throws KrlExecutionException {
-    MotionOrder order =
-        new MotionOrder(
-            kind,
-            null,
-            target,
-            OptionalDouble.empty(),
-            Set.of(),
-            null,
-            "",
-            "",
-            new Position(kind.name(), 1, 1),
-            List.of());
-    motions.move(order);
-    manual = why;
-    publish();
-  }
-
-  private void requireReleased(String what) {
-    requireIdle(robot, what);
-    if (emergency) {
-      throw new IllegalStateException(what + ": the emergency stop is pressed");
-    }
-    if (messages.stop()) {
-      throw new IllegalStateException(what + ": a message has to be confirmed first");
-    }
-    boolean within = !motions.idle();
-    if (robot.state() == ProgramState.STOP && manual == Manual.NOTHING && within) {
-      throw new IllegalStateException(
-          what + ": a program is stopped within a motion, reset or cancel it first");
-    }
-  }
-
-  private void endManual() {
-    if (manual != Manual.NOTHING) {
-      motions.discardAll();
-      manual = Manual.NOTHING;
-    }
   }
 
   // the cycle
@@ -595,12 +490,10 @@ public final class ControllerCore {
       advanceTime();
       timers.advance(time, CYCLE_MILLIS);
       submit.run(SUBMIT_INSTRUCTIONS);
-      motions.settle(robot.state() == ProgramState.ACTIVE || manual != Manual.NOTHING);
+      motions.settle(robot.state() == ProgramState.ACTIVE || manual.active());
       robot.run(ROBOT_INSTRUCTIONS);
-      motions.cycle(time, override(), released(), speedLimit());
-      if (motions.finished()) {
-        manual = Manual.NOTHING;
-      }
+      motions.cycle(time, speed.override(), released(), speed.limit());
+      manual.cycle();
       publish();
     } catch (RuntimeException e) {
       fail(e);
@@ -627,38 +520,22 @@ public final class ControllerCore {
   }
 
   private boolean released() {
-    return !emergency && (robot.state() == ProgramState.ACTIVE || manual != Manual.NOTHING);
-  }
-
-  private double override() {
-    VariablePath set = manual == Manual.JOG ? OV_JOG : OV_PRO;
-    double program = Math.max(0, Math.min(1, access.number(set, PERCENT) / PERCENT));
-    boolean reduced = mode == OperatingMode.T1 && isPointToPoint();
-    // krl.md 2.2: the reduction of PTP motions in T1
-    return reduced ? program * Math.min(1, access.number(RED_T1, PERCENT) / PERCENT) : program;
-  }
-
-  private boolean isPointToPoint() {
-    return motions.system().current().map(current -> current instanceof PointToPoint).orElse(true);
-  }
-
-  /** krl.md 2.2: the limits of T1 for TCP and flange, and on a path for the axes, too. */
-  private SpeedLimit speedLimit() {
-    if (mode != OperatingMode.T1) {
-      return SpeedLimit.NONE;
-    }
-    double most = access.number(VEL_LIMIT_T1, Double.POSITIVE_INFINITY);
-    if (isPointToPoint()) {
-      return new SpeedLimit(most, SpeedLimit.NONE.axes());
-    }
-    return new SpeedLimit(
-        Math.min(most, access.number(VEL_CP_T1, most)), access.axes("$VEL_CPT1_MA", PERCENT));
+    return !panel.emergency() && (robot.state() == ProgramState.ACTIVE || manual.active());
   }
 
   private void stopFor(int number, String text) {
     robot.stop();
-    messages.add(Message.Kind.ACKNOWLEDGEMENT, number, text, time);
+    panel.show(Message.Kind.ACKNOWLEDGEMENT, number, text);
     variables.error(number, Interpreter.ROBOT);
+  }
+
+  private void failed(Interpreter kind, KrlExecutionException fault, Position position) {
+    panel.show(Message.Kind.ACKNOWLEDGEMENT, fault.number(), position + ": " + fault.getMessage());
+    variables.error(fault.number(), kind);
+  }
+
+  private void fire(TriggerOrder order) {
+    robot.fire(order);
   }
 
   private void publish() {
@@ -666,7 +543,7 @@ public final class ControllerCore {
   }
 
   private SystemVariables.State state() {
-    Interpolator motion = motions.system();
+    Interpolator motion = motions.interpolator();
     return new SystemVariables.State(
         motion.axes(),
         motion.axisVelocity(),
@@ -674,9 +551,9 @@ public final class ControllerCore {
         motion.standing(),
         motion.planned(),
         motion.distanceToEnd(),
-        mode,
-        emergency,
-        messages.stop(),
+        panel.mode(),
+        panel.emergency(),
+        panel.stopMessage(),
         motions.idle());
   }
 
@@ -684,8 +561,8 @@ public final class ControllerCore {
   private final class MotionListener implements AdvanceRun.Listener {
     @Override
     public void failed(int number, String text) {
-      boolean jogged = manual == Manual.JOG;
-      endManual();
+      boolean jogged = manual.jogging();
+      manual.end();
       // who jogs to the end of the reach sees that the robot stands
       if (!jogged) {
         stopFor(number, text);
@@ -701,146 +578,5 @@ public final class ControllerCore {
     public void leftPath(Axes axes) {
       variables.leftPath(axes);
     }
-  }
-
-  // what the interpreters ask for
-
-  /** What both interpreters ask for. */
-  private abstract class CommonEnvironment implements ProgramEnvironment {
-    @Override
-    public long time() {
-      return time;
-    }
-
-    abstract Interpreter kind();
-
-    @Override
-    public void pulse(int output, boolean level, double seconds) throws KrlExecutionException {
-      if (!(seconds > 0)) {
-        throw new KrlExecutionException(
-            KrlExecutionException.OUT_OF_RANGE,
-            "a pulse takes more than 0 s, was given " + seconds);
-      }
-      if (!timers.pulse(output, level, time + Math.round(seconds * 1000))) {
-        throw new KrlExecutionException(
-            KrlExecutionException.BAD_INDEX, "there is no $OUT[" + output + "]");
-      }
-    }
-
-    @Override
-    public Optional<KrlStruct> forward(KrlStruct axes) {
-      Axes position = PositionValues.toAxes(axes, motions.system().axes());
-      Frame tcp =
-          motions
-              .planner()
-              .base()
-              .inverse()
-              .times(motions.model().forward(position))
-              .times(motions.planner().tool());
-      return Optional.of(
-          PositionValues.e6Pos(
-              tcp, motions.model().status(position), motions.model().turn(position)));
-    }
-
-    @Override
-    public Optional<KrlStruct> inverse(KrlStruct position, KrlStruct start) {
-      try {
-        return Optional.of(
-            PositionValues.e6Axis(
-                motions
-                    .planner()
-                    .inverse(position, PositionValues.toAxes(start, motions.system().axes()))));
-      } catch (UnreachableException e) {
-        return Optional.empty();
-      }
-    }
-
-    @Override
-    public void fault(KrlExecutionException fault, Position position) {
-      messages.add(
-          Message.Kind.ACKNOWLEDGEMENT, fault.number(), position + ": " + fault.getMessage(), time);
-      variables.error(fault.number(), kind());
-    }
-  }
-
-  /** The robot interpreter's. */
-  private final class RobotEnvironment extends CommonEnvironment {
-    @Override
-    public int advance() {
-      return (int) Math.max(0, Math.min(MAX_ADVANCE, access.number(ADVANCE, 0)));
-    }
-
-    @Override
-    Interpreter kind() {
-      return Interpreter.ROBOT;
-    }
-
-    @Override
-    public int motionsAhead() {
-      return motions.ahead();
-    }
-
-    @Override
-    public boolean motionFinished() {
-      return motions.finished();
-    }
-
-    @Override
-    public void move(MotionOrder order) throws KrlExecutionException {
-      motions.move(order);
-    }
-
-    @Override
-    public void holdMotion(boolean maximum) {
-      motions.hold(maximum);
-    }
-
-    @Override
-    public void releaseMotion() {
-      motions.release();
-    }
-
-    @Override
-    public void discardMotion(int holds) {
-      motions.discard(holds);
-    }
-  }
-
-  /** The submit interpreter's, which moves nothing. */
-  private final class SubmitEnvironment extends CommonEnvironment {
-    @Override
-    Interpreter kind() {
-      return Interpreter.SUBMIT;
-    }
-
-    @Override
-    public int advance() {
-      return 0;
-    }
-
-    @Override
-    public int motionsAhead() {
-      return 0;
-    }
-
-    @Override
-    public boolean motionFinished() {
-      return true;
-    }
-
-    @Override
-    public void move(MotionOrder order) throws KrlExecutionException {
-      throw new KrlExecutionException(
-          KrlExecutionException.NOT_ALLOWED, "the submit interpreter cannot move the robot");
-    }
-
-    @Override
-    public void holdMotion(boolean maximum) {}
-
-    @Override
-    public void releaseMotion() {}
-
-    @Override
-    public void discardMotion(int holds) {}
   }
 }

@@ -131,7 +131,8 @@ final class MotionResolver {
       }
       return inverse(order.target(), last);
     } catch (UnreachableException e) {
-      throw new KrlExecutionException(MessageWindow.WORK_ENVELOPE, Objects.requireNonNull(e.getMessage()));
+      throw new KrlExecutionException(
+          MessageWindow.WORK_ENVELOPE, Objects.requireNonNull(e.getMessage()));
     }
   }
 

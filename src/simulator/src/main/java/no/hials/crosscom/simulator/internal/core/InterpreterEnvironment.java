@@ -1,0 +1,83 @@
+package no.hials.crosscom.simulator.internal.core;
+
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.UnreachableException;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.simulator.KrlExecutionException;
+import no.hials.crosscom.simulator.internal.program.ProgramEnvironment;
+
+/** The requests of both interpreters to the controller: time, outputs, kinematics, messages. */
+abstract class InterpreterEnvironment implements ProgramEnvironment {
+  /** Called when a program has stopped in error. */
+  @FunctionalInterface
+  interface FaultListener {
+    void failed(Interpreter interpreter, KrlExecutionException fault, Position position);
+  }
+
+  private final Interpreter interpreter;
+  private final LongSupplier time;
+  private final Timers timers;
+  private final AdvanceRun motions;
+  private final FaultListener listener;
+
+  InterpreterEnvironment(
+      Interpreter interpreter,
+      LongSupplier time,
+      Timers timers,
+      AdvanceRun motions,
+      FaultListener listener) {
+    this.interpreter = interpreter;
+    this.time = time;
+    this.timers = timers;
+    this.motions = motions;
+    this.listener = listener;
+  }
+
+  @Override
+  public long time() {
+    return time.getAsLong();
+  }
+
+  @Override
+  public void pulse(int output, boolean level, double seconds) throws KrlExecutionException {
+    if (!(seconds > 0)) {
+      throw new KrlExecutionException(
+          KrlExecutionException.OUT_OF_RANGE, "a pulse takes more than 0 s, was given " + seconds);
+    }
+    if (!timers.pulse(output, level, time() + Math.round(seconds * 1000))) {
+      throw new KrlExecutionException(
+          KrlExecutionException.BAD_INDEX, "there is no $OUT[" + output + "]");
+    }
+  }
+
+  @Override
+  public Optional<KrlStruct> forward(KrlStruct axes) {
+    Axes position = PositionValues.toAxes(axes, motions.interpolator().axes());
+    MotionResolver resolver = motions.resolver();
+    Frame flange = motions.model().forward(position);
+    Frame tcp = resolver.base().inverse().times(flange).times(resolver.tool());
+    return Optional.of(
+        PositionValues.e6Pos(
+            tcp, motions.model().status(position), motions.model().turn(position)));
+  }
+
+  @Override
+  public Optional<KrlStruct> inverse(KrlStruct position, KrlStruct start) {
+    try {
+      Axes near = PositionValues.toAxes(start, motions.interpolator().axes());
+      return Optional.of(PositionValues.e6Axis(motions.resolver().inverse(position, near)));
+    } catch (UnreachableException e) {
+      return Optional.empty();
+    }
+  }
+
+  @Override
+  public void fault(KrlExecutionException fault, Position position) {
+    listener.failed(interpreter, fault, position);
+  }
+}

@@ -4,7 +4,7 @@ import no.hials.crosscom.protocol.Tail;
 
 /**
  * How a read that the controller refuses is answered. The value is empty in each; servers differ in
- * the tail (krl.md 1.8).
+ * the tail (docs/reference/kukavarproxy.md#refused-accesses).
  */
 public enum FailedRead {
   /** {@code 00 01 01}, the tail of success: KUKAVARPROXY since 2019. */

@@ -20,9 +20,9 @@
  * }
  * }</pre>
  *
- * <p>What the server does is told in kukavarproxy.md, what a value looks like in krl.md; where
- * these leave a question open, a comment at the place in the code says what was assumed. Nothing
- * here needs a test framework.
+ * <p>The server follows docs/reference/kukavarproxy.md, its values docs/reference/krl-values.md;
+ * where these leave a question open, a comment at the place in the code says what was assumed.
+ * Nothing here needs a test framework.
  */
 @NullMarked
 package no.hials.crosscom.mock;

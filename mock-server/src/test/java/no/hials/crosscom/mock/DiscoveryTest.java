@@ -68,7 +68,7 @@ class DiscoveryTest {
     }
   }
 
-  /** The form of kukavarproxy.md. */
+  /** The form of docs/reference/wire-format.md#discovery. */
   @Test
   void answersModelAndSerialNumberToTheGivenPortOfTheSender() throws IOException {
     try (DatagramSocket answered = socket();

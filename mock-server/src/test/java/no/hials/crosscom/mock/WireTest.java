@@ -63,7 +63,7 @@ class WireTest {
     assertAnswer(PING, PONG);
   }
 
-  // kukavarproxy.md, "Worked examples"
+  // docs/reference/wire-format.md#examples
 
   @Test
   void answersTheReadOfAnInt() throws IOException {
@@ -92,7 +92,7 @@ class WireTest {
         "01 00 00 08 01 00 02 33 35 00 01 01");
   }
 
-  /** The sample of a real controller in krl.md 1.8. */
+  /** The sample of a real controller in docs/reference/wire-format.md#examples. */
   @Test
   void answersTheReadOfAComponentWhateverTheCaseOfItsName() throws IOException {
     server.variables().set("$POS_ACT", "{X 284.994965}");

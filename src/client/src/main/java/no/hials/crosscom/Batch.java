@@ -19,7 +19,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * One reading or writing of several variables: in as few messages as they fit into if the server
- * has messages for several (c3-bridge.md, types 6 and 7), else one by one.
+ * has messages for several (docs/reference/c3-messages.md#several-variables-6-and-7), else one by
+ * one.
  */
 abstract class Batch {
   /** How many variables a message may name. */
@@ -258,7 +259,10 @@ abstract class Batch {
       }
     }
 
-    /** The answer may not fit into a message, while parts of it would (c3-bridge.md, code 10). */
+    /**
+     * The answer may not fit into a message, while parts of it would
+     * (docs/reference/c3-messages.md#error-codes).
+     */
     @Override
     void notEach(List<Item> some, int count, Tail tail) {
       if (tail.code() == ErrorCode.LONG_ANSWER.code()) {
@@ -279,7 +283,7 @@ abstract class Batch {
     @Override
     long length(Item item) {
       if (item.variable instanceof KRLArray) {
-        return -1; // goes element by element (krl.md 1.4)
+        return -1; // goes element by element (docs/reference/krl-values.md#arrays)
       }
       item.text = item.variable.getStringValue();
       try {

@@ -13,16 +13,16 @@ import java.util.function.Consumer;
  * @param requestTimeout how long one exchange may take, from sending the request to the last byte
  *     of the answer; zero for no limit, default 3 s
  * @param maxAggregateLength how many bytes the text of a written aggregate may have, default 255
- *     (kukavarproxy.md); zero for no limit
+ *     (docs/reference/krl-values.md#lengths); zero for no limit
  * @param maxRequestLength how many bytes a request may have, default 2048: KUKAVARPROXY takes no
- *     more at a time and loses the rest (kukavarproxy.md); 16 to 65539. The messages that only C3
- *     Bridge knows may have 65539 whatever this says
+ *     more at a time and loses the rest (docs/reference/kukavarproxy.md#pieces-of-requests); 16 to
+ *     65539. The messages that only C3 Bridge knows may have 65539 whatever this says
  * @param reconnect whether a broken connection is made anew by itself, default true
  * @param reconnectBackoff how long to wait after a first failed attempt to connect again; twice as
  *     long after each further one; default 100 ms
  * @param maxReconnectBackoff how long to wait at most between two attempts, default 5 s
  * @param keepAlive after how long without traffic a {@code PING} is read, since the server drops a
- *     client after 30 s (kukavarproxy.md); zero for never, default 10 s
+ *     client after 30 s (docs/reference/kukavarproxy.md#connections); zero for never, default 10 s
  * @param listener hears of connects and losses
  */
 public record ClientConfig(

@@ -19,7 +19,7 @@ public final class CrossComRefusedException extends CrossComException {
     this.code = code;
   }
 
-  /** Says in words what a code means (c3-bridge.md, "codes"). */
+  /** Says in words what a code means (docs/reference/c3-messages.md#error-codes). */
   private static String describe(int code) {
     return ErrorCode.from(code).map(known -> " (" + known + ": " + words(known) + ")").orElse("");
   }

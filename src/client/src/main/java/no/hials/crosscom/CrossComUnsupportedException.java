@@ -46,8 +46,8 @@ public final class CrossComUnsupportedException extends CrossComException {
   /**
    * Gives the version that the server would have to have.
    *
-   * @return the first version of C3 Bridge Interface with the message (c3-bridge.md, "Minimum
-   *     server versions")
+   * @return the first version of C3 Bridge Interface with the message
+   *     (docs/reference/c3-messages.md#server-versions)
    */
   public Optional<Version> getNeededVersion() {
     return needed.since();

@@ -29,7 +29,8 @@ enum Repeatability {
           KRC_NAME ->
           READ;
       case READ_CONTENT -> NONE;
-      // before its end, a transfer only fills a buffer of the server (c3-bridge.md, type 29)
+      // before its end, a transfer only fills a buffer of the server
+      // (docs/reference/c3-messages.md#file-content-29-and-30)
       case WRITE_CONTENT -> request instanceof EndWriteRequest ? CHANGE : NONE;
       case BENCHMARK -> request instanceof BenchmarkReadRequest ? NONE : CHANGE;
       default -> CHANGE;

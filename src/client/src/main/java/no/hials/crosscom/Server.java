@@ -9,10 +9,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * What the client found out about the server.
  *
- * @param type what it is, by its answer to {@code @PROXY_TYPE} (c3-bridge.md)
+ * @param type what it is, by its answer to {@code @PROXY_TYPE}
+ *     (docs/reference/c3-messages.md#internal-variables)
  * @param version its version, by its answer to {@code @PROXY_VERSION}; null if it gives none, as
  *     KUKAVARPROXY
- * @param features the messages that it knows; for KUKAVARPROXY 0 to 3 (kukavarproxy.md, "Frames")
+ * @param features the messages that it knows; for KUKAVARPROXY 0 to 3
+ *     (docs/reference/wire-format.md#requests)
  */
 public record Server(ServerType type, @Nullable Version version, Features features) {
 

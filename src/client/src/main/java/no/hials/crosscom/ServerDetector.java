@@ -20,7 +20,10 @@ import org.jspecify.annotations.Nullable;
  * link is held.
  */
 final class ServerDetector {
-  /** What C3 Bridge answers to {@code @PROXY_TYPE} (c3-bridge.md). */
+  /**
+   * What C3 Bridge answers to {@code @PROXY_TYPE}
+   * (docs/reference/c3-messages.md#internal-variables).
+   */
   private static final String C3_BRIDGE = "C3 BRIDGE INTERFACE";
 
   /** The first version of C3 Bridge; what it has needs no further question. */
@@ -58,7 +61,7 @@ final class ServerDetector {
       features = null;
     }
     if (type == null) {
-      // KUKAVARPROXY answers empty or failure (c3-bridge.md)
+      // KUKAVARPROXY answers empty or failure (docs/reference/c3-messages.md#internal-variables)
       type =
           C3_BRIDGE.equalsIgnoreCase(read(askType, "@PROXY_TYPE"))
               ? ServerType.C3_BRIDGE
@@ -123,7 +126,7 @@ final class ServerDetector {
   /**
    * Throws if the server does not know a message, or is said to have it wrong: of types 6 and 7 the
    * features say nothing, since versions before those that have them right have them, too
-   * (c3-bridge.md, "Minimum server versions").
+   * (docs/reference/c3-messages.md#server-versions).
    */
   MessageType require(MessageType message, String what) throws CrossComException {
     ServerType server = type();

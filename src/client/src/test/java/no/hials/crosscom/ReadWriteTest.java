@@ -494,7 +494,10 @@ class ReadWriteTest extends RobotTest {
         .withMessage("MYPOS.S must be an INT, is 2.5");
   }
 
-  /** Types 0 and 1 give no reason (c3-bridge.md, "codes"), in the way of each server. */
+  /**
+   * Types 0 and 1 give no reason (docs/reference/c3-messages.md#error-codes), in the way of each
+   * server.
+   */
   private ErrorCode refusal() {
     return server == ServerType.C3_BRIDGE ? ErrorCode.GENERAL : ErrorCode.SUCCESS;
   }

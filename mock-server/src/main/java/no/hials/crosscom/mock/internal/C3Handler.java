@@ -9,7 +9,7 @@ import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.server.FeaturesResponse;
 import no.hials.crosscom.protocol.server.InformationResponse;
 
-/** Executes requests as C3 Bridge does, in one of its versions (c3-bridge.md, "Messages"). */
+/** Executes requests as C3 Bridge does, in one of its versions (docs/reference/c3-messages.md). */
 public final class C3Handler implements RequestHandler {
   private final C3ProxyVariables bridge;
   private final C3VariableHandler variables;
@@ -50,7 +50,7 @@ public final class C3Handler implements RequestHandler {
     };
   }
 
-  /** Types 0 and 1 have no codes but 0 and 1 (c3-bridge.md, below the codes). */
+  /** Types 0 and 1 have no codes but 0 and 1 (docs/reference/c3-messages.md#error-codes). */
   @Override
   public Response malformed(MalformedRequestException request) {
     MessageType type = request.type();
@@ -69,7 +69,10 @@ public final class C3Handler implements RequestHandler {
     };
   }
 
-  /** krl.md 1.8: C3 Bridge asks the controller for PING first. */
+  /**
+   * C3 Bridge asks the controller for PING first
+   * (docs/reference/c3-messages.md#internal-variables).
+   */
   @Override
   public boolean isForServer(Request request) {
     return request.type() == MessageType.INFORMATION || request.type() == MessageType.FEATURES;

@@ -19,8 +19,8 @@ import no.hials.crosscom.protocol.server.SystemTime;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What C3 Bridge says of itself: its internal variables (c3-bridge.md, "Internal variables"), and
- * the answers to messages 13 and 14.
+ * What C3 Bridge says of itself: its internal variables
+ * (docs/reference/c3-messages.md#internal-variables), and the answers to messages 13 and 14.
  */
 public final class C3ProxyVariables {
   private static final String PREFIX = "@PROXY_";
@@ -41,7 +41,8 @@ public final class C3ProxyVariables {
 
   /** Gives the value of a variable, or null if there is none of that name. */
   @Nullable String find(String name) {
-    // c3-bridge.md: variable names are case-insensitive, PING is not
+    // variable names are case-insensitive, PING is not
+    // (docs/reference/c3-messages.md#internal-variables)
     return name.equals("PING") ? "PONG" : findProxy(name);
   }
 
@@ -86,7 +87,8 @@ public final class C3ProxyVariables {
   }
 
   boolean has(MessageType type) {
-    // c3-bridge.md says of these two since when they are correct: they were there before
+    // docs/reference/c3-messages.md#server-versions says since when these two are correct: they
+    // were there before
     return type == MessageType.READ_MULTIPLE
         || type == MessageType.WRITE_MULTIPLE
         || hasRight(type);

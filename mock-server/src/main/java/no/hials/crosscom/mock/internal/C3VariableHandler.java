@@ -32,7 +32,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Executes the requests of C3 Bridge for variables: types 0, 1, 4 to 7 and 17. */
 public final class C3VariableHandler {
-  /** c3-bridge.md, type 17: at most 10 are used. */
+  /** At most 10 are used (docs/reference/c3-messages.md#benchmark-17). */
   private static final int BENCHMARKED = 10;
 
   private static final long U32 = 0xFFFF_FFFFL;
@@ -97,7 +97,7 @@ public final class C3VariableHandler {
       String text = variables.read(name);
       return new Result(config.trimValues() ? text.strip() : text);
     } catch (RefusedException e) {
-      // krl.md 1.8: the controller is asked first
+      // the controller is asked first (docs/reference/c3-messages.md#internal-variables)
       String own = config.ping() ? internal.find(name) : internal.findProxy(name);
       return own == null ? new Result("", code(name), e) : new Result(own);
     }
@@ -175,7 +175,8 @@ public final class C3VariableHandler {
 
   private Outcome write(WriteUtf16Request request) {
     Result result = writeWide(request.name(), request.value());
-    // krl.md 1.6: what was sent, not what the controller stored
+    // what was sent, not what the controller stored
+    // (docs/reference/c3-messages.md#one-variable-0-1-4-and-5)
     String value = result.refused() == null ? result.value() : "";
     return text(request, value, result.code(), result.refused());
   }
@@ -209,7 +210,8 @@ public final class C3VariableHandler {
       batch.add(written.refused() == null ? readBack(item) : written);
     }
     if (request.assignments().size() < request.count()) {
-      // c3-bridge.md: a truncated batch applies its leading items, then answers code 9
+      // a truncated batch applies its leading items, then answers code 9
+      // (docs/reference/c3-messages.md#several-variables-6-and-7)
       return new Outcome(
           C3Answers.empty(
               request.id(), request.type(), new byte[0], C3Answers.tail(ErrorCode.PROTOCOL)),
@@ -252,7 +254,8 @@ public final class C3VariableHandler {
         return new Outcome(
             C3Answers.empty(request.id(), request.type(), new byte[0], tail), tooLong().refused());
       }
-      // c3-bridge.md: code 0 and flag false if some failed; assumed: also if all did
+      // code 0 and flag false if some failed; assumed: also if all did
+      // (docs/reference/c3-messages.md#several-variables-6-and-7)
       Tail tail = refused == null ? Tail.SUCCESS : Tail.FAILURE_ZERO;
       return new Outcome(
           new MultipleResponse(request.id(), request.type(), results, tail), refused);

@@ -4,7 +4,7 @@ import java.nio.charset.Charset;
 
 /**
  * Translates between the texts of UTF-16 messages and those of the controller, whose CHAR is a byte
- * of the Windows code page 1252 (c3-bridge.md, "Common to all messages"; assumed, with the euro
+ * of the Windows code page 1252 (docs/reference/c3-messages.md#code-pages; assumed, with the euro
  * sign of c3-vectors.tsv, "4 read MYUMLAUT[]", for which the stand-in need not have had a byte). A
  * text of the controller has each byte as the character of that number, as in ISO 8859-1.
  */

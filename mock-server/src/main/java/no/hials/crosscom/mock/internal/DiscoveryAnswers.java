@@ -8,14 +8,17 @@ import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Knows the answer to the question where controllers are (kukavarproxy.md, "What the server does"),
- * and with C3 Bridge to questions for what it says of itself (c3-bridge.md, "Discovery"; in both
- * modes, as in c3-vectors.tsv).
+ * Knows the answer to the question where controllers are (docs/reference/wire-format.md#discovery),
+ * and with C3 Bridge to questions for what it says of itself
+ * (docs/reference/wire-format.md#discovery; in both modes, as in c3-vectors.tsv).
  */
 public final class DiscoveryAnswers {
   private static final String QUESTION = "WHEREAREYOU?";
 
-  /** c3-bridge.md: the most bytes of a question. What C3 Bridge gets of a longer one. */
+  /**
+   * The most bytes of a question. What C3 Bridge gets of a longer one
+   * (docs/reference/wire-format.md#discovery).
+   */
   private static final int LONGEST = 32;
 
   private final VariableTable variables;
@@ -54,12 +57,17 @@ public final class DiscoveryAnswers {
         + orNothing(() -> print.apply(variables.value("$KR_SERIALNO")));
   }
 
-  /** Gives a text without its quotes. Assumed: kukavarproxy.md shows neither with nor without. */
+  /**
+   * Gives a text without its quotes. Assumed: docs/reference/wire-format.md#discovery shows neither
+   * with nor without.
+   */
   private static String plain(KrlValue value) {
     return value instanceof KrlString string ? string.text() : value.toString();
   }
 
-  /** Leaves a field empty whose variable cannot be read (c3-bridge.md, "Discovery"). */
+  /**
+   * Leaves a field empty whose variable cannot be read (docs/reference/wire-format.md#discovery).
+   */
   private static String orNothing(Supplier<String> field) {
     try {
       return field.get();

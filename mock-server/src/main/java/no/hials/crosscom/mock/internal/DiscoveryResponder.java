@@ -12,7 +12,10 @@ import org.slf4j.LoggerFactory;
 public final class DiscoveryResponder implements Runnable, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(DiscoveryResponder.class);
 
-  /** One byte more than a question may have (c3-bridge.md), so that a longer one is seen. */
+  /**
+   * One byte more than a question may have (docs/reference/wire-format.md#discovery), so that a
+   * longer one is seen.
+   */
   private static final int BUFFER = 33;
 
   private final DatagramSocket socket;

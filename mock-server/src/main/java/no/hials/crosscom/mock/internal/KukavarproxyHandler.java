@@ -86,7 +86,7 @@ public final class KukavarproxyHandler implements RequestHandler {
     }
   }
 
-  /** The name is case-sensitive (krl.md 1.8). */
+  /** The name is case-sensitive (docs/reference/kukavarproxy.md#ping). */
   @Override
   public boolean isForServer(Request request) {
     return config.ping() && request instanceof ReadRequest read && read.name().equals("PING");

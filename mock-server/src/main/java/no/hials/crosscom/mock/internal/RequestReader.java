@@ -24,7 +24,7 @@ interface RequestReader {
 
   /**
    * Puts together what arrives in pieces, as C3 Bridge does: it closes the connection on the byte
-   * that follows a message of length 0 (c3-bridge.md, "Common to all messages").
+   * that follows a message of length 0 (docs/reference/c3-messages.md#framing).
    */
   static RequestReader joinedUntilEmpty(InputStream in) {
     return joined(in, true);
@@ -63,7 +63,7 @@ interface RequestReader {
 
   /** Takes whole requests out of each read; the rest of a read is dropped. */
   final class SingleReads implements RequestReader {
-    /** What KUKAVARPROXY reads at a time (krl.md 1.7). */
+    /** What KUKAVARPROXY reads at a time (docs/reference/kukavarproxy.md#pieces-of-requests). */
     private static final int READ = 2048;
 
     private final InputStream in;

@@ -6,7 +6,8 @@ import no.hials.crosscom.simulator.VariableTable;
 
 /**
  * The units of variables, from the table of system variables and, where it does not say, from the
- * names of fields: KRL has X, Y and Z in mm, A, B, C and axes in degrees (krl.md 1.3).
+ * names of fields: KRL has X, Y and Z in mm, A, B, C and axes in degrees
+ * (docs/reference/krl-values.md#fields-of-the-structures).
  */
 final class Units {
   private static final String DEGREES = "°";

@@ -7,7 +7,8 @@ import no.hials.crosscom.protocol.code.Code;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What C3 Bridge Interface says about itself (c3-bridge.md, type 13).
+ * What C3 Bridge Interface says about itself
+ * (docs/reference/c3-messages.md#information-features-and-confirm-all-13-14-and-63).
  *
  * @param version its version; the third number is always 0
  * @param build how it was built; the number is kept if it is unknown

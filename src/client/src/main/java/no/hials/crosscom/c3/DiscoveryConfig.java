@@ -23,7 +23,8 @@ import org.jspecify.annotations.Nullable;
  *     leads to the target
  * @param legacy whether to ask in the legacy mode, which KUKAVARPROXY knows too; default true
  * @param standard whether to ask in the standard mode of C3 Bridge; default true
- * @param legacyPort the UDP port to ask in legacy mode, default 6999 (c3-bridge.md, "Discovery")
+ * @param legacyPort the UDP port to ask in legacy mode, default 6999
+ *     (docs/reference/wire-format.md#discovery)
  * @param legacyReplyPort the UDP port of this machine to which legacy mode answers, default 7000; 0
  *     for a free one, which no real server answers to
  * @param standardPort the UDP port to ask in standard mode, default 7000

@@ -5,7 +5,8 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.PendantKey;
 
 /**
- * A key of the pendant with what it acts on, to be pressed or released (c3-bridge.md, type 12).
+ * A key of the pendant with what it acts on, to be pressed or released
+ * (docs/reference/c3-messages.md#pendant-keys-12).
  *
  * @param key which key
  * @param number the interpreter's number for start and stop, the axis for jog and mouse

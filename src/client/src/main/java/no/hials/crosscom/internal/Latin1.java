@@ -1,6 +1,6 @@
 package no.hials.crosscom.internal;
 
-/** Says what functions 0 and 1 can carry: ISO 8859-1 (c3-bridge.md, "Common to all messages"). */
+/** Says what functions 0 and 1 can carry: ISO 8859-1 (docs/reference/c3-messages.md#strings). */
 public final class Latin1 {
   private Latin1() {}
 
@@ -40,8 +40,9 @@ public final class Latin1 {
 
   /**
    * Says whether a text that function 0 gave may stand for another. C3 Bridge gives Windows code
-   * page 1252, where 80 to 9F are characters beyond ISO 8859-1 (c3-bridge.md, "Common to all
-   * messages"); that it gives a question mark for what the code page has not is assumed.
+   * page 1252, where 80 to 9F are characters beyond ISO 8859-1
+   * (docs/reference/c3-messages.md#code-pages); that it gives a question mark for what the code
+   * page has not is assumed.
    *
    * @param text any
    * @return true if a read in UTF-16 may give another text

@@ -5,7 +5,10 @@ import java.util.regex.Pattern;
 import no.hials.crosscom.protocol.Version;
 import org.jspecify.annotations.Nullable;
 
-/** Reads what C3 Bridge answers to {@code @PROXY_VERSION} (c3-bridge.md). */
+/**
+ * Reads what C3 Bridge answers to {@code @PROXY_VERSION}
+ * (docs/reference/c3-messages.md#internal-variables).
+ */
 public final class Versions {
   private static final Pattern FORM =
       Pattern.compile("(\\d{1,5})\\.(\\d{1,5})(?:\\.(\\d{1,5}))?(?:\\s.*)?");

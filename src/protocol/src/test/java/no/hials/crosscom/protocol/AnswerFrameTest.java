@@ -22,7 +22,7 @@ final class AnswerFrameTest {
 
   @Test
   void anAnswerShowsItsFieldsAndItsValueInPlace() throws Exception {
-    // kukavarproxy.md, worked examples: answer #CHARGE_OK
+    // answer #CHARGE_OK (docs/reference/wire-format.md#examples)
     wrap("01 00  00 10  00  00 0A  23 43 48 41 52 47 45 5F 4F 4B  00 01 01");
 
     assertThat(answer.id()).isEqualTo(256);
@@ -65,7 +65,7 @@ final class AnswerFrameTest {
 
   @Test
   void anAnswerToAnUnknownFunctionHasOnlyAnId() throws Exception {
-    // kukavarproxy.md: "a frame whose length is 0"
+    // "a frame whose length is 0" (docs/reference/kukavarproxy.md#unknown-functions)
     wrap("01 02  00 00");
 
     assertThat(answer.functionUnknown()).isTrue();

@@ -93,14 +93,14 @@ final class C3CodecTest {
     return Stream.of(
         arguments(
             new ReadUtf16Request(512, "$ACT_BASE"),
-            // c3-bridge.md, worked examples: read $ACT_BASE, id 512
+            // read $ACT_BASE, id 512 (docs/reference/c3-messages.md#examples)
             """
             02 00  00 15  04
             00 09  24 00 41 00 43 00 54 00 5F 00 42 00 41 00 53 00 45 00
             """),
         arguments(
             new WriteUtf16Request(256, "$OV_PRO", "5"),
-            // c3-bridge.md, worked examples: write $OV_PRO = 5, id 256
+            // write $OV_PRO = 5, id 256 (docs/reference/c3-messages.md#examples)
             """
             01 00  00 15  05
             00 07  24 00 4F 00 56 00 5F 00 50 00 52 00 4F 00
@@ -108,7 +108,7 @@ final class C3CodecTest {
             """),
         arguments(
             new ReadMultipleRequest(1024, List.of("PING", "@PROXY_PORT")),
-            // c3-bridge.md, worked examples: read PING, @PROXY_PORT, id 1024
+            // read PING, @PROXY_PORT, id 1024 (docs/reference/c3-messages.md#examples)
             """
             04 00  00 24  06
             02                                # 2 names
@@ -118,7 +118,7 @@ final class C3CodecTest {
         arguments(
             new ProgramControlRequest(
                 652, Code.of(ProgramCommand.RESET), Code.of(Interpreter.SUBMIT)),
-            // c3-bridge.md, worked examples: reset the submit interpreter, id 652
+            // reset the submit interpreter, id 652 (docs/reference/c3-messages.md#examples)
             "02 8C  00 04  0A  01  00 00"),
         arguments(
             new WriteMultipleRequest(
@@ -166,7 +166,7 @@ final class C3CodecTest {
                 "P",
                 "\u20AC,2",
                 false),
-            // laid out by hand from c3-bridge.md, type 10, II
+            // laid out by hand from docs/reference/c3-messages.md#program-control-10
             """
             00 01  00 11  0A
             06  00 00                         # run
@@ -184,7 +184,7 @@ final class C3CodecTest {
             "01 70  00 0C  0C  03  00 00 00 03  00 00 00 02  01  00"),
         arguments(
             new PendantKeyRequest(1, Code.of(PendantKey.MOUSE), -2, 0x12345678, false, true),
-            // laid out by hand from c3-bridge.md, type 12
+            // laid out by hand from docs/reference/c3-messages.md#pendant-keys-12
             "00 01  00 0C  0C  04  FF FF FF FE  12 34 56 78  00  01"),
         arguments(
             new ServerRequest(0, MessageType.INFORMATION),
@@ -200,11 +200,11 @@ final class C3CodecTest {
             "01 7E  00 01  3F"),
         arguments(
             new BenchmarkReadRequest(2, 0xFEDCBA98L, List.of("A", "B1")),
-            // laid out by hand from c3-bridge.md, type 17
+            // laid out by hand from docs/reference/c3-messages.md#benchmark-17
             "00 02  00 11  11  00  02  FE DC BA 98  00 01 41 00  00 02 42 00 31 00"),
         arguments(
             new BenchmarkWriteRequest(2, 3, List.of(new Assignment("A", "7"))),
-            // laid out by hand from c3-bridge.md, type 17
+            // laid out by hand from docs/reference/c3-messages.md#benchmark-17
             "00 02  00 0F  11  01  01  00 00 00 03  00 01 41 00  00 01 37 00"),
         arguments(
             new SetAttributesRequest(
@@ -212,7 +212,7 @@ final class C3CodecTest {
                 Flags.of(FileAttribute.SIGNED, FileAttribute.HIDDEN),
                 Flags.of(FileAttribute.READ_ONLY),
                 "F"),
-            // laid out by hand from c3-bridge.md, type 20
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             "00 03  00 0D  14  10 00 00 02  00 00 00 01  00 01 46 00"),
         arguments(
             new ListDirectoryRequest(
@@ -229,7 +229,7 @@ final class C3CodecTest {
                 Flags.of(ItemType.TEXT, ItemType.MODULE),
                 Flags.of(ListFlag.RECURSIVE, ListFlag.LONG),
                 ""),
-            // laid out by hand from c3-bridge.md, type 21
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             "00 04  00 0B  15  00 00 00 30  00 00 00 05  00 00"),
         arguments(
             new CreateFileRequest(
@@ -249,11 +249,11 @@ final class C3CodecTest {
                 true,
                 "",
                 "T"),
-            // laid out by hand from c3-bridge.md, type 22
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             "00 05  00 0B  16  01 00  00  01  00 00  00 01 54 00"),
         arguments(
             new DeleteFileRequest(6, true, "F"),
-            // laid out by hand from c3-bridge.md, type 23
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             "00 06  00 06  17  01  00 01 46 00"),
         arguments(
             new CopyFileRequest(
@@ -262,23 +262,23 @@ final class C3CodecTest {
                 Flags.of(CopyFlag.OVERWRITE, CopyFlag.OVERWRITE_READ_ONLY),
                 "A",
                 "B"),
-            // laid out by hand from c3-bridge.md, type 24
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             "00 07  00 0D  18  00 00 10 40  00 01 41 00  00 01 42 00"),
         arguments(
             new CopyFileRequest(7, MessageType.MOVE_FILE, Flags.none(CopyFlag.class), "A", "B"),
-            // laid out by hand from c3-bridge.md, type 25
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             "00 07  00 0D  19  00 00 00 00  00 01 41 00  00 01 42 00"),
         arguments(
             new FilePropertiesRequest(8, Flags.all(FileProperty.class), "F"),
-            // laid out by hand from c3-bridge.md, type 26
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             "00 08  00 09  1A  00 00 00 FF  00 01 46 00"),
         arguments(
             new FileNameRequest(9, MessageType.FULL_NAME, "/R1"),
-            // laid out by hand from c3-bridge.md, type 27
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             "00 09  00 09  1B  00 03 2F 00 52 00 31 00"),
         arguments(
             new FileNameRequest(9, MessageType.KRC_NAME, "K"),
-            // laid out by hand from c3-bridge.md, type 28
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             "00 09  00 05  1C  00 01 4B 00"),
         arguments(
             new BeginWriteRequest(0x01AF, 1024),
@@ -298,7 +298,7 @@ final class C3CodecTest {
             "01 B4  00 02  1D  03"),
         arguments(
             new EndWriteRequest(10, Flags.of(CopyFlag.UPDATE), "F"),
-            // laid out by hand from c3-bridge.md, type 29
+            // laid out by hand from docs/reference/c3-messages.md#file-content-29-and-30
             "00 0A  00 0A  1D  04  00 00 00 30  00 01 46 00"),
         arguments(
             new ContentRequest(
@@ -307,7 +307,7 @@ final class C3CodecTest {
             "01 BA  00 02  1D  05"),
         arguments(
             new BeginReadRequest(11, Flags.of(CopyFlag.FORCE_BINARY), "F"),
-            // laid out by hand from c3-bridge.md, type 30 and note b
+            // laid out by hand from docs/reference/c3-messages.md#file-content-29-and-30
             "00 0B  00 0A  1E  01  00 00 02 00  00 01 46 00"),
         arguments(
             new ReadDataRequest(0x01C1, 1000, 100),
@@ -315,7 +315,7 @@ final class C3CodecTest {
             "01 C1  00 0A  1E  02  00 00 03 E8  00 00 00 64"),
         arguments(
             new ReadDataRequest(12, 0x80000000L, ReadDataRequest.AS_MUCH_AS_FITS),
-            // laid out by hand from c3-bridge.md, type 30
+            // laid out by hand from docs/reference/c3-messages.md#file-content-29-and-30
             "00 0C  00 0A  1E  02  80 00 00 00  FF FF FF FF"),
         arguments(
             new ContentRequest(0x01C4, MessageType.READ_CONTENT, Code.of(ContentOperation.END)),
@@ -328,11 +328,11 @@ final class C3CodecTest {
     return Stream.of(
         arguments(
             new TextResponse(512, MessageType.READ_UTF16, "1", Tail.SUCCESS),
-            // c3-bridge.md, worked examples: answer 1
+            // answer 1 (docs/reference/c3-messages.md#examples)
             "02 00  00 08  04  00 01 31 00  00 01 01"),
         arguments(
             new TextResponse(256, MessageType.WRITE_UTF16, "5", Tail.SUCCESS),
-            // c3-bridge.md, worked examples: answer to the write
+            // answer to the write (docs/reference/c3-messages.md#examples)
             "01 00  00 08  05  00 01 35 00  00 01 01"),
         arguments(
             new MultipleResponse(
@@ -342,7 +342,7 @@ final class C3CodecTest {
                     new AccessResult(Code.of(ErrorCode.SUCCESS), "PONG"),
                     new AccessResult(Code.of(ErrorCode.SUCCESS), "7000")),
                 Tail.SUCCESS),
-            // c3-bridge.md, worked examples: answer PONG, 7000
+            // answer PONG, 7000 (docs/reference/c3-messages.md#examples)
             """
             04 00  00 1B  06
             02                                # 2 results
@@ -352,7 +352,7 @@ final class C3CodecTest {
             """),
         arguments(
             new ProgramControlResponse(652, Code.of(ProgramCommand.RESET), Tail.SUCCESS),
-            // c3-bridge.md, worked examples: answer to the reset
+            // answer to the reset (docs/reference/c3-messages.md#examples)
             "02 8C  00 05  0A  01  00 01 01"),
         arguments(
             new MultipleResponse(
@@ -432,7 +432,7 @@ final class C3CodecTest {
             """),
         arguments(
             new BenchmarkResponse(13, true, 10, 1000, 0xFFFFFFF0L, 16, 32, Tail.SUCCESS),
-            // laid out by hand from c3-bridge.md, type 17
+            // laid out by hand from docs/reference/c3-messages.md#benchmark-17
             """
             00 0D  00 16  11  01  0A  00 00 03 E8
             FF FF FF F0  00 00 00 10  00 00 00 20
@@ -444,7 +444,7 @@ final class C3CodecTest {
             "01 8A  00 04  14  00 01 01"),
         arguments(
             new ListDirectoryResponse(14, List.of("a", "bc"), List.of("32,32,21"), Tail.SUCCESS),
-            // laid out by hand from c3-bridge.md, type 21
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             """
             00 0E  00 24  15
             00 02  00 01 61 00  00 02 62 00 63 00
@@ -507,7 +507,7 @@ final class C3CodecTest {
             "01 A9  00 06  1B  00 00  00 00 00"),
         arguments(
             new TextResponse(15, MessageType.KRC_NAME, "/R1", Tail.SUCCESS),
-            // laid out by hand from c3-bridge.md, type 28
+            // laid out by hand from docs/reference/c3-messages.md#files-20-to-28
             "00 0F  00 0C  1C  00 03 2F 00 52 00 31 00  00 01 01"),
         arguments(
             new ContentSizeResponse(
@@ -540,11 +540,11 @@ final class C3CodecTest {
         arguments(
             new ContentSizeResponse(
                 16, MessageType.READ_CONTENT, ContentOperation.SIZE, 0xFFFFFFFFL, Tail.SUCCESS),
-            // laid out by hand from c3-bridge.md, type 30
+            // laid out by hand from docs/reference/c3-messages.md#file-content-29-and-30
             "00 10  00 09  1E  03  FF FF FF FF  00 01 01"),
         arguments(
             new ReadDataResponse(17, 1000, Bytes.of(Hex.bytes("E8 00 FF")), Tail.SUCCESS),
-            // laid out by hand from c3-bridge.md, type 30
+            // laid out by hand from docs/reference/c3-messages.md#file-content-29-and-30
             "00 11  00 10  1E  02  00 00 03 E8  00 00 00 03  E8 00 FF  00 01 01"),
         arguments(
             new ContentResponse(
@@ -866,7 +866,7 @@ final class C3CodecTest {
                     + " "
                     + type.servers()
                     + type.since().map(version -> " " + version).orElse(""))
-        // c3-bridge.md, "Minimum server versions"
+        // docs/reference/c3-messages.md#server-versions
         .containsExactly(
             "0 [KUKAVARPROXY, C3_BRIDGE] 1.0",
             "1 [KUKAVARPROXY, C3_BRIDGE] 1.0",

@@ -41,7 +41,7 @@ final class CodecTest {
     return Stream.of(
         arguments(
             new ReadRequest(0, "$OV_PRO"),
-            // kukavarproxy.md, worked examples: read $OV_PRO, id 0
+            // read $OV_PRO, id 0 (docs/reference/wire-format.md#examples)
             """
             00 00                             # id 0
             00 0A                             # 10 bytes follow
@@ -50,7 +50,7 @@ final class CodecTest {
             """),
         arguments(
             new WriteRequest(1, "$OV_PRO", "50"),
-            // kukavarproxy.md, worked examples: write $OV_PRO = 50, id 1
+            // write $OV_PRO = 50, id 1 (docs/reference/wire-format.md#examples)
             """
             00 01                             # id 1
             00 0E                             # 14 bytes follow
@@ -60,7 +60,7 @@ final class CodecTest {
             """),
         arguments(
             new ReadRequest(256, "$ACCU_STATE"),
-            // kukavarproxy.md, worked examples: read $ACCU_STATE, id 256
+            // read $ACCU_STATE, id 256 (docs/reference/wire-format.md#examples)
             """
             01 00                             # id 256
             00 0E                             # 14 bytes follow
@@ -69,7 +69,7 @@ final class CodecTest {
             """),
         arguments(
             new WriteRequest(256, "$OV_PRO", "35"),
-            // kukavarproxy.md, worked examples: write $OV_PRO = 35, id 256
+            // write $OV_PRO = 35, id 256 (docs/reference/wire-format.md#examples)
             """
             01 00                             # id 256
             00 0E                             # 14 bytes follow
@@ -79,7 +79,7 @@ final class CodecTest {
             """),
         arguments(
             new ReadRequest(0, "$POS_ACT.x"),
-            // krl.md 1.8, "Real sample"
+            // docs/reference/wire-format.md#examples
             """
             00 00                             # id 0
             00 0D                             # 13 bytes follow
@@ -88,7 +88,8 @@ final class CodecTest {
             """),
         arguments(
             new ReadArrayRequest(0x0203, "A[]"),
-            // laid out by hand from the field table of kukavarproxy.md; no capture is known
+            // laid out by hand from docs/reference/wire-format.md#integer-arrays; no capture is
+            // known
             """
             02 03                             # id 515
             00 06                             # 6 bytes follow
@@ -97,7 +98,8 @@ final class CodecTest {
             """),
         arguments(
             new WriteArrayRequest(65535, "A", List.of(1, 256, 65535)),
-            // laid out by hand from the field table of kukavarproxy.md; no capture is known
+            // laid out by hand from docs/reference/wire-format.md#integer-arrays; no capture is
+            // known
             """
             FF FF                             # id 65535
             00 0C                             # 12 bytes follow
@@ -112,7 +114,7 @@ final class CodecTest {
     return Stream.of(
         arguments(
             new ReadResponse(0, "100", Tail.SUCCESS),
-            // kukavarproxy.md, worked examples: answer 100
+            // answer 100 (docs/reference/wire-format.md#examples)
             """
             00 00                             # id 0
             00 09                             # 9 bytes follow
@@ -122,7 +124,7 @@ final class CodecTest {
             """),
         arguments(
             new WriteResponse(1, "50", Tail.SUCCESS),
-            // kukavarproxy.md, worked examples: answer 50
+            // answer 50 (docs/reference/wire-format.md#examples)
             """
             00 01                             # id 1
             00 08                             # 8 bytes follow
@@ -132,7 +134,7 @@ final class CodecTest {
             """),
         arguments(
             new ReadResponse(256, "#CHARGE_OK", Tail.SUCCESS),
-            // kukavarproxy.md, worked examples: answer #CHARGE_OK
+            // answer #CHARGE_OK (docs/reference/wire-format.md#examples)
             """
             01 00                             # id 256
             00 10                             # 16 bytes follow
@@ -142,7 +144,7 @@ final class CodecTest {
             """),
         arguments(
             new WriteResponse(256, "35", Tail.SUCCESS),
-            // kukavarproxy.md, worked examples: the last answer
+            // the last answer (docs/reference/wire-format.md#examples)
             """
             01 00                             # id 256
             00 08                             # 8 bytes follow
@@ -152,7 +154,7 @@ final class CodecTest {
             """),
         arguments(
             new ReadResponse(0, "284.994965", Tail.SUCCESS),
-            // krl.md 1.8, "Real sample"
+            // docs/reference/wire-format.md#examples
             """
             00 00                             # id 0
             00 10                             # 16 bytes follow
@@ -162,7 +164,8 @@ final class CodecTest {
             """),
         arguments(
             new ReadResponse(7, "", Tail.SUCCESS),
-            // krl.md 1.8, "Trap": an unknown variable, as KUKAVARPROXY of 2019 and later has it
+            // docs/reference/kukavarproxy.md#refused-accesses: an unknown variable, as KUKAVARPROXY
+            // of 2019 and later has it
             """
             00 07                             # id 7
             00 06                             # 6 bytes follow
@@ -172,7 +175,7 @@ final class CodecTest {
             """),
         arguments(
             new ReadResponse(7, "", Tail.FAILURE_ZERO),
-            // krl.md 1.8: the same of C3 Bridge
+            // the same of C3 Bridge (docs/reference/c3-messages.md#error-codes)
             """
             00 07                             # id 7
             00 06                             # 6 bytes follow
@@ -182,7 +185,7 @@ final class CodecTest {
             """),
         arguments(
             new WriteResponse(8, "1", Tail.FAILURE),
-            // kukavarproxy.md, "a refused write answers the value sent with a failure tail"
+            // docs/reference/kukavarproxy.md#refused-accesses
             """
             00 08                             # id 8
             00 07                             # 7 bytes follow
@@ -192,7 +195,8 @@ final class CodecTest {
             """),
         arguments(
             new ReadArrayResponse(0x0203, List.of(0, 513, 65535), Tail.SUCCESS),
-            // laid out by hand from kukavarproxy.md, function 2; no capture is known
+            // laid out by hand from docs/reference/wire-format.md#integer-arrays; no capture is
+            // known
             """
             02 03                             # id 515
             00 0C                             # 12 bytes follow
@@ -202,7 +206,8 @@ final class CodecTest {
             """),
         arguments(
             new WriteArrayResponse(65535, "", Tail.FAILURE),
-            // laid out by hand from kukavarproxy.md, function 3; no capture is known
+            // laid out by hand from docs/reference/wire-format.md#integer-arrays; no capture is
+            // known
             """
             FF FF                             # id 65535
             00 06                             # 6 bytes follow
@@ -212,7 +217,7 @@ final class CodecTest {
             """),
         arguments(
             new EmptyResponse(258),
-            // kukavarproxy.md: "an unknown function number answers a frame whose length is 0"
+            // docs/reference/kukavarproxy.md#unknown-functions
             """
             01 02                             # id 258
             00 00                             # 0 bytes follow

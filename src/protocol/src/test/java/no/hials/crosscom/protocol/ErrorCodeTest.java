@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-/** Checks the numbers of the error codes against c3-bridge.md. */
+/** Checks the numbers of the error codes against docs/reference/c3-messages.md. */
 class ErrorCodeTest {
   @Test
   void codesHaveTheNumbersOfTheReference() {

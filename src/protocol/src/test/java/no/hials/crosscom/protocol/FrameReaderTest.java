@@ -18,10 +18,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 final class FrameReaderTest {
-  // kukavarproxy.md, worked examples: the answers 100 and 50
+  // the answers 100 and 50 (docs/reference/wire-format.md#examples)
   private static final byte[] ANSWER_100 = Hex.bytes("00 00 00 09 00 00 03 31 30 30 00 01 01");
   private static final byte[] ANSWER_50 = Hex.bytes("00 01 00 08 01 00 02 35 30 00 01 01");
-  // kukavarproxy.md: the answer to an unknown function
+  // the answer to an unknown function (docs/reference/kukavarproxy.md#unknown-functions)
   private static final byte[] EMPTY = Hex.bytes("00 02 00 00");
   private static final byte[] LONGEST =
       Codec.encode(

@@ -5,7 +5,7 @@ public final class KrlExecutionException extends Exception {
   private static final long serialVersionUID = 1L;
 
   /*
-   * The numbers are this simulation's own: krl.md has none of KSS's.
+   * The numbers are this simulation's own: no source has the numbers of KSS.
    */
 
   /** A variable, or a part of it, was read before it had a value. */

@@ -1,6 +1,9 @@
 package no.hials.crosscom.simulator;
 
-/** The states of an interpreter, as {@code $PRO_STATE1} has them (krl.md 2.4 and 2.8). */
+/**
+ * The states of an interpreter, as {@code $PRO_STATE1} has them
+ * (docs/reference/system-variables.md#enumerations).
+ */
 public enum ProgramState {
   /** No program is selected. */
   FREE,

@@ -14,12 +14,13 @@ final class SystemVariableRanges {
 
   private static final List<Range> ALL =
       List.of(
-          // krl.md 2.2
+          // docs/reference/system-variables.md#override-and-speed
           new Range("$OV_PRO", 0, 100),
           new Range("$ADVANCE", 0, 5),
-          // krl.md 2.6
+          // docs/reference/system-variables.md#inputs-outputs-and-timers
           new Range("$ANOUT", -1, 1),
-          // krl.md 2.2 says that these are in %; that 0 and more than 100 are refused is assumed
+          // these are in %; that 0 and more than 100 are refused is assumed
+          // (docs/reference/system-variables.md#override-and-speed)
           new Range("$OV_JOG", 0, 100),
           new Range("$VEL_AXIS", 1, 100),
           new Range("$ACC_AXIS", 1, 100),

@@ -13,9 +13,9 @@ import java.util.List;
  * @param unit the unit of its values, such as {@code mm/deg}; empty if it has none or none is known
  * @param meaning what it stands for; of a variable from a user's data list the comment behind its
  *     declaration; empty if there is none
- * @param source where access, unit and meaning are known from: tags of krl.md, {@code U} for what
- *     is unconfirmed there, {@code assumed} for what was chosen for this server; empty for a user's
- *     own
+ * @param source where access, unit and meaning are known from:
+ *     docs/reference/sources.md#source-tags, {@code U} for what is unconfirmed there, {@code
+ *     assumed} for what was chosen for this server; empty for a user's own
  */
 public record VariableInfo(
     String name,

@@ -55,7 +55,7 @@ class ControllerMotionTest {
 
   @Test
   void ptpGoesToAPositionWithItsStatusAndTurn() throws Exception {
-    // krl.md 3: a pose of the axes 30, -80, 100, 10, 60, -20
+    // a pose of the axes 30, -80, 100, 10, 60, -20 (docs/reference/kinematics.md#check-poses)
     cell.run("PTP {X 448.564,Y -272.871,Z 659.533,A 134.8594,B 12.2559,C -174.3395,S 2,T 34}");
     assertAt(448.564, -272.871, 659.533);
     assertThat(controller.axes().largestDifference(Axes.of(30, -80, 100, 10, 60, -20)))

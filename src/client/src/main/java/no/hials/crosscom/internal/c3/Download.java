@@ -25,7 +25,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Fetches a file. The server reads all of it into a buffer of the connection at the beginning
- * (c3-bridge.md, type 30), so that it cannot change on the way.
+ * (docs/reference/c3-messages.md#file-content-29-and-30), so that it cannot change on the way.
  */
 final class Download extends Transfer {
   private static final Logger LOG = LoggerFactory.getLogger(Download.class);

@@ -13,10 +13,13 @@ import org.jspecify.annotations.Nullable;
 
 /** What an upload and a download have in common: how far they are, and how they fail. */
 abstract class Transfer {
-  /** The most bytes that a message moves (c3-bridge.md, "Common to all messages"). */
+  /** The most bytes that a message moves (docs/reference/c3-messages.md#file-content-29-and-30). */
   static final int PART = 64_512;
 
-  /** The most bytes that a file can have, since sizes and offsets are u32 (c3-bridge.md). */
+  /**
+   * The most bytes that a file can have, since sizes and offsets are u32
+   * (docs/reference/c3-messages.md#file-content-29-and-30).
+   */
   static final long MAX_SIZE = 0xFFFF_FFFFL;
 
   final MessageChannel channel;

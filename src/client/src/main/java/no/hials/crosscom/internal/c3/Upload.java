@@ -30,7 +30,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Sends a file. The server collects it in a buffer of the connection and stores it at the end, so
- * that there is nothing of it before (c3-bridge.md, type 29).
+ * that there is nothing of it before (docs/reference/c3-messages.md#file-content-29-and-30).
  */
 final class Upload extends Transfer {
   private static final Logger LOG = LoggerFactory.getLogger(Upload.class);

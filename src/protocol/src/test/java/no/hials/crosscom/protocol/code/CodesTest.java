@@ -13,7 +13,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Checks names and numbers against c3-bridge.md, and what becomes of numbers that it has not. */
+/**
+ * Checks names and numbers against docs/reference/c3-messages.md, and what becomes of numbers that
+ * it has not.
+ */
 class CodesTest {
 
   static Stream<Arguments> numbers() {
@@ -134,7 +137,7 @@ class CodesTest {
 
   @Test
   void allPropertiesAre255() {
-    // c3-bridge.md, "property flags"
+    // docs/reference/c3-messages.md#property-flags
     assertThat(Flags.all(FileProperty.class).bits()).isEqualTo(255);
     assertThat(Flags.all(FileProperty.class).known()).containsExactly(FileProperty.values());
   }
@@ -155,7 +158,7 @@ class CodesTest {
 
   @Test
   void theReferencesModulePartsAreFlagsTogether() {
-    // c3-bridge.md, "module parts": 5 SUBDAT, 6 SRCDAT
+    // 5 SUBDAT, 6 SRCDAT (docs/reference/c3-messages.md#module-parts)
     assertThat(Flags.of(ModulePart.SUB, ModulePart.DAT).bits()).isEqualTo(5);
     assertThat(Flags.of(ModulePart.SRC, ModulePart.DAT).bits()).isEqualTo(6);
   }

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The texts of krl.md 1.1 to 1.6, and what is no KRL value. */
+/** The texts of docs/reference/krl-values.md, and what is no KRL value. */
 final class KrlValueTest {
 
   private static KrlStruct struct(String type, KrlStruct.Field... fields) {
@@ -50,7 +50,7 @@ final class KrlValueTest {
   /** Texts as a KR C4 prints them: parsed, and printed again as they were. */
   static Stream<Arguments> printed() {
     return Stream.of(
-        // krl.md 1.1
+        // docs/reference/krl-values.md#scalars
         arguments("116", new KrlInt(116)),
         arguments("-1", new KrlInt(-1)),
         arguments("TRUE", new KrlBool(true)),
@@ -62,10 +62,10 @@ final class KrlValueTest {
         arguments("\"text\"", new KrlString("text")),
         arguments("\" \"", new KrlString(" ")),
         arguments("63", new KrlInt(63)),
-        // kukavarproxy.md, worked examples
+        // docs/reference/wire-format.md#examples
         arguments("100", new KrlInt(100)),
         arguments("#CHARGE_OK", new KrlEnum("CHARGE_OK")),
-        // krl.md 1.3, "Samples (real)"
+        // docs/reference/krl-values.md#structures
         arguments(
             "{E6POS: X 840.229, Y -840.229, Z 1794.12939, A -135.000, B 2.22039314E-12,"
                 + " C 79.0000, S 2, T 34, E1 0.0, E2 0.0, E3 0.0, E4 0.0, E5 0.0, E6 0.0}",
@@ -85,7 +85,8 @@ final class KrlValueTest {
                 field("E4", 0.0),
                 field("E5", 0.0),
                 field("E6", 0.0))),
-        // krl.md 1.3, the nested sample of LOAD, its elided numbers filled in
+        // docs/reference/krl-values.md#structures, the nested sample of LOAD, its elided numbers
+        // filled in
         arguments(
             "{LOAD: M 65.0000, CM {FRAME: X 180.000, Y 0.0, Z 0.0, A 0.0, B 0.0, C 0.0},"
                 + " J {INERTIA: X 19.5000, Y 0.0, Z 0.0}}",
@@ -103,7 +104,8 @@ final class KrlValueTest {
                         field("B", 0.0),
                         field("C", 0.0))),
                 field("J", struct("INERTIA", field("X", 19.5), field("Y", 0.0), field("Z", 0.0))))),
-        // krl.md 1.3: CHAR arrays keep their brackets; the fields are those of PRO_IP
+        // CHAR arrays keep their brackets; the fields are those of PRO_IP
+        // (docs/reference/krl-values.md#structures)
         arguments(
             "{PRO_IP: NAME[] \"/R1/XXX.SRC\", SNR 1, P_ARRIVED TRUE,"
                 + " SI01 {CALL_STACK: NAME[] \" \", SNR 0, INT_FLAG FALSE}}",
@@ -119,11 +121,11 @@ final class KrlValueTest {
                         field("NAME[]", new KrlString(" ")),
                         field("SNR", 0),
                         field("INT_FLAG", new KrlBool(false)))))),
-        // krl.md 1.3: only initialised components, none at all
+        // only initialised components, none at all (docs/reference/krl-values.md#structures)
         arguments(
             "{E6POS: X 1.00000, C 2.00000}", struct("E6POS", field("X", 1.0), field("C", 2.0))),
         arguments("{E6POS: }", struct("E6POS")),
-        // krl.md 1.4: an array ends with a blank
+        // an array ends with a blank (docs/reference/krl-values.md#arrays)
         arguments("0.0 ".repeat(12), reals(new double[12])),
         arguments("-1.00000 0.100000 ", reals(-1, 0.1)),
         arguments("0.0 ", reals(0)),
@@ -158,7 +160,7 @@ final class KrlValueTest {
   static Stream<Arguments> alsoTaken() {
     KrlStruct frame = untyped(field("X", 0.0), field("Y", 0.0));
     return Stream.of(
-        // krl.md 1.1: literals of programs and dat files
+        // literals of programs and dat files (docs/reference/krl-values.md#scalars)
         arguments("'B0101'", new KrlInt(5)),
         arguments("'HFF'", new KrlInt(255)),
         arguments("'B0000'", new KrlInt(0)),
@@ -178,14 +180,14 @@ final class KrlValueTest {
         arguments("+12", new KrlInt(12)),
         arguments("007", new KrlInt(7)),
         arguments("-0", new KrlInt(0)),
-        // krl.md 1.2: KR C2, and what programs have
+        // KR C2, and what programs have (docs/reference/krl-values.md#real)
         arguments("90.00000", KrlReal.of(90)),
         arguments("-1.162400", KrlReal.of(-1.1624)),
         arguments("5.252814E-03", KrlReal.of(5.252814E-3)),
         arguments("1E5", KrlReal.of(1e5)),
         arguments("1.", KrlReal.of(1)),
         arguments(".5", KrlReal.of(0.5)),
-        // krl.md 1.6: BOOL in lower case
+        // BOOL in lower case (docs/reference/krl-values.md#what-a-write-accepts)
         arguments("true", new KrlBool(true)),
         arguments("False", new KrlBool(false)),
         // blanks around
@@ -194,7 +196,8 @@ final class KrlValueTest {
         arguments(" \"A\" ", new KrlString("A")),
         arguments(" {X 0.0} ", untyped(field("X", 0.0))),
         arguments("\"\"", new KrlString("")),
-        // krl.md 1.3: dat files have no type name and no blank after a comma
+        // dat files have no type name and no blank after a comma
+        // (docs/reference/krl-values.md#structures)
         arguments("{X 0.0,Y 0.0}", frame),
         arguments("{ X 0.0 , Y 0.0 }", frame),
         arguments("{X\t0.0,\r\nY   0.0}", frame),
@@ -204,7 +207,8 @@ final class KrlValueTest {
         arguments("{E6POS:   }", struct("E6POS")),
         arguments("{ E6POS : X 1 }", struct("E6POS", field("X", 1))),
         arguments("{FRAME:X 1}", struct("FRAME", field("X", 1))),
-        // krl.md 1.6 and kukavarproxy.md: INT text for REAL, some fields, any order
+        // docs/reference/krl-values.md#what-a-write-accepts and docs/reference/kukavarproxy.md: INT
+        // text for REAL, some fields, any order
         arguments("{X 10,Y 5}", untyped(field("X", 10), field("Y", 5))),
         arguments(
             "{E6POS: T 34, C 1.00000, X 2.00000}",
@@ -224,10 +228,10 @@ final class KrlValueTest {
             untyped(field("N[]", new KrlString("x")), field("L", untyped(field("X", 1))))),
         arguments("\"{X 1}\"", new KrlString("{X 1}")),
         arguments("\"\u00E5\"", new KrlString("\u00E5")),
-        // names with an index, as krl.md 1.4 addresses elements
+        // names with an index, as docs/reference/krl-values.md#arrays addresses elements
         arguments("{A[1] 5, M[2,3] 6}", untyped(field("A[1]", 5), field("M[2,3]", 6))),
         arguments("{$X 1, _y 2}", untyped(field("$X", 1), field("_y", 2))),
-        // krl.md 1.4: arrays with and without the trailing blank
+        // arrays with and without the trailing blank (docs/reference/krl-values.md#arrays)
         arguments("1 2 -3", ints(1, 2, -3)),
         arguments(" 1   2 ", ints(1, 2)),
         arguments("0.0 1.0", reals(0, 1)),

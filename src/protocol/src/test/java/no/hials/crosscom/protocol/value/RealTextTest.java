@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** How REALs are printed and read: krl.md 1.2. */
+/** How REALs are printed and read: docs/reference/krl-values.md#real. */
 final class RealTextTest {
   /** No float's text for writing is longer: sign, nine digits, point, exponent. */
   private static final int LONGEST_SHORT_TEXT = 15;
@@ -38,7 +38,10 @@ final class RealTextTest {
     return out.toString();
   }
 
-  /** The table of krl.md 1.2, KSS 8.3 and later, where the float is given with all its digits. */
+  /**
+   * The table of docs/reference/krl-values.md#real, KSS 8.3 and later, where the float is given
+   * with all its digits.
+   */
   @ParameterizedTest
   @CsvSource({
     "45, 45.0000",
@@ -70,7 +73,7 @@ final class RealTextTest {
   }
 
   /**
-   * The rows of krl.md whose float is not given with all its digits, and other controllers'
+   * The rows of the table whose float is not given with all its digits, and other controllers'
    * answers.
    */
   @ParameterizedTest
@@ -79,7 +82,8 @@ final class RealTextTest {
         "4.48259061E-06",
         "2.22039314E-12",
         "-0.0191543195",
-        // krl.md 1.3 and 1.8, answers of real controllers
+        // docs/reference/krl-values.md and docs/reference/wire-format.md#examples, answers of real
+        // controllers
         "840.229",
         "-840.229",
         "1794.12939",
@@ -305,7 +309,9 @@ final class RealTextTest {
     assertThat(KrlValue.parse("-0.0")).isEqualTo(new KrlReal(0.0f));
   }
 
-  /** Forms that controllers print, and the forms krl.md 1.2 advises to take. */
+  /**
+   * Forms that controllers print, and the forms docs/reference/krl-values.md#real advises to take.
+   */
   static Stream<Arguments> forms() {
     return Stream.of(
         arguments("1E5", 1e5),
@@ -371,7 +377,10 @@ final class RealTextTest {
     return Float.isFinite(value) && value != 0 ? value : anyFloat(random);
   }
 
-  /** The rule of krl.md 1.2, once more and independently: from the exact value, with BigDecimal. */
+  /**
+   * The rule of docs/reference/krl-values.md#real, once more and independently: from the exact
+   * value, with BigDecimal.
+   */
   private static String byTheRule(float value) {
     String text = sharpG(value, 6);
     if (Float.parseFloat(text) != value) {

@@ -44,7 +44,10 @@ final class MotionResolver {
   private static final VariablePath APO_CVEL = SystemVariableAccess.path("$APO.CVEL");
   private static final VariablePath APO_CORI = SystemVariableAccess.path("$APO.CORI");
 
-  /** What INITMOV sets (krl.md 2.7), for a controller without these variables. */
+  /**
+   * What INITMOV sets (docs/reference/system-variables.md#what-initmov-sets), for a controller
+   * without these variables.
+   */
   private static final double DEFAULT_VELOCITY = 2;
 
   private static final double DEFAULT_TURN_VELOCITY = 200;
@@ -122,7 +125,8 @@ final class MotionResolver {
 
   /**
    * Finds the axes of a PTP motion's Cartesian target. Without Status and Turn, and for an
-   * increment, the arm stays as it is (krl.md 3: S and T apply to PTP; for PTP_REL assumed).
+   * increment, the arm stays as it is (docs/reference/kinematics.md#status-and-turn; for PTP_REL
+   * assumed).
    */
   private Axes inverse(MotionOrder order, Frame tcp) throws KrlExecutionException {
     try {

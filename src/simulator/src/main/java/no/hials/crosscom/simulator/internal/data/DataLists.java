@@ -22,7 +22,7 @@ import no.hials.crosscom.lang.Position;
 
 /** Data lists as files: their text, their tree, and their names. */
 public final class DataLists {
-  /** krl.md 1.1. */
+  /** docs/reference/krl-values.md#arrays. */
   private static final int MAX_NAME_LENGTH = 24;
 
   private DataLists() {}

@@ -10,8 +10,9 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 
 /**
- * What KRL's operators compute. Assumed, since krl.md 4 only lists them: INT with INT gives INT, a
- * quotient cut off; with a REAL all is REAL, a 32-bit float (krl.md 1.1); AND, OR and EXOR always
+ * What KRL's operators compute. Assumed, since no source defines them
+ * (docs/reference/krl-language.md#operators): INT with INT gives INT, a quotient cut off; with a
+ * REAL all is REAL, a 32-bit float (docs/reference/krl-values.md#scalars); AND, OR and EXOR always
  * evaluate both operands.
  */
 public final class Operators {

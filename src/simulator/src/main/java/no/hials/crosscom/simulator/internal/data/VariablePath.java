@@ -13,7 +13,7 @@ import no.hials.crosscom.simulator.RefusedException;
  * @param steps at least one
  */
 public record VariablePath(List<Step> steps) {
-  /** KRL arrays have three dimensions at most (krl.md 1.1). */
+  /** KRL arrays have three dimensions at most (docs/reference/krl-values.md#arrays). */
   private static final int MAX_DIMENSIONS = 3;
 
   private static final int MAX_INDEX_DIGITS = 9;
@@ -21,7 +21,8 @@ public record VariablePath(List<Step> steps) {
   /**
    * One name.
    *
-   * @param name in upper case, since names are the same in any case (krl.md 1.1)
+   * @param name in upper case, since names are the same in any case
+   *     (docs/reference/krl-values.md#names)
    * @param index what stands behind it
    */
   public record Step(String name, Index index) {}

@@ -7,7 +7,10 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
 
-/** What a list has so far; it ends when an answer cannot hold more (c3-bridge.md, type 21). */
+/**
+ * What a list has so far; it ends when an answer cannot hold more
+ * (docs/reference/c3-messages.md#error-codes).
+ */
 final class DirectoryListing {
   /** What a u16 length can hold, less type, two counts and the footer. */
   private static final int ROOM = 0xFFFF - 1 - 2 * 2 - 3;

@@ -9,7 +9,7 @@ import no.hials.crosscom.protocol.file.Bytes;
  * size from what the tree has for transfers, but memory only as data come. Not thread-safe.
  */
 public final class TransferBuffer {
-  /** The most that one message brings (c3-bridge.md, "Common to all messages"). */
+  /** The most that one message brings (docs/reference/c3-messages.md#file-content-29-and-30). */
   public static final int MAX_CHUNK = 64_512;
 
   private final ControllerFileSystem tree;
@@ -54,7 +54,8 @@ public final class TransferBuffer {
   }
 
   /**
-   * Takes data; those past the announced size are cut off (c3-bridge.md, "Common to all messages").
+   * Takes data; those past the announced size are cut off
+   * (docs/reference/c3-messages.md#file-content-29-and-30).
    *
    * @param offset where they begin
    * @param chunk the data

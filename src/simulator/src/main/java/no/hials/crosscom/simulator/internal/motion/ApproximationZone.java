@@ -1,7 +1,8 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 /**
- * Says where a motion may leave its path for the next one ({@code $APO}, krl.md 2.2).
+ * Says where a motion may leave its path for the next one ({@code $APO},
+ * docs/reference/system-variables.md#override-and-speed).
  *
  * <p>A blend is the sum of the end of one motion, slowing down, and of the beginning of the next,
  * speeding up; it needs no longer than either takes for that, so at most half of the shorter one.

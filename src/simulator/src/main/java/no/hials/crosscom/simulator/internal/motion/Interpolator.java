@@ -29,7 +29,10 @@ import org.jspecify.annotations.Nullable;
  * slows down anyway, for a target or in a blend, it takes no less time than planned.
  */
 public final class Interpolator {
-  /** The simulated time of one cycle, s: the interpolation cycle of 12 ms (krl.md 5). */
+  /**
+   * The simulated time of one cycle, s: the interpolation cycle of 12 ms
+   * (docs/reference/access-times.md#cycles).
+   */
   public static final double CYCLE = 0.012;
 
   /** Two positions of an axis are the same if they are nearer, degrees. */

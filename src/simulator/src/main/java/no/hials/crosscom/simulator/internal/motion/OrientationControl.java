@@ -1,6 +1,9 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-/** Says what the orientation does on the way of a LIN or CIRC ({@code $ORI_TYPE}, krl.md 2). */
+/**
+ * Says what the orientation does on the way of a LIN or CIRC ({@code $ORI_TYPE},
+ * docs/reference/system-variables.md#override-and-speed).
+ */
 public enum OrientationControl {
   /** Turns about one axis to the orientation of the target, at a rate that matches the path. */
   VAR,

@@ -8,11 +8,11 @@ import no.hials.crosscom.mock.internal.DurationParser;
  * How long the controller takes for a request.
  *
  * <p>The time is spent while the request has its turn, so that five clients that ask without a
- * pause wait five times as long each, as measured (krl.md 5); see {@link
- * MockServerConfig#oneAtATime}. Only what the controller is asked for takes it: not {@code PING},
- * not what is no request, and not a request that a {@link Fault} keeps from being executed.
- * Assumed: one time a request, however many elements an array has (the papers found it the same for
- * short and long values).
+ * pause wait five times as long each, as measured (docs/reference/access-times.md#50000-accesses);
+ * see {@link MockServerConfig#oneAtATime}. Only what the controller is asked for takes it: not
+ * {@code PING}, not what is no request, and not a request that a {@link Fault} keeps from being
+ * executed. Assumed: one time a request, however many elements an array has (the papers found it
+ * the same for short and long values).
  *
  * <p>The times of a seed are always the same, in the order in which requests are served.
  */
@@ -39,7 +39,7 @@ public sealed interface Latency {
 
   /**
    * Takes the time that was measured at a KR C4 with one client: at least 1.7 ms, median 2.2 ms,
-   * mean 2.5 ms, at most 24 ms (krl.md 5).
+   * mean 2.5 ms, at most 24 ms (docs/reference/access-times.md#50000-accesses).
    *
    * @param seed the same seed gives the same times
    * @return the latency
@@ -49,9 +49,10 @@ public sealed interface Latency {
   }
 
   /**
-   * Takes the time that the papers of 2014 and 2015 give for a KR C4: 5 ms in the mean (krl.md 5).
-   * Assumed, since they give no more: the shape of {@link #krc4} at twice its size, so at least 3.4
-   * ms and median 4.4 ms; at most 16 ms, where their figure ends.
+   * Takes the time that the papers of 2014 and 2015 give for a KR C4: 5 ms in the mean
+   * (docs/reference/access-times.md#papers). Assumed, since they give no more: the shape of {@link
+   * #krc4} at twice its size, so at least 3.4 ms and median 4.4 ms; at most 16 ms, where their
+   * figure ends.
    *
    * @param seed the same seed gives the same times
    * @return the latency

@@ -43,11 +43,11 @@ import org.slf4j.LoggerFactory;
  * unknown function the empty answer; the connection stays open.
  *
  * <p>C3 Bridge answers a malformed request with code {@code PROTOCOL}, and closes the connection on
- * an unknown type and when an answer of types 0 and 4 is too long (c3-bridge.md, "Common to all
- * messages"). That it drops what arrives while its send blocks is not simulated. Its programs,
- * motions and keys are those of {@link #controller}: select, run and start really do, a motion
- * begins at once and needs the controller's time, and a program has to be stopped before somebody
- * else can move the robot.
+ * an unknown type and when an answer of types 0 and 4 is too long
+ * (docs/reference/c3-messages.md#framing). That it drops what arrives while its send blocks is not
+ * simulated. Its programs, motions and keys are those of {@link #controller}: select, run and start
+ * really do, a motion begins at once and needs the controller's time, and a program has to be
+ * stopped before somebody else can move the robot.
  *
  * <p>Threads: one that accepts, called {@code mock-server-PORT-accept}, one for each connection,
  * called {@code mock-server-PORT-client-N}, {@code mock-server-PORT-discovery} and {@code

@@ -31,7 +31,7 @@ class LatencyTest {
     assertThat(sorted[DRAWN - 1] / 1e6).isEqualTo(max);
   }
 
-  /** The figures of krl.md 5. */
+  /** The figures of docs/reference/access-times.md#50000-accesses. */
   @Test
   void drawsTheFiguresMeasuredAtAKrc4() {
     assertMillis(Latency.krc4(1), 1.7, 2.2, 2.5, 24);

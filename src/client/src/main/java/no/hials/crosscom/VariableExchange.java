@@ -317,7 +317,8 @@ final class VariableExchange {
     }
     Answer answer = connection.exchange(frame, frame.length, MessageType.READ, name, call);
     AnswerFrame result = answer.frame();
-    // KUKAVARPROXY of 2019 and later says success when the controller refuses (krl.md 1.8)
+    // KUKAVARPROXY of 2019 and later says success when the controller refuses
+    // (docs/reference/kukavarproxy.md#refused-accesses)
     if (!result.success() || result.isEmpty()) {
       throw new CrossComAccessException(name, Operation.READ, result.success(), result.code());
     }

@@ -48,9 +48,9 @@ import no.hials.crosscom.simulator.internal.files.FileRefusedException;
 import no.hials.crosscom.simulator.internal.files.TransferBuffer;
 
 /**
- * Answers the messages 20 to 30 of one connection as C3 Bridge does (c3-bridge.md, "Messages";
- * c3-vectors.tsv). It has two buffers, one for writing and one for reading; that each connection
- * has its own is assumed.
+ * Answers the messages 20 to 30 of one connection as C3 Bridge does
+ * (docs/reference/c3-messages.md#files-20-to-28; c3-vectors.tsv). It has two buffers, one for
+ * writing and one for reading; that each connection has its own is assumed.
  *
  * <p>For one thread at a time; those of other connections may be at work on the same tree.
  */
@@ -211,7 +211,10 @@ public final class C3FileHandler implements AutoCloseable {
     return size(request, ContentOperation.BEGIN, tail);
   }
 
-  /** Stores what was written; if that fails the buffer stays (c3-bridge.md, "Common"). */
+  /**
+   * Stores what was written; if that fails the buffer stays
+   * (docs/reference/c3-messages.md#file-content-29-and-30).
+   */
   private void end(EndWriteRequest request) throws IOException {
     if (!writing.isOpen()) {
       throw new FileRefusedException(ErrorCode.UNEXPECTED, "nothing was begun"); // assumed

@@ -23,7 +23,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Finds servers by UDP (c3-bridge.md, "Discovery"; kukavarproxy.md). It asks only whom the {@link
+ * Finds servers by UDP (docs/reference/wire-format.md#discovery). It asks only whom the {@link
  * DiscoveryConfig} names.
  *
  * <p>In legacy mode a server answers to a fixed port of this machine, which no other program may

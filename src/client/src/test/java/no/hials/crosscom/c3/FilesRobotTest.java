@@ -35,7 +35,7 @@ import org.junit.jupiter.api.BeforeEach;
 abstract class FilesRobotTest {
   static final String FILE = "KRC:\\R1\\Program\\test.src";
 
-  /** As many bytes as a message moves (c3-bridge.md, "Common to all messages"). */
+  /** As many bytes as a message moves (docs/reference/c3-messages.md#file-content-29-and-30). */
   static final int PART = 64_512;
 
   /** Never runs out. */

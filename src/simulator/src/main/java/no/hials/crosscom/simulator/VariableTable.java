@@ -434,7 +434,8 @@ public final class VariableTable {
   public void write(String name, String text, int maxAggregateLength) throws RefusedException {
     VariablePath path = VariablePath.parse(name);
     KrlValue value = parse(text);
-    // kukavarproxy.md: at most 255 bytes for a written aggregate; text is one byte a character
+    // at most 255 bytes for a written aggregate; text is one byte a character
+    // (docs/reference/krl-values.md#lengths)
     if (value instanceof KrlStruct
         && maxAggregateLength > 0
         && text.length() > maxAggregateLength) {

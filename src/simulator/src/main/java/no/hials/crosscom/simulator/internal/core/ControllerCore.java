@@ -36,7 +36,7 @@ import org.jspecify.annotations.Nullable;
  * call. What clients read between two cycles is the state after the last.
  */
 public final class ControllerCore {
-  /** The interpolation cycle of a KR C4 (krl.md 5: RSI's IPO cycle), ms. */
+  /** The interpolation cycle of a KR C4 (docs/reference/access-times.md#cycles), ms. */
   public static final int CYCLE_MILLIS = 12;
 
   /**

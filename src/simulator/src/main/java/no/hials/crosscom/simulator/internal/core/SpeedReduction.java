@@ -5,7 +5,10 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.motion.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
 
-/** Reduces the programmed speed: by the override, and in T1 by its limits (krl.md 2.2). */
+/**
+ * Reduces the programmed speed: by the override, and in T1 by its limits
+ * (docs/reference/system-variables.md#override-and-speed).
+ */
 final class SpeedReduction {
   private static final double PERCENT = 100;
   private static final VariablePath OV_PRO = SystemVariableAccess.path("$OV_PRO");

@@ -27,11 +27,15 @@ import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shows the state of the simulation in the system variables of krl.md 2. What is a number or a text
- * is computed when somebody reads it; what is wired to an output is written when it changes.
+ * Shows the state of the simulation in the system variables of docs/reference/system-variables.md.
+ * What is a number or a text is computed when somebody reads it; what is wired to an output is
+ * written when it changes.
  */
 final class SystemVariables {
-  /** Access to these waits until the robot has come to the end of its motions (krl.md 4). */
+  /**
+   * Access to these waits until the robot has come to the end of its motions
+   * (docs/reference/krl-language.md#advance-run).
+   */
   private static final Set<String> STOP_ADVANCE =
       Set.of(
           "$IN",
@@ -58,7 +62,7 @@ final class SystemVariables {
           "$AXIS_FOR",
           "$BRAKE_SIG");
 
-  /** The brakes of A1 to A6, open (krl.md 2.1). */
+  /** The brakes of A1 to A6, open (docs/reference/system-variables.md#position-and-motion). */
   private static final int BRAKES_OPEN = 63;
 
   private static final VariablePath ROB_STOPPED = SystemVariableAccess.path("$ROB_STOPPED");
@@ -218,7 +222,10 @@ final class SystemVariables {
     }
   }
 
-  /** krl.md 2.1: in the base and with the tool of the main run. */
+  /**
+   * In the base and with the tool of the main run
+   * (docs/reference/system-variables.md#position-and-motion).
+   */
   private KrlStruct position(Axes axes) {
     Frame tcp = baseOfMainRun().inverse().times(robot.forward(axes)).times(toolOfMainRun());
     return PositionValues.e6Pos(tcp, robot.status(axes), robot.turn(axes));
@@ -235,7 +242,7 @@ final class SystemVariables {
     return of == null ? access.frame(tool) : of;
   }
 
-  /** krl.md 2.1: in % of the highest speed. */
+  /** In % of the highest speed (docs/reference/system-variables.md#position-and-motion). */
   private KrlValue axisVelocity() {
     double[] percent = new double[PositionValues.ROBOT_AXES];
     for (int i = 0; i < percent.length; i++) {
@@ -273,7 +280,7 @@ final class SystemVariables {
     return new KrlStruct.Field(name + "[]", new KrlString(value));
   }
 
-  /** krl.md 1.3 (OSV): {@code /R1/XXX.SRC}. */
+  /** {@code /R1/XXX.SRC} (docs/reference/krl-values.md#fields-of-the-structures). */
   private static String moduleName(KrlInterpreter.Level level) {
     String file = level.position().file().toUpperCase(Locale.ROOT);
     String module = level.module().toUpperCase(Locale.ROOT);
@@ -382,7 +389,10 @@ final class SystemVariables {
     }
   }
 
-  /** Within $H_POS_TOL of every axis of the home position (krl.md 2.1). */
+  /**
+   * Within $H_POS_TOL of every axis of the home position
+   * (docs/reference/system-variables.md#position-and-motion).
+   */
   private boolean atHome(Axes axes) {
     Axes tolerance = access.position(H_POS_TOL, Axes.ZERO);
     Axes away = access.position(H_POS, robot.home()).minus(axes);

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Counts the timers up and ends the pulses of outputs, in simulated time. */
 final class Timers {
-  /** How many timers a KR C4 has (krl.md 2.6). */
+  /** How many timers a KR C4 has (docs/reference/system-variables.md#inputs-outputs-and-timers). */
   private static final int COUNT = 64;
 
   private record Pulse(int output, boolean level, long end) {}

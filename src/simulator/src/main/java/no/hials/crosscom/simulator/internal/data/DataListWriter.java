@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * with all their digits, arrays element by element, what has no value without one.
  */
 public final class DataListWriter {
-  /** KSS ends its lines so (krl.md 4). */
+  /** KSS ends its lines so (docs/reference/krl-language.md#files). */
   private static final String LINE_END = "\r\n";
 
   private final StringBuilder out = new StringBuilder();

@@ -397,7 +397,8 @@ public final class Scope {
     String key = path.first().name();
     if (writer == Writer.CLIENT) {
       if (contents.read(path) instanceof Storage.Array) {
-        // assumed: there is no way to set an array as a whole before KSS 8 (krl.md 1.4, ISS #14),
+        // assumed: there is no way to set an array as a whole before KSS 8
+        // (docs/reference/krl-values.md#arrays),
         // and none is documented for later
         throw new RefusedException(Refusal.WHOLE_ARRAY, "an array is written by element");
       }
@@ -405,7 +406,8 @@ public final class Scope {
     if (writer != Writer.SYSTEM) {
       Index index = path.first().index();
       if (key.equals(OUTPUTS) && index.count() > 0 && systemOutputs().get(index.number(0))) {
-        // krl.md 2.6, marked U: outputs that system signals use cannot be set; for programs
+        // docs/reference/krl-values.md#signals-and-inputs, unconfirmed: outputs that system signals
+        // use cannot be set; for programs
         // assumed
         throw new RefusedException(Refusal.READ_ONLY, "is used by a system signal");
       }

@@ -12,10 +12,11 @@ import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The wiring of a SIGNAL (krl.md 1.5): a name for one input or output, or for several as an INT.
+ * The wiring of a SIGNAL (docs/reference/krl-values.md#signals-and-inputs): a name for one input or
+ * output, or for several as an INT.
  *
  * @param array {@code $IN}, {@code $OUT} or another array in upper case; null without wiring
- * @param first the first element, the lowest bit (assumed: krl.md marks the bit order as U)
+ * @param first the first element, the lowest bit (assumed: the bit order is unconfirmed)
  * @param last the last element
  */
 record SignalWiring(@Nullable String array, int first, int last) {

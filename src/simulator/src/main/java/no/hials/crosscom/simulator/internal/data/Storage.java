@@ -221,7 +221,7 @@ public abstract sealed class Storage {
       if (type != Type.Base.INT || !(newValue instanceof KrlReal number)) {
         return newValue;
       }
-      // assumed: to the nearest, halves upwards (krl.md 4 does not say)
+      // assumed: to the nearest, halves upwards (no source says)
       double nearest = Math.floor(number.value() + 0.5);
       if (nearest != (int) nearest) {
         throw new RefusedException(Refusal.OUT_OF_RANGE, "an INT has 32 bits, was given " + number);
@@ -260,7 +260,7 @@ public abstract sealed class Storage {
       if (characters == null) {
         throw notInitialised();
       }
-      // an empty text is printed as one blank (krl.md 1.1)
+      // an empty text is printed as one blank (docs/reference/krl-values.md#scalars)
       return new KrlString(characters.isEmpty() ? " " : characters);
     }
 
@@ -352,7 +352,7 @@ public abstract sealed class Storage {
     public KrlValue value() throws RefusedException {
       List<KrlStruct.Field> fields = new ArrayList<>(parts.length);
       for (int i = 0; i < parts.length; i++) {
-        // only initialised components are printed (krl.md 1.3)
+        // only initialised components are printed (docs/reference/krl-values.md#structures)
         if (parts[i].initialised()) {
           String name = type.components().get(i).name();
           if (parts[i] instanceof Array array) {
@@ -469,7 +469,7 @@ public abstract sealed class Storage {
     @Override
     public KrlValue value() throws RefusedException {
       if (!hasScalars()) {
-        // krl.md 1.4 has no sample of it: assumed to fail
+        // no sample of it is known: assumed to fail (docs/reference/krl-values.md#arrays)
         throw new RefusedException(
             Refusal.WHOLE_ARRAY, "an array of structures can only be read by element");
       }

@@ -64,7 +64,9 @@ sealed interface Type {
         throw wrongType(this, value);
       }
     },
-    /** A 32-bit float; INT text is taken too (krl.md 1.6). */
+    /**
+     * A 32-bit float; INT text is taken too (docs/reference/krl-values.md#what-a-write-accepts).
+     */
     REAL {
       @Override
       public KrlValue convert(KrlValue value) throws RefusedException {
@@ -195,7 +197,7 @@ sealed interface Type {
 
     /**
      * Makes of a position what a variable of another type of position takes over: the components
-     * that it has. Assumed: krl.md is silent, and programs assign {@code $POS_ACT} to a FRAME.
+     * that it has. Assumed: no source says it, and programs assign {@code $POS_ACT} to a FRAME.
      */
     KrlStruct ofItsKind(KrlStruct value) {
       String given = value.typeName();

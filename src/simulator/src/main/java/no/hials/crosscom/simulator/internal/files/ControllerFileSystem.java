@@ -22,9 +22,10 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The files of the controller as C3 Bridge sees them: how names are found, and which code a refused
- * request gets. Where neither c3-bridge.md nor c3-vectors.tsv has a code, it is assumed: {@link
- * ErrorCode#GENERAL} for an item that is missing, {@link ErrorCode#ACCESS} for an item that exists
- * already or is in use, {@link ErrorCode#ARGUMENT} for arguments that make no sense.
+ * request gets. Where neither docs/reference/c3-messages.md nor c3-vectors.tsv has a code, it is
+ * assumed: {@link ErrorCode#GENERAL} for an item that is missing, {@link ErrorCode#ACCESS} for an
+ * item that exists already or is in use, {@link ErrorCode#ARGUMENT} for arguments that make no
+ * sense.
  *
  * <p>Thread-safe. One lock is held during access to the disk too, because the result of a check
  * must stay true until the change is done.
@@ -161,7 +162,8 @@ public final class ControllerFileSystem implements FileTree {
   // names
 
   /**
-   * Returns the full name of an item, in capital letters as c3-bridge.md, type 27, has it.
+   * Returns the full name of an item, in capital letters as
+   * docs/reference/c3-messages.md#files-20-to-28, has it.
    *
    * @param name in either form
    * @return such as {@code KRC:\R1\PROGRAM\X.SRC}

@@ -12,7 +12,10 @@ import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Speed;
  * if both are paths of the same one, of the axes otherwise.
  */
 final class Blend {
-  /** {@code $APO_DIS_PTP}, degrees, of which C_PTP is a part (krl.md 2.7: 90 for every axis). */
+  /**
+   * {@code $APO_DIS_PTP}, degrees, of which C_PTP is a part
+   * (docs/reference/system-variables.md#override-and-speed: 90 for every axis).
+   */
   private static final double AXIS_DISTANCE = 90;
 
   /** So exactly the time is found at which a distance is kept: halvings of the longest time. */

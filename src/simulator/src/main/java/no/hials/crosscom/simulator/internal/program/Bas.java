@@ -14,9 +14,10 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The subprogram BAS of the base technology (krl.md 4), which sets speeds and coordinate systems.
- * What {@code #INITMOV} leaves is in krl.md 2.7; what the others do is assumed from the names of
- * their commands and of the variables of an inline form.
+ * The subprogram BAS of the base technology (docs/reference/krl-language.md#bas), which sets speeds
+ * and coordinate systems. What {@code #INITMOV} leaves is in
+ * docs/reference/system-variables.md#what-initmov-sets; what the others do is assumed from the
+ * names of their commands and of the variables of an inline form.
  */
 final class Bas {
   private static final int AXES = 6;

@@ -24,8 +24,9 @@ import no.hials.crosscom.simulator.internal.program.Builtin.Kind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The standard functions and the routines of the base technology. krl.md 4 has their names only:
- * parameters and results are assumed, from the names and what programs do with them.
+ * The standard functions and the routines of the base technology.
+ * docs/reference/krl-language.md#functions has their names only: parameters and results are
+ * assumed, from the names and what programs do with them.
  */
 final class Builtins {
   private static final Map<String, Builtin> ALL = new HashMap<>();

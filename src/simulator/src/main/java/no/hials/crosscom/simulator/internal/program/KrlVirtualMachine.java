@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * nothing of it must be done before it is known that it need not wait.
  */
 final class KrlVirtualMachine {
-  /** Assumed: krl.md 4 does not say how deep KSS lets calls nest. */
+  /** Assumed: no source says how deep KSS lets calls nest. */
   static final int MAX_CALLS = 256;
 
   private static final int FIRST_STACK_LENGTH = 64;

@@ -168,7 +168,8 @@ final class StatementCompiler {
   private void action(Statement.Action action) {
     if (action instanceof Statement.Assignment assignment) {
       if (Scope.key(assignment.target().name()).equals("$CYCFLAG")) {
-        // its expression would have to be looked at again in each cycle (krl.md 2.6)
+        // its expression would have to be looked at again in each cycle
+        // (docs/reference/system-variables.md#inputs-outputs-and-timers)
         context.error(assignment.position(), "cyclic flags are not supported by this simulation");
       }
       expressions.write(assignment.target(), () -> expressions.compile(assignment.value()));
@@ -320,7 +321,7 @@ final class StatementCompiler {
 
   private static void checkStep(KrlValue step) throws KrlExecutionException {
     if (step.equals(ZERO)) {
-      // assumed: krl.md 4 does not say what a step of 0 does
+      // assumed: no source says what a step of 0 does
       throw new KrlExecutionException(
           KrlExecutionException.OUT_OF_RANGE, "the STEP of FOR must not be 0");
     }

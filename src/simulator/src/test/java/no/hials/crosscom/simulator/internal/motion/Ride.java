@@ -12,7 +12,7 @@ final class Ride {
   static final RobotModel ROBOT = RobotModel.kr6r900sixx();
   static final AxisRates FULL = AxisRates.of(100, 100);
 
-  /** Those of BAS(#INITMOV,0) (krl.md 2.7). */
+  /** Those of BAS(#INITMOV,0) (docs/reference/system-variables.md#what-initmov-sets). */
   static final PathRates PATH = new PathRates(2, 2.3, 200, 100);
 
   /** More cycles than any test needs. */

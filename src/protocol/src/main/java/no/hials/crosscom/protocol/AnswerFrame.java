@@ -3,14 +3,13 @@ package no.hials.crosscom.protocol;
 import no.hials.crosscom.protocol.internal.FieldReader;
 
 /**
- * A view of one answer in a buffer, which can be moved to the next answer without making objects.
+ * A view of one answer in a buffer. It can be moved to the next answer without creating objects.
  *
- * <p>It checks the header and the tail, and gives the value of those answers that have one as
- * characters in place. The view is for one thread, and what it gives is valid until the buffer
- * changes.
+ * <p>The view checks the header and the tail. If the answer has a value, the view is the value as a
+ * {@link CharSequence}, without a copy, until the buffer changes. For one thread.
  */
 public final class AnswerFrame implements CharSequence {
-  /** Header, function and tail: the shortest answer that has a type. */
+  /** The length of the shortest answer with a type: header, function and tail. */
   private static final int MIN_TYPED = Codec.HEADER_LENGTH + 1 + Tail.LENGTH;
 
   private static final int FIELDS = Codec.HEADER_LENGTH + 1;
@@ -20,14 +19,14 @@ public final class AnswerFrame implements CharSequence {
   private int valueStart;
   private int valueEnd;
 
-  /** Makes a view of nothing. */
+  /** Creates a view without an answer. */
   public AnswerFrame() {}
 
   /**
-   * Looks at an answer.
+   * Moves the view to an answer.
    *
-   * @param frame a buffer that begins with it
-   * @param frameLength its length in bytes
+   * @param frame a buffer that begins with the answer
+   * @param frameLength the length of the answer in bytes
    * @throws MalformedFrameException if the bytes cannot be an answer
    */
   public void wrap(byte[] frame, int frameLength) throws MalformedFrameException {
@@ -46,7 +45,7 @@ public final class AnswerFrame implements CharSequence {
   }
 
   /**
-   * Makes an exception that shows this answer.
+   * Creates an exception with the bytes of this answer.
    *
    * @param what the rule that broke, expected and actual
    * @return the exception, to be thrown
@@ -56,7 +55,7 @@ public final class AnswerFrame implements CharSequence {
   }
 
   /**
-   * Gives the number of the request.
+   * Returns the number of the request.
    *
    * @return 0 to 65535
    */
@@ -65,16 +64,16 @@ public final class AnswerFrame implements CharSequence {
   }
 
   /**
-   * Says whether the server does not know the function, so that nothing follows the length.
+   * Returns whether the server does not support the function, so that nothing follows the length.
    *
-   * @return true if so; there is no function, value or tail then
+   * @return true if so; then the answer has no function, value or tail
    */
   public boolean functionUnknown() {
     return length == Codec.HEADER_LENGTH;
   }
 
   /**
-   * Gives the function byte.
+   * Returns the function byte.
    *
    * @return 0 to 255
    */
@@ -83,7 +82,7 @@ public final class AnswerFrame implements CharSequence {
   }
 
   /**
-   * Says how the access ended.
+   * Returns whether the access succeeded.
    *
    * @return true for success
    */
@@ -92,7 +91,7 @@ public final class AnswerFrame implements CharSequence {
   }
 
   /**
-   * Gives the code of the tail.
+   * Returns the code of the tail.
    *
    * @return 0 to 65535
    */
@@ -106,9 +105,9 @@ public final class AnswerFrame implements CharSequence {
   }
 
   /**
-   * Finds the value, which this view is from then on as a {@link CharSequence}.
+   * Finds the value; from now on this view is the value as a {@link CharSequence}.
    *
-   * @throws MalformedFrameException if the value is not all that lies between function and tail
+   * @throws MalformedFrameException if the value does not fill the bytes between function and tail
    */
   public void openValue() throws MalformedFrameException {
     int room = length - Tail.LENGTH - FIELDS - 2;

@@ -8,18 +8,17 @@ import no.hials.crosscom.protocol.internal.Ranges;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Turns messages into frames and frames into messages. The only code that knows how a frame looks
- * (kukavarproxy.md, "Frames"; c3-bridge.md, "Common to all messages"): {@code id u16, length u16,
- * function u8, fields}, and at the end of an answer the three bytes of the tail; all numbers
- * big-endian.
+ * Encodes messages as frames and decodes frames. A frame is {@code id u16, length u16, function u8,
+ * fields}, and an answer ends with the three bytes of the {@link Tail}; all numbers are big-endian
+ * (docs/reference/wire-format.md, docs/reference/c3-messages.md#framing).
  *
- * <p>Decoding takes any bytes: it gives a message or throws {@link MalformedFrameException}.
+ * <p>Any bytes can be decoded: the result is a message or a {@link MalformedFrameException}.
  */
 public final class Codec {
-  /** The bytes before those that the length field counts. */
+  /** The length of the header: the length field counts the bytes after it. */
   public static final int HEADER_LENGTH = 4;
 
-  /** The longest frame there can be. */
+  /** The length of the longest frame. */
   public static final int MAX_FRAME_LENGTH = HEADER_LENGTH + Ranges.MAX_U16;
 
   private Codec() {}
@@ -72,7 +71,7 @@ public final class Codec {
   }
 
   /**
-   * Puts another id into an encoded message.
+   * Replaces the id of an encoded message.
    *
    * @param frame a buffer that begins with the frame
    * @param id 0 to 65535
@@ -83,9 +82,9 @@ public final class Codec {
   }
 
   /**
-   * Puts another id into an encoded message.
+   * Replaces the id of an encoded message.
    *
-   * @param frame a buffer that has the frame at index 0; its position does not matter
+   * @param frame a buffer with the frame at index 0; its position does not matter
    * @param id 0 to 65535
    */
   public static void setId(ByteBuffer frame, int id) {
@@ -94,24 +93,24 @@ public final class Codec {
   }
 
   /**
-   * Gives the length of the frame whose header is known.
+   * Returns the length of a frame from its header.
    *
-   * @param header a buffer that has at least {@link #HEADER_LENGTH} bytes of it
-   * @param offset where the frame begins
-   * @return the length of the whole frame, header included
+   * @param header a buffer with at least {@link #HEADER_LENGTH} bytes of the frame
+   * @param offset the index at which the frame begins
+   * @return the length of the whole frame, with the header
    */
   public static int frameLength(byte[] header, int offset) {
     return HEADER_LENGTH + FieldReader.u16At(header, offset + 2);
   }
 
   /**
-   * Decodes a request to a KUKAVARPROXY.
+   * Decodes a request to KUKAVARPROXY.
    *
    * @param frame the bytes of one frame
    * @return the message
-   * @throws MalformedRequestException if only the fields are none
-   * @throws MalformedFrameException if they are none
-   * @throws UnknownFunctionException if they are a frame of a function that the server has not
+   * @throws MalformedRequestException if only the fields are malformed
+   * @throws MalformedFrameException if the frame is malformed
+   * @throws UnknownFunctionException if the server does not support the function
    */
   public static Request decodeRequest(byte[] frame) throws MalformedFrameException {
     return decodeRequest(frame, ServerType.KUKAVARPROXY, Strictness.STRICT);
@@ -121,12 +120,12 @@ public final class Codec {
    * Decodes a request.
    *
    * @param frame the bytes of one frame
-   * @param server whom it is for
-   * @param strictness what to make of bytes that no client sends
+   * @param server the receiver of the request
+   * @param strictness whether bytes that no client sends are accepted
    * @return the message
-   * @throws MalformedRequestException if only the fields are none
-   * @throws MalformedFrameException if they are none
-   * @throws UnknownFunctionException if they are a frame of a function that the server has not
+   * @throws MalformedRequestException if only the fields are malformed
+   * @throws MalformedFrameException if the frame is malformed
+   * @throws UnknownFunctionException if the server does not support the function
    */
   public static Request decodeRequest(byte[] frame, ServerType server, Strictness strictness)
       throws MalformedFrameException {
@@ -158,25 +157,25 @@ public final class Codec {
   }
 
   /**
-   * Decodes an answer of a KUKAVARPROXY.
+   * Decodes an answer of KUKAVARPROXY.
    *
    * @param frame the bytes of one frame
    * @return the message
-   * @throws MalformedFrameException if they are none
-   * @throws UnknownFunctionException if they are a frame of a function that the server has not
+   * @throws MalformedFrameException if the frame is malformed
+   * @throws UnknownFunctionException if the server does not support the function
    */
   public static Response decodeResponse(byte[] frame) throws MalformedFrameException {
     return decodeResponse(frame, ServerType.KUKAVARPROXY);
   }
 
   /**
-   * Decodes an answer. It is read strictly, whichever server sent it.
+   * Decodes an answer, always strictly.
    *
    * @param frame the bytes of one frame
-   * @param server whose it is
+   * @param server the sender of the answer
    * @return the message
-   * @throws MalformedFrameException if they are none
-   * @throws UnknownFunctionException if they are a frame of a function that the server has not
+   * @throws MalformedFrameException if the frame is malformed
+   * @throws UnknownFunctionException if the server does not support the function
    */
   public static Response decodeResponse(byte[] frame, ServerType server)
       throws MalformedFrameException {

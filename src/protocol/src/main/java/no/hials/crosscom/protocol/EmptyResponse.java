@@ -3,7 +3,7 @@ package no.hials.crosscom.protocol;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers a function that the server does not know: {@code id, 00 00} and nothing more.
+ * Answers a function that the server does not support: {@code id, 00 00} and nothing more.
  *
  * @param id u16, of the request
  */

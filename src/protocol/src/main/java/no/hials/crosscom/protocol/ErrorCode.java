@@ -4,14 +4,14 @@ import java.util.Optional;
 import no.hials.crosscom.protocol.code.WireCode;
 
 /**
- * The error codes of C3 Bridge Interface, in the tail of an answer that says failure
- * (c3-bridge.md). KUKAVARPROXY knows none: there the same two bytes are a length, which is always
- * 1.
+ * The error codes of C3 Bridge Interface, in the tail of an answer that reports a failure
+ * (docs/reference/c3-messages.md#error-codes). KUKAVARPROXY has no codes: its tail has a length
+ * there, which is always 1.
  */
 public enum ErrorCode implements WireCode {
   /** Unspecified, such as an unknown variable or a refused write. */
   GENERAL(0),
-  /** None; together with failure, the mark of a KUKAVARPROXY, which gives no reason. */
+  /** No error. Together with a failure, the sign of a KUKAVARPROXY, which sends no reason. */
   SUCCESS(1),
   /** Access denied. */
   ACCESS(2),
@@ -39,7 +39,7 @@ public enum ErrorCode implements WireCode {
   }
 
   /**
-   * Gives the number on the wire.
+   * Returns the number on the wire.
    *
    * @return 0 to 10
    */
@@ -49,10 +49,10 @@ public enum ErrorCode implements WireCode {
   }
 
   /**
-   * Finds a code by its number.
+   * Returns the code with a number.
    *
    * @param code any number
-   * @return the code, or nothing if it is unknown
+   * @return the code, or empty if it is unknown
    */
   public static Optional<ErrorCode> from(int code) {
     return WireCode.find(ErrorCode.class, code);

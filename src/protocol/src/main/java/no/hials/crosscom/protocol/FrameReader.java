@@ -8,13 +8,13 @@ import java.nio.channels.ReadableByteChannel;
 import java.util.Arrays;
 
 /**
- * Cuts a stream into frames, however TCP has cut it: in single bytes, in pieces, or several frames
- * in one piece. A frame that arrives whole costs one read of the stream.
+ * Splits a stream into frames, whether TCP delivers single bytes, pieces, or several frames at
+ * once. A frame that arrives whole costs one read of the stream.
  *
- * <p>For one thread. No byte is lost: what follows a frame is kept for the next.
+ * <p>For one thread. No byte is lost: bytes after a frame are kept for the next one.
  */
 public final class FrameReader {
-  /** Takes most answers; grows to what a frame needs. */
+  /** Enough for most answers; the buffer grows if a frame needs more. */
   private static final int START_CAPACITY = 2048;
 
   private final Source source;
@@ -22,7 +22,7 @@ public final class FrameReader {
   private int end;
   private int length;
 
-  /** Where the bytes come from. */
+  /** The source of the bytes. */
   @FunctionalInterface
   private interface Source {
     int read(byte[] into, int offset, int count) throws IOException;
@@ -33,24 +33,24 @@ public final class FrameReader {
   }
 
   /**
-   * Makes a reader of a stream.
+   * Creates a reader of a stream.
    *
-   * @param in the stream; should not be read by others from now on
+   * @param in the stream; nothing else should read it from now on
    */
   public FrameReader(InputStream in) {
     this((Source) in::read);
   }
 
   /**
-   * Makes a reader of a channel.
+   * Creates a reader of a channel.
    *
-   * @param in the channel; should not be read by others from now on
+   * @param in the channel; nothing else should read it from now on
    */
   public FrameReader(ReadableByteChannel in) {
     this(new ChannelSource(in));
   }
 
-  /** Reads by way of memory outside the heap, so that the channel need not find some each time. */
+  /** Reads into memory outside the heap, so that the channel need not allocate it at each read. */
   private static final class ChannelSource implements Source {
     private final ReadableByteChannel in;
     private final ByteBuffer direct = ByteBuffer.allocateDirect(START_CAPACITY);
@@ -71,7 +71,7 @@ public final class FrameReader {
   }
 
   /**
-   * Waits for the next frame. It is then at the beginning of {@link #buffer()}.
+   * Blocks until the next frame is at the beginning of {@link #buffer()}.
    *
    * @return the frame's length, or -1 if the stream ended between two frames
    * @throws EOFException if the stream ended within a frame
@@ -97,7 +97,7 @@ public final class FrameReader {
     return needed;
   }
 
-  /** Gives false if the stream ended cleanly. */
+  /** Reads once; returns false if the stream ended between two frames. */
   private boolean fill() throws IOException {
     int count = read();
     if (count < 0) {
@@ -112,7 +112,7 @@ public final class FrameReader {
 
   private int read() throws IOException {
     if (end == buffer.length) {
-      buffer = Arrays.copyOf(buffer, end + START_CAPACITY); // full of one frame: make room for more
+      buffer = Arrays.copyOf(buffer, end + START_CAPACITY); // full of one frame
     }
     int count = source.read(buffer, end, buffer.length - end);
     end += Math.max(0, count);
@@ -120,9 +120,9 @@ public final class FrameReader {
   }
 
   /**
-   * Reads once what has come although no frame was waited for. The source should not block.
+   * Reads bytes that arrived although no frame is expected. The source must not block.
    *
-   * @return how many bytes came; they are {@link #surplus}. -1 if the stream has ended
+   * @return the number of bytes, which are part of {@link #surplus}; -1 if the stream has ended
    * @throws IOException if reading failed
    */
   public int poll() throws IOException {
@@ -130,7 +130,7 @@ public final class FrameReader {
   }
 
   /**
-   * Gives the buffer whose first bytes are the last frame. It is valid until {@link #next()}.
+   * Returns the buffer, which begins with the last frame until {@link #next()} is called.
    *
    * @return the buffer, not a copy
    */
@@ -139,7 +139,7 @@ public final class FrameReader {
   }
 
   /**
-   * Says how many bytes came that are not part of the last frame.
+   * Returns the number of bytes after the last frame.
    *
    * @return 0 or more
    */
@@ -148,7 +148,7 @@ public final class FrameReader {
   }
 
   /**
-   * Prints what came of a frame that is not whole yet, or behind the last one, in hex.
+   * Returns the bytes after the last frame in hex, such as a frame that is not complete yet.
    *
    * @return the bytes
    */

@@ -6,8 +6,7 @@ import no.hials.crosscom.protocol.internal.VariableLayouts;
 import no.hials.crosscom.protocol.variable.WriteRequest;
 
 /**
- * A buffer for write requests that is used again and again, so that encoding one creates no
- * objects. For one thread.
+ * A buffer for write requests that is reused, so that encoding creates no objects. For one thread.
  */
 public final class FrameWriter {
   private final FieldWriter out = new FieldWriter();
@@ -33,7 +32,7 @@ public final class FrameWriter {
   /**
    * Returns the buffer whose first {@link #length} bytes are the frame.
    *
-   * @return the buffer, not a copy; another one may replace it at the next frame
+   * @return the buffer, not a copy; the next frame may be in another one
    */
   public byte[] buffer() {
     return out.buffer();

@@ -3,34 +3,34 @@ package no.hials.crosscom.protocol;
 import java.io.IOException;
 import java.util.HexFormat;
 
-/** Says that bytes are not a message: which rule they break, and the bytes in hex. */
+/** Thrown when bytes are not a message; its text has the rule they break and the bytes in hex. */
 public class MalformedFrameException extends IOException {
   private static final long serialVersionUID = 1L;
 
-  /** How many bytes of a long frame the message shows. */
+  /** The number of bytes that the text shows of a long frame. */
   private static final int SHOWN = 256;
 
   /**
-   * Makes the exception.
+   * Creates the exception.
    *
    * @param what the rule that broke, expected and actual
    * @param frame a buffer that begins with the bytes
-   * @param length how many of them there are
+   * @param length the number of bytes
    */
   public MalformedFrameException(String what, byte[] frame, int length) {
     super(what + ", frame: " + hex(frame, length));
   }
 
-  /** Says more about a frame of which the rule that it breaks is known. */
+  /** Creates an exception that adds to another one. */
   MalformedFrameException(MalformedFrameException cause) {
     super(cause.getMessage(), cause);
   }
 
   /**
-   * Prints bytes as pairs of hexadecimal digits with blanks between.
+   * Returns bytes as pairs of hexadecimal digits, separated by blanks.
    *
    * @param bytes a buffer that begins with the bytes
-   * @param length how many to print; beyond 256 the rest is only counted
+   * @param length the number of bytes; of more than 256 only the first are printed, and the number
    * @return the text
    */
   public static String hex(byte[] bytes, int length) {

@@ -3,8 +3,8 @@ package no.hials.crosscom.protocol;
 import java.util.Arrays;
 
 /**
- * Says that a frame is a request of a known type whose fields are malformed, which C3 Bridge
- * answers with {@link ErrorCode#PROTOCOL} (c3-bridge.md, "codes").
+ * Thrown when a frame is a request of a known type with malformed fields. C3 Bridge answers with
+ * {@link ErrorCode#PROTOCOL}.
  */
 public final class MalformedRequestException extends MalformedFrameException {
   private static final long serialVersionUID = 1L;
@@ -21,7 +21,7 @@ public final class MalformedRequestException extends MalformedFrameException {
   }
 
   /**
-   * Gives the frame's id, by which a server answers it.
+   * Returns the frame's id, which the answer repeats.
    *
    * @return 0 to 65535
    */
@@ -30,17 +30,17 @@ public final class MalformedRequestException extends MalformedFrameException {
   }
 
   /**
-   * Gives the frame's type.
+   * Returns the frame's type.
    *
-   * @return the type of the request that it is not
+   * @return the type
    */
   public MessageType type() {
     return type;
   }
 
   /**
-   * Gives what follows the function byte, of which C3 Bridge repeats the beginning in answers of
-   * some types (c3-vectors.tsv).
+   * Returns the bytes after the function byte. C3 Bridge repeats the first of them in answers of
+   * some types (docs/reference/c3-messages.md#error-codes).
    *
    * @return the bytes, a copy
    */

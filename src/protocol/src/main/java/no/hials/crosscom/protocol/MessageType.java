@@ -7,8 +7,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The types of message, by the function byte of a frame (kukavarproxy.md, "Frames"; c3-bridge.md,
- * "Messages").
+ * The types of message, by the function byte of a frame (docs/reference/wire-format.md,
+ * docs/reference/c3-messages.md).
  */
 public enum MessageType {
   /** Reads a variable as text. */
@@ -23,9 +23,9 @@ public enum MessageType {
   READ_UTF16(4, new Version(1, 0, 0)),
   /** Writes a variable as text in UTF-16. */
   WRITE_UTF16(5, new Version(1, 0, 0)),
-  /** Reads several variables. Servers before 1.2 have it with mistakes. */
+  /** Reads several variables. Wrong in servers before 1.2. */
   READ_MULTIPLE(6, new Version(1, 2, 0)),
-  /** Writes several variables. Servers before 1.3 have it with mistakes. */
+  /** Writes several variables. Wrong in servers before 1.3. */
   WRITE_MULTIPLE(7, new Version(1, 3, 0)),
   /** Selects, starts and stops programs. Has two layouts, by the command. */
   PROGRAM_CONTROL(10, new Version(1, 0, 0)),
@@ -35,7 +35,7 @@ public enum MessageType {
   PENDANT_KEY(12, new Version(1, 0, 0)),
   /** Asks for the server's version, clock and host. */
   INFORMATION(13, new Version(1, 0, 0)),
-  /** Asks for the types of message that the server knows. */
+  /** Asks which types of message the server supports. */
   FEATURES(14, new Version(1, 0, 0)),
   /** Measures the time of accesses to variables. Has two layouts, for reading and writing. */
   BENCHMARK(17, new Version(1, 2, 0)),
@@ -64,7 +64,7 @@ public enum MessageType {
   /** Confirms all messages of the controller. */
   CONFIRM_ALL(63, new Version(1, 0, 0));
 
-  /** KUKAVARPROXY knows the types from 0 to this one. */
+  /** KUKAVARPROXY supports the types from 0 to this one. */
   private static final int LAST_OF_KUKAVARPROXY = 3;
 
   private static final @Nullable MessageType[] BY_CODE = byCode();
@@ -88,7 +88,7 @@ public enum MessageType {
   }
 
   /**
-   * Gives the function byte.
+   * Returns the function byte.
    *
    * @return 0 to 255
    */
@@ -97,7 +97,7 @@ public enum MessageType {
   }
 
   /**
-   * Says which servers know the type, in their newest version.
+   * Returns the servers whose newest version supports the type.
    *
    * @return the servers, unmodifiable
    */
@@ -108,7 +108,7 @@ public enum MessageType {
   }
 
   /**
-   * Says whether a server knows the type, in its newest version.
+   * Returns whether the newest version of a server supports the type.
    *
    * @param server any
    * @return true if so
@@ -118,26 +118,26 @@ public enum MessageType {
   }
 
   /**
-   * Gives the first version of C3 Bridge that has the type and has it right (c3-bridge.md, "Minimum
-   * server versions").
+   * Returns the first version of C3 Bridge that supports the type without known errors
+   * (docs/reference/c3-messages.md#server-versions).
    *
-   * @return the version, or nothing if no version knows the type
+   * @return the version, or empty if no version supports the type
    */
   public Optional<Version> since() {
     return Optional.ofNullable(since);
   }
 
   /**
-   * Finds a type by its function byte.
+   * Returns the type with a function byte.
    *
    * @param code any number
-   * @return the type, or nothing if this codec has none of that number
+   * @return the type, or empty if the number is unknown
    */
   public static Optional<MessageType> from(int code) {
     return Optional.ofNullable(find(code));
   }
 
-  /** As {@link #from}, without an object. */
+  /** As {@link #from}, without creating an object. */
   static @Nullable MessageType find(int code) {
     return code < 0 || code >= BY_CODE.length ? null : BY_CODE[code];
   }

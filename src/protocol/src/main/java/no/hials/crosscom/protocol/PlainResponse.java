@@ -3,12 +3,12 @@ package no.hials.crosscom.protocol;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers without fields: a request of a type whose answer has none (c3-bridge.md, types 20, 22 to
- * 25 and 63), or a failed one of any type that only C3 Bridge knows.
+ * Answers without fields: a request whose answer has no fields (types 20, 22 to 25 and 63), or a
+ * failed request of any type that only C3 Bridge supports.
  *
  * @param id u16, of the request
  * @param type u8, of the request
- * @param tail how the access ended; failure if the type's answer has fields
+ * @param tail the end of the answer; a failure if the answers of the type have fields
  */
 public record PlainResponse(int id, MessageType type, Tail tail) implements TypedResponse {
   /** Checks the ranges. */

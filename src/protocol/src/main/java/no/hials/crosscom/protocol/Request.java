@@ -5,21 +5,21 @@ import no.hials.crosscom.protocol.program.ProgramRequest;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest;
 
-/** A message from the client to the server. */
+/** A message from the client to the server, in one of four families. */
 public sealed interface Request
     permits VariableRequest, ProgramRequest, FileRequest, ServerRequest {
 
   /**
-   * Gives the number by which the answer is known.
+   * Returns the number that the answer repeats.
    *
    * @return 0 to 65535
    */
   int id();
 
   /**
-   * Gives the type.
+   * Returns the type of the message.
    *
-   * @return the type of this message
+   * @return the type
    */
   MessageType type();
 }

@@ -4,7 +4,7 @@ package no.hials.crosscom.protocol;
 public sealed interface Response permits TypedResponse, EmptyResponse {
 
   /**
-   * Gives the number of the request.
+   * Returns the number of the request.
    *
    * @return 0 to 65535
    */

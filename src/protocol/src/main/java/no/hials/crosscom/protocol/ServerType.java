@@ -4,15 +4,15 @@ import java.util.Collections;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** The servers that speak this protocol, by what they know of it. */
+/** The servers that speak this protocol, and the types of message they support. */
 public enum ServerType {
-  /** KUKAVARPROXY: functions 0 to 3 (kukavarproxy.md, "Frames"). */
+  /** KUKAVARPROXY: functions 0 to 3 (docs/reference/wire-format.md#requests). */
   KUKAVARPROXY,
-  /** C3 Bridge Interface: all but functions 2 and 3 (c3-bridge.md, "Common to all messages"). */
+  /** C3 Bridge Interface: all but functions 2 and 3 (docs/reference/c3-messages.md). */
   C3_BRIDGE;
 
   /**
-   * Gives the types of message that this server knows, in its newest version.
+   * Returns the types of message that the newest version of this server supports.
    *
    * @return the types, unmodifiable
    */

@@ -7,13 +7,13 @@ import no.hials.crosscom.protocol.variable.WriteUtf16Request;
 
 /**
  * Answers with a text: {@link ReadUtf16Request} and {@link WriteUtf16Request} with the value,
- * {@link FileNameRequest} with the name (c3-bridge.md, types 4, 5, 27 and 28).
+ * {@link FileNameRequest} with the name (types 4, 5, 27 and 28).
  *
  * @param id u16, of the request
  * @param type u8, of the request
  * @param text WSTRING: u16 count of characters and UTF-16, little-endian; 32,764 at most. Empty if
  *     the access failed
- * @param tail how the access ended
+ * @param tail the end of the answer
  */
 public record TextResponse(int id, MessageType type, String text, Tail tail)
     implements TypedResponse {

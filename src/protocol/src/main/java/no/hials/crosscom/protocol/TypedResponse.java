@@ -18,7 +18,7 @@ import no.hials.crosscom.protocol.variable.ReadResponse;
 import no.hials.crosscom.protocol.variable.WriteArrayResponse;
 import no.hials.crosscom.protocol.variable.WriteResponse;
 
-/** An answer that repeats the function of its request and says how the access ended. */
+/** An answer that repeats the function of its request and ends with a tail. */
 public sealed interface TypedResponse extends Response
     permits ReadResponse,
         WriteResponse,
@@ -41,14 +41,14 @@ public sealed interface TypedResponse extends Response
         PlainResponse {
 
   /**
-   * Gives the type.
+   * Returns the type of the request.
    *
-   * @return the type of the request
+   * @return the type
    */
   MessageType type();
 
   /**
-   * Says how the access ended.
+   * Returns the end of the answer.
    *
    * @return the last three bytes
    */

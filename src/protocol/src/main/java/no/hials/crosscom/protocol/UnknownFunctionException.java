@@ -3,7 +3,7 @@ package no.hials.crosscom.protocol;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Says that a frame is whole but of a function that the server does not have. */
+/** Thrown when the server does not support the function of a complete frame. */
 public final class UnknownFunctionException extends MalformedFrameException {
   private static final long serialVersionUID = 1L;
 
@@ -11,13 +11,13 @@ public final class UnknownFunctionException extends MalformedFrameException {
   private final int function;
 
   /**
-   * Makes the exception.
+   * Creates the exception.
    *
    * @param id the frame's id
-   * @param function its function byte
-   * @param server whose functions were known
+   * @param function the function byte
+   * @param server the server whose functions are listed
    * @param frame a buffer that begins with the frame
-   * @param length its length
+   * @param length the length of the frame
    */
   UnknownFunctionException(int id, int function, ServerType server, byte[] frame, int length) {
     super("function must be " + functions(server) + ", is " + function, frame, length);
@@ -25,7 +25,7 @@ public final class UnknownFunctionException extends MalformedFrameException {
     this.function = function;
   }
 
-  /** Lists the functions: numbers that follow each other as the first and the last. */
+  /** Returns the functions of a server, as ranges. */
   private static String functions(ServerType server) {
     List<String> ranges = new ArrayList<>();
     int first = 0;
@@ -46,7 +46,7 @@ public final class UnknownFunctionException extends MalformedFrameException {
   }
 
   /**
-   * Gives the frame's id, by which a server answers it.
+   * Returns the frame's id, which the answer repeats.
    *
    * @return 0 to 65535
    */
@@ -55,7 +55,7 @@ public final class UnknownFunctionException extends MalformedFrameException {
   }
 
   /**
-   * Gives the function byte.
+   * Returns the function byte.
    *
    * @return 0 to 255
    */

@@ -7,7 +7,7 @@ import java.util.Comparator;
  *
  * @param major 0 or more
  * @param minor 0 or more
- * @param patch 0 or more; 0 where a server does not say it
+ * @param patch 0 or more; 0 if the server does not report it
  */
 public record Version(int major, int minor, int patch) implements Comparable<Version> {
   private static final Comparator<Version> ORDER =
@@ -28,7 +28,7 @@ public record Version(int major, int minor, int patch) implements Comparable<Ver
     return ORDER.compare(this, other);
   }
 
-  /** Prints the version as the server does: the third number only if it is not 0. */
+  /** Returns the version as the server prints it: with the third number only if it is not 0. */
   @Override
   public String toString() {
     return major + "." + minor + (patch == 0 ? "" : "." + patch);

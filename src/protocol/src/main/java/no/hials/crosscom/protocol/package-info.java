@@ -1,12 +1,10 @@
 /**
- * The messages of KUKAVARPROXY and C3 Bridge and the one codec for them, used by the client and the
- * mock server.
+ * The codec for the messages of KUKAVARPROXY and C3 Bridge, used by the client and the mock server.
  *
  * <p>A message is a record under {@link no.hials.crosscom.protocol.Request} or {@link
- * no.hials.crosscom.protocol.Response}; {@link no.hials.crosscom.protocol.Codec} turns it into
- * bytes and back. A new message type is a constant of {@link
- * no.hials.crosscom.protocol.MessageType} with the two layouts of its own; the others stay as they
- * are.
+ * no.hials.crosscom.protocol.Response}, in the package of its family. To add a message type, add a
+ * constant to {@link no.hials.crosscom.protocol.MessageType} and its layouts to {@code
+ * protocol.internal}.
  */
 @NullMarked
 package no.hials.crosscom.protocol;

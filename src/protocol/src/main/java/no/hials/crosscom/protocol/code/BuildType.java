@@ -2,7 +2,7 @@ package no.hials.crosscom.protocol.code;
 
 import java.util.Optional;
 
-/** How the server was built (c3-bridge.md, "build types"). */
+/** The kinds of build of a server. */
 public enum BuildType implements WireCode {
   /** Open source. */
   OPEN_SOURCE(0),
@@ -25,10 +25,10 @@ public enum BuildType implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<BuildType> from(int code) {
     return WireCode.find(BuildType.class, code);

@@ -3,18 +3,18 @@ package no.hials.crosscom.protocol.code;
 import java.util.Optional;
 
 /**
- * A code on the wire, known or not.
+ * A code on the wire, known or unknown.
  *
- * @param type the enum of the known ones; not on the wire
- * @param number the code; how many bytes it has and so its range are the message's
+ * @param type the enum of the known codes; not on the wire
+ * @param number the code; the message determines its length in bytes and its range
  * @param <E> the enum
  */
 public record Code<E extends Enum<E> & WireCode>(Class<E> type, int number) {
 
   /**
-   * Makes a known code.
+   * Returns the code of a constant.
    *
-   * @param constant what it is to be
+   * @param constant the constant
    * @param <E> the enum
    * @return the code
    */
@@ -23,25 +23,25 @@ public record Code<E extends Enum<E> & WireCode>(Class<E> type, int number) {
   }
 
   /**
-   * Gives the constant that has this number.
+   * Returns the constant with this number.
    *
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public Optional<E> known() {
     return WireCode.find(type, number);
   }
 
   /**
-   * Compares with a constant.
+   * Returns whether this is the code of a constant.
    *
-   * @param constant any
-   * @return true if it has this number
+   * @param constant the constant
+   * @return true if the constant has this number
    */
   public boolean is(E constant) {
     return constant.code() == number;
   }
 
-  /** Names the constant, or gives the number of an unknown one. */
+  /** Returns the name of the constant, or the number of an unknown code. */
   @Override
   public String toString() {
     return known().map(E::name).orElseGet(() -> String.valueOf(number));

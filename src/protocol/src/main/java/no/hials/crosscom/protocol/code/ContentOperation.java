@@ -2,7 +2,7 @@ package no.hials.crosscom.protocol.code;
 
 import java.util.Optional;
 
-/** The steps of writing or reading a file's content (c3-bridge.md, types 29 and 30). */
+/** The steps of writing or reading a file's content (types 29 and 30). */
 public enum ContentOperation implements WireCode {
   /** Prepares the server's buffer. */
   BEGIN(1),
@@ -25,10 +25,10 @@ public enum ContentOperation implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<ContentOperation> from(int code) {
     return WireCode.find(ContentOperation.class, code);

@@ -3,9 +3,8 @@ package no.hials.crosscom.protocol.code;
 import java.util.Optional;
 
 /**
- * How files are copied, moved and written (c3-bridge.md, "copy flags", which has names and numbers
- * only). Flags; {@link #MODIFY} has the bit of {@link #ARCHIVE} in it, {@link #UPDATE} that of
- * {@link #REFRESH}.
+ * Flags for copying, moving and writing files; only their names and numbers are known. {@link
+ * #MODIFY} includes the bit of {@link #ARCHIVE}, and {@link #UPDATE} the bit of {@link #REFRESH}.
  */
 public enum CopyFlag implements WireCode {
   /** Archive. */
@@ -49,10 +48,10 @@ public enum CopyFlag implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<CopyFlag> from(int code) {
     return WireCode.find(CopyFlag.class, code);

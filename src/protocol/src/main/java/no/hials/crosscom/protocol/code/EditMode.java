@@ -2,9 +2,9 @@ package no.hials.crosscom.protocol.code;
 
 import java.util.Optional;
 
-/** How a file may be edited on the controller (c3-bridge.md, "edit modes"). */
+/** The ways in which a file may be edited on the controller. */
 public enum EditMode implements WireCode {
-  /** Unknown, such as that of a directory in c3-vectors.tsv. */
+  /** Unknown, as that of a directory. */
   UNKNOWN(-1),
   /** Full. */
   FULL(0),
@@ -27,10 +27,10 @@ public enum EditMode implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<EditMode> from(int code) {
     return WireCode.find(EditMode.class, code);

@@ -2,7 +2,7 @@ package no.hials.crosscom.protocol.code;
 
 import java.util.Optional;
 
-/** What a file or directory is marked with (c3-bridge.md, "item attributes"). Flags. */
+/** Flags for the attributes of a file or directory. */
 public enum FileAttribute implements WireCode {
   /** Read only. */
   READ_ONLY(1),
@@ -31,10 +31,10 @@ public enum FileAttribute implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<FileAttribute> from(int code) {
     return WireCode.find(FileAttribute.class, code);

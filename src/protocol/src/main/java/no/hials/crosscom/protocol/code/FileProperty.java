@@ -2,7 +2,7 @@ package no.hials.crosscom.protocol.code;
 
 import java.util.Optional;
 
-/** The properties of a file that can be asked for (c3-bridge.md, "property flags"). Flags. */
+/** Flags for the properties of a file that a request can ask for. */
 public enum FileProperty implements WireCode {
   /** The type. */
   TYPE(1),
@@ -33,10 +33,10 @@ public enum FileProperty implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<FileProperty> from(int code) {
     return WireCode.find(FileProperty.class, code);

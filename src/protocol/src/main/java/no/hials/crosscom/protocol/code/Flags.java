@@ -7,16 +7,16 @@ import java.util.Set;
 import java.util.StringJoiner;
 
 /**
- * Flags on the wire, known or not.
+ * Flags on the wire, known or unknown.
  *
- * @param type the enum of the known ones; not on the wire
- * @param bits all of them; how many bytes they have and so their range are the message's
+ * @param type the enum of the known flags; not on the wire
+ * @param bits all bits; the message determines their length in bytes and their range
  * @param <E> the enum
  */
 public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
 
   /**
-   * Makes flags of which none is set.
+   * Returns flags of which none is set.
    *
    * @param type the enum
    * @param <E> the enum
@@ -27,7 +27,7 @@ public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
   }
 
   /**
-   * Makes flags of which all known ones are set.
+   * Returns flags of which all known ones are set.
    *
    * @param type the enum
    * @param <E> the enum
@@ -38,7 +38,7 @@ public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
   }
 
   /**
-   * Makes flags of which some are set.
+   * Returns flags of which some are set.
    *
    * @param type the enum
    * @param constants those that are set
@@ -54,7 +54,7 @@ public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
   }
 
   /**
-   * Makes flags of which some are set.
+   * Returns flags of which some are set.
    *
    * @param first one that is set
    * @param others more that are set
@@ -71,9 +71,9 @@ public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
   }
 
   /**
-   * Says whether all bits of a flag are set.
+   * Returns whether all bits of a flag are set.
    *
-   * @param flag any; a constant without bits is never set
+   * @param flag the flag; a constant without bits is never set
    * @return true if so
    */
   public boolean has(E flag) {
@@ -81,8 +81,8 @@ public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
   }
 
   /**
-   * Gives the known flags that are set. Of two whose bits overlap, such as 16 and 48, the one with
-   * more bits stands for both.
+   * Returns the known flags that are set. If one flag includes the bits of another, as 48 includes
+   * 16, only the flag with more bits is returned.
    *
    * @return the constants, unmodifiable
    */
@@ -106,7 +106,7 @@ public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
   }
 
   /**
-   * Gives the bits that are part of no known flag that is set.
+   * Returns the bits that belong to no known flag.
    *
    * @return the bits, 0 if there are none
    */
@@ -118,7 +118,7 @@ public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
     return rest;
   }
 
-  /** Names the known flags, and gives the unknown bits in hex. */
+  /** Returns the names of the known flags, and the unknown bits in hex. */
   @Override
   public String toString() {
     StringJoiner text = new StringJoiner(", ", "[", "]");

@@ -2,7 +2,7 @@ package no.hials.crosscom.protocol.code;
 
 import java.util.Optional;
 
-/** The interpreters of the controller (c3-bridge.md, type 10). */
+/** The interpreters of the controller (type 10). */
 public enum Interpreter implements WireCode {
   /** The submit interpreter. */
   SUBMIT(0),
@@ -21,10 +21,10 @@ public enum Interpreter implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<Interpreter> from(int code) {
     return WireCode.find(Interpreter.class, code);

@@ -3,8 +3,8 @@ package no.hials.crosscom.protocol.code;
 import java.util.Optional;
 
 /**
- * The kinds of items in the file tree (c3-bridge.md, "item types"). A code for one item, flags
- * where several kinds are asked for.
+ * The kinds of items in the file tree: a code for one item, flags for a request that asks for
+ * several kinds.
  */
 public enum ItemType implements WireCode {
   /** Unknown, or not asked for. */
@@ -40,10 +40,10 @@ public enum ItemType implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<ItemType> from(int code) {
     return WireCode.find(ItemType.class, code);

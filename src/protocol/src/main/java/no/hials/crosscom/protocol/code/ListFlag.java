@@ -2,15 +2,13 @@ package no.hials.crosscom.protocol.code;
 
 import java.util.Optional;
 
-/**
- * How a directory is listed (c3-bridge.md, "list flags", which has names and numbers only). Flags.
- */
+/** Flags for listing a directory; only their names and numbers are known. */
 public enum ListFlag implements WireCode {
   /** Recursive. */
   RECURSIVE(1),
   /** Expand. */
   EXPAND(2),
-  /** Long: items have an info. */
+  /** Long: adds an info to each item. */
   LONG(4),
   /** Long, in the old form. */
   OLD_LONG(8),
@@ -33,10 +31,10 @@ public enum ListFlag implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<ListFlag> from(int code) {
     return WireCode.find(ListFlag.class, code);

@@ -3,8 +3,8 @@ package no.hials.crosscom.protocol.code;
 import java.util.Optional;
 
 /**
- * The parts of a KRL module (c3-bridge.md, "module parts"). Flags: {@link #SRC} and {@link #DAT}
- * together are what the reference calls SRCDAT.
+ * Flags for the parts of a KRL module. C3 Bridge calls {@link #SRC} and {@link #DAT} together
+ * SRCDAT.
  */
 public enum ModulePart implements WireCode {
   /** The SUB file. */
@@ -30,10 +30,10 @@ public enum ModulePart implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<ModulePart> from(int code) {
     return WireCode.find(ModulePart.class, code);

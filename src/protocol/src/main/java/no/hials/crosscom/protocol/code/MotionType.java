@@ -3,8 +3,8 @@ package no.hials.crosscom.protocol.code;
 import java.util.Optional;
 
 /**
- * The motions that a position can be the target of. The numbers are those of the server's header,
- * by which it runs (c3-bridge.md, note a).
+ * The motions to a position. The numbers are those of the server's header, by which it runs, and
+ * not of its description (docs/reference/c3-messages.md#motion-11).
  */
 public enum MotionType implements WireCode {
   /** Point to point, to an absolute position. */
@@ -28,10 +28,10 @@ public enum MotionType implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<MotionType> from(int code) {
     return WireCode.find(MotionType.class, code);

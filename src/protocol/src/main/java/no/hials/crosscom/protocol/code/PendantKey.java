@@ -2,7 +2,7 @@ package no.hials.crosscom.protocol.code;
 
 import java.util.Optional;
 
-/** The keys of the teach pendant that can be pressed from outside (c3-bridge.md, type 12). */
+/** The keys of the teach pendant that a client can press (type 12). */
 public enum PendantKey implements WireCode {
   /** Starts the program, forward or backward. */
   START(1),
@@ -25,10 +25,10 @@ public enum PendantKey implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<PendantKey> from(int code) {
     return WireCode.find(PendantKey.class, code);

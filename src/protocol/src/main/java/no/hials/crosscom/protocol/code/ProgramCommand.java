@@ -2,7 +2,7 @@ package no.hials.crosscom.protocol.code;
 
 import java.util.Optional;
 
-/** What to do with a program (c3-bridge.md, type 10). */
+/** The commands for a program (type 10). */
 public enum ProgramCommand implements WireCode {
   /** Resets the selected program. */
   RESET(1),
@@ -29,10 +29,10 @@ public enum ProgramCommand implements WireCode {
   }
 
   /**
-   * Finds a constant by its number.
+   * Returns the constant with a number.
    *
    * @param code any number
-   * @return the constant, or nothing if the number is unknown
+   * @return the constant, or empty if the number is unknown
    */
   public static Optional<ProgramCommand> from(int code) {
     return WireCode.find(ProgramCommand.class, code);

@@ -1,10 +1,9 @@
 /**
- * The codes and flags in the messages of C3 Bridge, with names for the numbers that the reference
- * has.
+ * The codes and flags in the messages of C3 Bridge (docs/reference/c3-messages.md#constants), and
+ * enumerations of KRL.
  *
- * <p>A number that it has not is kept: {@link no.hials.crosscom.protocol.code.Code} and {@link
- * no.hials.crosscom.protocol.code.Flags} hold what was on the wire and give constants where they
- * can.
+ * <p>An unknown number is kept: {@link no.hials.crosscom.protocol.code.Code} and {@link
+ * no.hials.crosscom.protocol.code.Flags} hold the number, and return the constant if there is one.
  */
 @NullMarked
 package no.hials.crosscom.protocol.code;

@@ -6,8 +6,9 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks for a file to be read in parts (c3-bridge.md, type 30): {@code 01, flags, name}. The length
- * of the name is a u16, as the server reads it (note b).
+ * Asks to read a file in parts (type 30): {@code 01, flags, name}. The length of the name is a u16,
+ * as the server reads it; its description has a u32
+ * (docs/reference/c3-messages.md#file-content-29-and-30).
  *
  * @param id u16, echoed in the answer
  * @param flags i32

@@ -4,10 +4,10 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Announces a file (c3-bridge.md, type 29): {@code 01, size}.
+ * Announces a file (type 29): {@code 01, size}.
  *
  * @param id u16, echoed in the answer
- * @param size u32; of the whole file, in bytes
+ * @param size u32; the size of the whole file in bytes
  */
 public record BeginWriteRequest(int id, long size) implements FileRequest {
   /** Checks the ranges. */

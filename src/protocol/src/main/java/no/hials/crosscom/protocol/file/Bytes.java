@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.Objects;
 
-/** Bytes that do not change: a part of a file. */
+/** An immutable sequence of bytes, such as a part of a file. */
 public final class Bytes {
-  /** How many bytes {@link #toString} shows. */
+  /** The number of bytes that {@link #toString} shows. */
   private static final int SHOWN = 16;
 
   private final byte[] bytes;
@@ -16,9 +16,9 @@ public final class Bytes {
   }
 
   /**
-   * Copies bytes.
+   * Returns a copy of an array.
    *
-   * @param bytes any
+   * @param bytes the array
    * @return the copy
    */
   public static Bytes of(byte[] bytes) {
@@ -26,13 +26,13 @@ public final class Bytes {
   }
 
   /**
-   * Copies some of the bytes of an array.
+   * Returns a copy of a part of an array.
    *
-   * @param bytes any
-   * @param offset where they begin
-   * @param count how many they are
+   * @param bytes the array
+   * @param offset the index of the first byte
+   * @param count the number of bytes
    * @return the copy
-   * @throws IndexOutOfBoundsException if the array has not as many
+   * @throws IndexOutOfBoundsException if the array has fewer bytes
    */
   public static Bytes of(byte[] bytes, int offset, int count) {
     Objects.checkFromIndexSize(offset, count, bytes.length);
@@ -40,7 +40,7 @@ public final class Bytes {
   }
 
   /**
-   * Counts the bytes.
+   * Returns the number of bytes.
    *
    * @return 0 or more
    */
@@ -51,16 +51,16 @@ public final class Bytes {
   /**
    * Copies the bytes into an array.
    *
-   * @param target where to
-   * @param offset where in it they begin
-   * @throws IndexOutOfBoundsException if there is not enough room
+   * @param target the array
+   * @param offset the index of the first byte in it
+   * @throws IndexOutOfBoundsException if the array is too short
    */
   public void copyTo(byte[] target, int offset) {
     System.arraycopy(bytes, 0, target, offset, bytes.length);
   }
 
   /**
-   * Gives the bytes.
+   * Returns the bytes.
    *
    * @return a copy
    */
@@ -78,7 +78,7 @@ public final class Bytes {
     return Arrays.hashCode(bytes);
   }
 
-  /** Prints how many bytes there are, and the first of them in hex. */
+  /** Returns the number of bytes, and the first of them in hex. */
   @Override
   public String toString() {
     int shown = Math.min(SHOWN, bytes.length);

@@ -6,9 +6,8 @@ import no.hials.crosscom.protocol.code.ContentOperation;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks for an operation on a file's content that needs no fields (c3-bridge.md, types 29 and 30):
- * the size of the server's buffer, the end of reading, or an unknown one, which a server answers
- * too.
+ * Asks for an operation on a file's content without fields (types 29 and 30): the size of the
+ * server's buffer, the end of reading, or an unknown operation, which a server answers too.
  *
  * @param id u16, echoed in the answer
  * @param type u8; {@link MessageType#WRITE_CONTENT} or {@link MessageType#READ_CONTENT}

@@ -8,13 +8,13 @@ import no.hials.crosscom.protocol.code.ContentOperation;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers an operation on a file's content with nothing but its number (c3-bridge.md, types 29 and
- * 30): the end, or one that failed.
+ * Answers an operation on a file's content with only its number (types 29 and 30): the end, or a
+ * failed operation.
  *
  * @param id u16, of the request
  * @param type u8; {@link MessageType#WRITE_CONTENT} or {@link MessageType#READ_CONTENT}
  * @param operation u8, of the request, known or not
- * @param tail how it ended; failure if the operation's answer has fields
+ * @param tail the end of the answer; a failure if the answers of the operation have fields
  */
 public record ContentResponse(int id, MessageType type, Code<ContentOperation> operation, Tail tail)
     implements TypedResponse {

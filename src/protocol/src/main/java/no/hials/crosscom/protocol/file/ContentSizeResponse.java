@@ -8,14 +8,14 @@ import no.hials.crosscom.protocol.code.ContentOperation;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers an operation on a file's content with the size of the server's buffer (c3-bridge.md,
- * types 29 and 30): {@code operation, size}.
+ * Answers an operation on a file's content with the size of the server's buffer (types 29 and 30):
+ * {@code operation, size}.
  *
  * @param id u16, of the request
  * @param type u8; {@link MessageType#WRITE_CONTENT} or {@link MessageType#READ_CONTENT}
  * @param operation u8; {@link ContentOperation#BEGIN} or {@link ContentOperation#SIZE}
  * @param size u32, in bytes
- * @param tail how it ended
+ * @param tail the end of the answer
  */
 public record ContentSizeResponse(
     int id, MessageType type, ContentOperation operation, long size, Tail tail)

@@ -6,8 +6,7 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks to copy or to move a file (c3-bridge.md, types 24 and 25): {@code flags, source,
- * destination}.
+ * Asks to copy or to move a file (types 24 and 25): {@code flags, source, destination}.
  *
  * @param id u16, echoed in the answer
  * @param type u8; {@link MessageType#COPY_FILE} or {@link MessageType#MOVE_FILE}

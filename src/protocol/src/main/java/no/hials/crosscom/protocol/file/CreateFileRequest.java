@@ -8,16 +8,16 @@ import no.hials.crosscom.protocol.code.ModulePart;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks to create a file, a module or a directory (c3-bridge.md, type 22): {@code itemType, parts,
- * always, name, template}.
+ * Asks to create a file, a module or a directory (type 22): {@code itemType, parts, always, name,
+ * template}.
  *
  * @param id u16, echoed in the answer
  * @param itemType u16
- * @param parts u8; what a module is to have
- * @param always u8, 0 or 1; whether to create it although it is there (c3-vectors.tsv)
+ * @param parts u8; the parts of a module
+ * @param always u8, 0 or 1; whether to create it if it exists
  * @param name WSTRING
- * @param template WSTRING; the file to take the content from, empty for none. Name and template
- *     have 32,763 characters together at most
+ * @param template WSTRING; the file to copy the content from, or empty. Name and template have
+ *     32,763 characters together at most
  */
 public record CreateFileRequest(
     int id,

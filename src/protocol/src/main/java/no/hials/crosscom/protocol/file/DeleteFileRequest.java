@@ -4,10 +4,10 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks to delete a file (c3-bridge.md, type 23): {@code always, name}.
+ * Asks to delete a file (type 23): {@code always, name}.
  *
  * @param id u16, echoed in the answer
- * @param always u8, 0 or 1; whether to delete it although it is read-only (c3-vectors.tsv)
+ * @param always u8, 0 or 1; whether to delete it if it is read-only
  * @param name WSTRING; 32,765 characters at most
  */
 public record DeleteFileRequest(int id, boolean always, String name) implements FileRequest {

@@ -6,7 +6,7 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks to store what was sent as a file (c3-bridge.md, type 29): {@code 04, flags, name}.
+ * Asks to store the bytes sent as a file (type 29): {@code 04, flags, name}.
  *
  * @param id u16, echoed in the answer
  * @param flags i32

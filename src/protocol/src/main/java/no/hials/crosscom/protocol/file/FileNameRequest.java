@@ -4,7 +4,7 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks for another form of a file's name (c3-bridge.md, types 27 and 28): {@code path}.
+ * Asks for another form of a file's name (types 27 and 28): {@code path}.
  *
  * @param id u16, echoed in the answer
  * @param type u8; {@link MessageType#FULL_NAME} or {@link MessageType#KRC_NAME}

@@ -7,7 +7,7 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 
 /**
- * The properties of a file (c3-bridge.md, type 26). Those that were not asked for are 0 or empty.
+ * The properties of a file (type 26). Properties that the request did not ask for are 0 or empty.
  *
  * @param itemType i32
  * @param size i32 low and i32 high half; in bytes, 0 or more
@@ -27,10 +27,10 @@ public record FileProperties(
     ItemTime modified,
     Code<EditMode> editMode,
     String name) {
-  /** The bytes of all but the name. */
+  /** The length of all properties but the name. */
   static final int FIXED_LENGTH = 4 + 8 + 4 + 3 * 12 + 4;
 
-  /** All 0 and empty, as of a file that is not there (c3-vectors.tsv). */
+  /** All 0 and empty, as the answer has it for a file that does not exist. */
   public static final FileProperties NONE =
       new FileProperties(
           Code.of(ItemType.UNKNOWN),

@@ -6,10 +6,10 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks for a file's properties (c3-bridge.md, type 26): {@code properties, name}.
+ * Asks for a file's properties (type 26): {@code properties, name}.
  *
  * @param id u16, echoed in the answer
- * @param properties i32; those that are asked for
+ * @param properties i32; the properties that are asked for
  * @param name WSTRING; 32,764 characters at most
  */
 public record FilePropertiesRequest(int id, Flags<FileProperty> properties, String name)

@@ -6,11 +6,11 @@ import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers {@link FilePropertiesRequest} (c3-bridge.md, type 26).
+ * Answers {@link FilePropertiesRequest} (type 26).
  *
  * @param id u16, of the request
  * @param properties 56 bytes and WSTRING; {@link FileProperties#NONE} if the access failed
- * @param tail how the access ended
+ * @param tail the end of the answer
  */
 public record FilePropertiesResponse(int id, FileProperties properties, Tail tail)
     implements TypedResponse {

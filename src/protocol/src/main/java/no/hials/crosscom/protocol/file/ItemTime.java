@@ -3,13 +3,12 @@ package no.hials.crosscom.protocol.file;
 import java.time.Instant;
 
 /**
- * A time of a file: a Windows FILETIME and the controller's time zone (c3-bridge.md, type 26).
+ * A time of a file: a Windows FILETIME and the controller's time zone (type 26).
  *
- * @param instant i32 low and i32 high half of a count of 100 ns since 1601; in UTC, which is
- *     assumed, as a FILETIME is everywhere else. A multiple of 100 ns that 64 bits hold: from the
- *     year -27627 to 30828
- * @param biasMinutes i32, in minutes; -60 one hour east of Greenwich, as Windows has it, which is
- *     assumed
+ * @param instant i32 low and i32 high half of a count of 100 ns since 1601; assumed to be in UTC,
+ *     as a FILETIME is everywhere else. A multiple of 100 ns that 64 bits hold: from the year
+ *     -27627 to 30828
+ * @param biasMinutes i32, in minutes; assumed to be -60 one hour east of Greenwich, as in Windows
  */
 public record ItemTime(Instant instant, int biasMinutes) {
   private static final int TICK_NANOS = 100;
@@ -22,7 +21,7 @@ public record ItemTime(Instant instant, int biasMinutes) {
 
   private static final Instant MAX = instant(Long.MAX_VALUE);
 
-  /** All bytes 0, as when the time was not asked for (c3-vectors.tsv). */
+  /** All bytes 0: the request did not ask for the time. */
   public static final ItemTime NONE = ofTicks(0, 0);
 
   /** Checks the ranges. */
@@ -37,7 +36,7 @@ public record ItemTime(Instant instant, int biasMinutes) {
   }
 
   /**
-   * Makes a time from the number on the wire.
+   * Creates a time from the number on the wire.
    *
    * @param ticks any count of 100 ns since 1601
    * @param biasMinutes the time zone
@@ -54,7 +53,7 @@ public record ItemTime(Instant instant, int biasMinutes) {
   }
 
   /**
-   * Gives the number on the wire.
+   * Returns the number on the wire.
    *
    * @return the count of 100 ns since 1601
    */

@@ -7,10 +7,10 @@ import no.hials.crosscom.protocol.code.ListFlag;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks for the items of a directory (c3-bridge.md, type 21): {@code types, flags, path}.
+ * Asks for the items of a directory (type 21): {@code types, flags, path}.
  *
  * @param id u16, echoed in the answer
- * @param types i32; the kinds of items that are asked for, none for all (c3-vectors.tsv)
+ * @param types i32; the kinds of items that are asked for, or none for all
  * @param flags i32
  * @param path WSTRING; 32,762 characters at most
  */

@@ -7,14 +7,13 @@ import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers {@link ListDirectoryRequest} (c3-bridge.md, type 21): {@code count u16, items, count u16,
- * infos}.
+ * Answers {@link ListDirectoryRequest} (type 21): {@code count u16, items, count u16, infos}.
  *
  * @param id u16, of the request
  * @param items WSTRING each; the names
- * @param infos WSTRING each, such as {@code 32,32,21} (c3-vectors.tsv); one an item, or none if
- *     {@link no.hials.crosscom.protocol.code.ListFlag#LONG} was not set
- * @param tail how the access ended
+ * @param infos WSTRING each, type, attributes and size, such as {@code 32,32,21}; one an item, or
+ *     none if {@link no.hials.crosscom.protocol.code.ListFlag#LONG} was not set
+ * @param tail the end of the answer
  */
 public record ListDirectoryResponse(int id, List<String> items, List<String> infos, Tail tail)
     implements TypedResponse {

@@ -4,12 +4,11 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks for a part of a file (c3-bridge.md, type 30): {@code 02, offset, size}.
+ * Asks for a part of a file (type 30): {@code 02, offset, size}.
  *
  * @param id u16, echoed in the answer
- * @param offset u32; where in the file the part begins
- * @param size u32; how many bytes at most, of which an answer has 64,512 at most (c3-bridge.md,
- *     "Common to all messages")
+ * @param offset u32; the index of the part in the file
+ * @param size u32; the largest number of bytes; a server sends 64,512 at most
  */
 public record ReadDataRequest(int id, long offset, long size) implements FileRequest {
   /** Asks for as many bytes as fit into an answer. */

@@ -6,13 +6,12 @@ import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers {@link ReadDataRequest} (c3-bridge.md, type 30): {@code 02, offset, size u32, data}.
+ * Answers {@link ReadDataRequest} (type 30): {@code 02, offset, size u32, data}.
  *
  * @param id u16, of the request
  * @param offset u32, of the request
- * @param data u32 count and bytes; 65,522 at most, of which a server uses 64,512 (c3-bridge.md,
- *     "Common to all messages")
- * @param tail how the access ended
+ * @param data u32 count and bytes; 65,522 at most; a server sends 64,512 at most
+ * @param tail the end of the answer
  */
 public record ReadDataResponse(int id, long offset, Bytes data, Tail tail)
     implements TypedResponse {

@@ -6,11 +6,11 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks to change a file's attributes (c3-bridge.md, type 20): {@code attributes, mask, name}.
+ * Asks to change a file's attributes (type 20): {@code attributes, mask, name}.
  *
  * @param id u16, echoed in the answer
- * @param attributes i32; those that are to be set
- * @param mask i32; those that are to be changed
+ * @param attributes i32; the new values of the attributes in {@code mask}
+ * @param mask i32; the attributes to change
  * @param name WSTRING; 32,762 characters at most
  */
 public record SetAttributesRequest(

@@ -4,10 +4,10 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Sends a part of a file (c3-bridge.md, type 29): {@code 02, offset, size u32, data}.
+ * Sends a part of a file (type 29): {@code 02, offset, size u32, data}.
  *
  * @param id u16, echoed in the answer
- * @param offset u32; where in the file the data begins
+ * @param offset u32; the index of the data in the file
  * @param data u32 count and bytes; 65,525 at most
  */
 public record WriteDataRequest(int id, long offset, Bytes data) implements FileRequest {

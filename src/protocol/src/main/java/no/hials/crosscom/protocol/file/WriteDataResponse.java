@@ -6,12 +6,12 @@ import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers {@link WriteDataRequest} (c3-bridge.md, type 29): {@code 02, offset, written}.
+ * Answers {@link WriteDataRequest} (type 29): {@code 02, offset, written}.
  *
  * @param id u16, of the request
  * @param offset u32, of the request
- * @param written u32; how many bytes were taken: those within the announced size
- * @param tail how the access ended
+ * @param written u32; the number of bytes accepted: those within the announced size
+ * @param tail the end of the answer
  */
 public record WriteDataResponse(int id, long offset, long written, Tail tail)
     implements TypedResponse {

@@ -7,7 +7,7 @@ import no.hials.crosscom.protocol.MalformedFrameException;
 import no.hials.crosscom.protocol.Strictness;
 import no.hials.crosscom.protocol.file.Bytes;
 
-/** Reads the fields that messages are made of from a part of a frame; numbers are big-endian. */
+/** Reads the fields of a message from a part of a frame; numbers are big-endian. */
 public final class FieldReader {
   private final byte[] frame;
   private final int frameLength;
@@ -19,9 +19,9 @@ public final class FieldReader {
    * Creates a reader.
    *
    * @param frame a buffer that begins with the whole frame
-   * @param frameLength its length, for error messages
-   * @param start where the fields begin
-   * @param end where they end
+   * @param frameLength the length of the frame, for error messages
+   * @param start the index of the first field
+   * @param end the index after the last field
    * @param strictness which deviations are accepted
    */
   public FieldReader(byte[] frame, int frameLength, int start, int end, Strictness strictness) {

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import no.hials.crosscom.protocol.file.Bytes;
 
-/** Writes the fields that messages are made of; numbers are big-endian. */
+/** Writes the fields of a message; numbers are big-endian. */
 public final class FieldWriter {
   private byte[] buffer = new byte[64];
   private int length;
@@ -12,7 +12,7 @@ public final class FieldWriter {
   /** Creates a writer without bytes. */
   public FieldWriter() {}
 
-  /** Starts again at the beginning, in the same memory. */
+  /** Removes all bytes, and keeps the memory. */
   public void clear() {
     length = 0;
   }
@@ -46,7 +46,7 @@ public final class FieldWriter {
     u8(value);
   }
 
-  /** A number of 32 bits, signed or not. */
+  /** Writes a number of 32 bits, signed or not. */
   void i32(int value) {
     u16(value >> 16);
     u16(value);
@@ -60,13 +60,16 @@ public final class FieldWriter {
     u8(value ? 1 : 0);
   }
 
-  /** 64 bits as C3 Bridge has them: two numbers of 32, the lower first (c3-bridge.md, type 26). */
+  /** Writes 64 bits as C3 Bridge does: two numbers of 32, the lower half first. */
   void lowHigh(long value) {
     i32((int) value);
     i32((int) (value >> 32));
   }
 
-  /** A WSTRING: a count of characters, then UTF-16, little-endian (c3-bridge.md). */
+  /**
+   * Writes a WSTRING: a count of characters, then UTF-16, little-endian
+   * (docs/reference/c3-messages.md#strings).
+   */
   void wide(String value) {
     int count = value.length();
     u16(count);
@@ -90,7 +93,9 @@ public final class FieldWriter {
     }
   }
 
-  /** A STRING: a byte count, then ISO 8859-1, which the message's constructor has checked. */
+  /**
+   * Writes a STRING: a byte count, then ISO 8859-1, which the message's constructor has checked.
+   */
   void string(CharSequence value) {
     int count = value.length();
     u16(count);
@@ -103,7 +108,7 @@ public final class FieldWriter {
     length += count;
   }
 
-  /** A block of 16-bit numbers: a byte count, then the numbers. */
+  /** Writes 16-bit numbers: a byte count, then the numbers. */
   void words(List<Integer> values) {
     u16(values.size() * 2);
     for (int value : values) {

@@ -87,7 +87,7 @@ public final class Layouts {
   }
 
   /** Writes the fields of a request or an answer. */
-  @SuppressWarnings("unchecked") // a class is put in with a writer of its own messages
+  @SuppressWarnings("unchecked") // request and answer pair each class with its writer
   public static <M> void write(M message, FieldWriter out) {
     ((Writer<M>) known(ALL.writers, message.getClass())).write(message, out);
   }
@@ -99,8 +99,9 @@ public final class Layouts {
   }
 
   /**
-   * Reads the fields of an answer. A failed one of C3 Bridge may have none at all, as in
-   * c3-vectors.tsv, "29 data without fields"; that this can be with every type is assumed.
+   * Reads the fields of an answer. A failed answer of C3 Bridge may have none
+   * (docs/reference/c3-messages.md#file-content-29-and-30, row "29 data without fields"); assumed
+   * of every type.
    */
   public static TypedResponse readAnswer(MessageType type, int id, FieldReader in, Tail tail)
       throws MalformedFrameException {

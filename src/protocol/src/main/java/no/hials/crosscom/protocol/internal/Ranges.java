@@ -40,7 +40,7 @@ public final class Ranges {
     }
   }
 
-  /** Checks that a text can be sent as a STRING at all. */
+  /** Checks that a text can be sent as a STRING. */
   public static void latin1(String field, CharSequence value) {
     for (int i = 0; i < value.length(); i++) {
       if (value.charAt(i) > 0xFF) {
@@ -70,7 +70,7 @@ public final class Ranges {
     }
   }
 
-  /** Checks how many items there are. */
+  /** Checks the number of items. */
   public static void count(String field, Collection<?> items, int max) {
     if (items.size() > max) {
       throw new IllegalArgumentException(
@@ -78,7 +78,7 @@ public final class Ranges {
     }
   }
 
-  /** Checks the type of a message that several types have in common. */
+  /** Checks the type of a message that serves several types. */
   public static void type(MessageType type, MessageType... allowed) {
     List<MessageType> types = List.of(allowed);
     if (!types.contains(type)) {
@@ -86,12 +86,12 @@ public final class Ranges {
     }
   }
 
-  /** Returns how many bytes a WSTRING has. */
+  /** Returns the length of a WSTRING in bytes. */
   public static long wide(String value) {
     return 2 + 2L * value.length();
   }
 
-  /** Returns how many bytes several WSTRINGs have together. */
+  /** Returns the length of several WSTRINGs in bytes. */
   public static long wide(Collection<String> values) {
     return values.stream().mapToLong(Ranges::wide).sum();
   }

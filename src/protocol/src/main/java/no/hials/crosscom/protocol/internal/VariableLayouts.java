@@ -181,7 +181,7 @@ public final class VariableLayouts {
     }
   }
 
-  /** Reads assignments; if some may be missing, as many as are whole. */
+  /** Reads assignments; if some may be missing, the complete ones. */
   private static List<Assignment> assignments(int count, FieldReader in, boolean someMayBeMissing)
       throws MalformedFrameException {
     List<Assignment> assignments = new ArrayList<>();

@@ -6,7 +6,7 @@ import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks to move the robot (c3-bridge.md, type 11): {@code motion, position}.
+ * Asks to move the robot (type 11): {@code motion, position}.
  *
  * @param id u16, echoed in the answer
  * @param motion u8

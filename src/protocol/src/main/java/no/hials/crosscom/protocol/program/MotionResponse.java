@@ -8,11 +8,11 @@ import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers {@link MotionRequest} (c3-bridge.md, type 11): {@code motion}.
+ * Answers {@link MotionRequest} (type 11): {@code motion}.
  *
  * @param id u16, of the request
  * @param motion u8, of the request, known or not
- * @param tail how the access ended
+ * @param tail the end of the answer
  */
 public record MotionResponse(int id, Code<MotionType> motion, Tail tail) implements TypedResponse {
   /** Checks the ranges. */

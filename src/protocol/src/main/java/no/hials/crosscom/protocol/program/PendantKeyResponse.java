@@ -8,11 +8,11 @@ import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers {@link PendantKeyRequest} (c3-bridge.md, type 12): {@code key}.
+ * Answers {@link PendantKeyRequest} (type 12): {@code key}.
  *
  * @param id u16, of the request
  * @param key u8, of the request, known or not
- * @param tail how the access ended
+ * @param tail the end of the answer
  */
 public record PendantKeyResponse(int id, Code<PendantKey> key, Tail tail) implements TypedResponse {
   /** Checks the ranges. */

@@ -8,12 +8,12 @@ import no.hials.crosscom.protocol.internal.ProgramLayouts;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks an interpreter to reset, start, stop or cancel its program (c3-bridge.md, type 10, I):
- * {@code command, interpreter}. A server answers unknown commands too, so this can be one.
+ * Asks an interpreter to reset, start, stop or cancel its program (type 10, I): {@code command,
+ * interpreter}. The command may be unknown, since a server answers that too.
  *
  * @param id u16, echoed in the answer
  * @param command u8; neither {@link ProgramCommand#SELECT} nor {@link ProgramCommand#RUN}, which
- *     {@link ProgramSelectRequest} is for
+ *     are commands of {@link ProgramSelectRequest}
  * @param interpreter i16
  */
 public record ProgramControlRequest(

@@ -8,12 +8,12 @@ import no.hials.crosscom.protocol.code.ProgramCommand;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers {@link ProgramControlRequest} and {@link ProgramSelectRequest} (c3-bridge.md, type 10):
- * {@code command}.
+ * Answers {@link ProgramControlRequest} and {@link ProgramSelectRequest} (type 10): {@code
+ * command}.
  *
  * @param id u16, of the request
  * @param command u8, of the request, known or not
- * @param tail how the access ended
+ * @param tail the end of the answer
  */
 public record ProgramControlResponse(int id, Code<ProgramCommand> command, Tail tail)
     implements TypedResponse {

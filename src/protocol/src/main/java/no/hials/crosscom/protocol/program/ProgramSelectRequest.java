@@ -8,12 +8,12 @@ import no.hials.crosscom.protocol.internal.ProgramLayouts;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks to select a program, or to select and run it (c3-bridge.md, type 10, II): {@code command,
- * interpreter, name, parameters, force}.
+ * Asks to select a program, or to select and run it (type 10, II): {@code command, interpreter,
+ * name, parameters, force}.
  *
  * @param id u16, echoed in the answer
  * @param command u8; {@link ProgramCommand#SELECT} or {@link ProgramCommand#RUN}
- * @param interpreter i16; not used by the server
+ * @param interpreter i16; the server ignores it
  * @param name WSTRING, such as {@code /R1/MAIN}
  * @param parameters WSTRING; name and parameters have 32,763 characters together at most
  * @param force u8, 0 or 1

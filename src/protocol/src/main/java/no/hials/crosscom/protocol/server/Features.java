@@ -7,10 +7,10 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * The types of message that a server knows (c3-bridge.md, type 14).
+ * The types of message that a server supports (type 14).
  *
- * @param types one bit each in 32 bytes, of which the first has 255 to 248 and the last 7 to 0; 0
- *     to 255
+ * @param types 0 to 255; one bit each in 32 bytes, the first with 255 to 248 and the last with 7 to
+ *     0
  */
 public record Features(Set<Integer> types) {
   /** Checks the ranges. */
@@ -20,7 +20,7 @@ public record Features(Set<Integer> types) {
   }
 
   /**
-   * Says whether the server knows a type.
+   * Returns whether the server supports a type.
    *
    * @param type any
    * @return true if so

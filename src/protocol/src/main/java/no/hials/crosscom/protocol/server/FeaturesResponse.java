@@ -6,12 +6,11 @@ import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers a {@link ServerRequest} of type {@link MessageType#FEATURES} (c3-bridge.md, type 14): 32
- * bytes.
+ * Answers a {@link ServerRequest} of type {@link MessageType#FEATURES} (type 14): 32 bytes.
  *
  * @param id u16, of the request
  * @param features 32 bytes, a bit for each type
- * @param tail how the access ended
+ * @param tail the end of the answer
  */
 public record FeaturesResponse(int id, Features features, Tail tail) implements TypedResponse {
   /** Checks the ranges. */

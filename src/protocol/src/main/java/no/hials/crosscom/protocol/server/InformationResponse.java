@@ -6,12 +6,12 @@ import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers a {@link ServerRequest} of type {@link MessageType#INFORMATION} (c3-bridge.md, type 13):
- * {@code major, minor, build, time, computer name}.
+ * Answers a {@link ServerRequest} of type {@link MessageType#INFORMATION} (type 13): {@code major,
+ * minor, build, time, computer name}.
  *
  * @param id u16, of the request
  * @param information u8 three times, u16 eight times, WSTRING
- * @param tail how the access ended
+ * @param tail the end of the answer
  */
 public record InformationResponse(int id, ServerInformation information, Tail tail)
     implements TypedResponse {

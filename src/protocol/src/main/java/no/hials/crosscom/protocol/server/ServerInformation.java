@@ -6,7 +6,7 @@ import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * What C3 Bridge says about itself (c3-bridge.md, type 13).
+ * The version, clock and host of a C3 Bridge (type 13).
  *
  * @param major u8, of the version
  * @param minor u8, of the version
@@ -25,7 +25,7 @@ public record ServerInformation(
   }
 
   /**
-   * Gives the version, as far as the server says it.
+   * Returns the version without its third number, which the server does not send.
    *
    * @return the version; its third number is 0
    */

@@ -5,8 +5,8 @@ import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks what needs no fields: for information, for features, or to confirm all messages
- * (c3-bridge.md, types 13, 14 and 63).
+ * Asks for information or for features, or to confirm all messages (types 13, 14 and 63). Has no
+ * fields.
  *
  * @param id u16, echoed in the answer
  * @param type u8; {@link MessageType#INFORMATION}, {@link MessageType#FEATURES} or {@link

@@ -8,7 +8,7 @@ import java.util.Optional;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * A time in UTC as the controller's operating system has it: eight numbers.
+ * A time in UTC as eight numbers, as the controller's operating system has it.
  *
  * @param year u16
  * @param month u16; from 1
@@ -28,7 +28,7 @@ public record SystemTime(
     int minute,
     int second,
     int millisecond) {
-  /** Checks the ranges of the bytes; the numbers can be no time at all. */
+  /** Checks the ranges of the bytes; the numbers need not be a time. */
   public SystemTime {
     Ranges.u16("year", year);
     Ranges.u16("month", month);
@@ -41,9 +41,9 @@ public record SystemTime(
   }
 
   /**
-   * Makes the numbers of a time.
+   * Returns the numbers of a time.
    *
-   * @param instant any in the years 0 to 65535; cut to milliseconds
+   * @param instant a time in the years 0 to 65535; cut to milliseconds
    * @return the numbers
    */
   public static SystemTime of(Instant instant) {
@@ -60,9 +60,9 @@ public record SystemTime(
   }
 
   /**
-   * Gives the time.
+   * Returns the time.
    *
-   * @return the time, or nothing if the numbers are none; the day of the week is not looked at
+   * @return the time, or empty if the numbers are not a time; ignores the day of the week
    */
   public Optional<Instant> instant() {
     try {

@@ -4,13 +4,13 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The elements of a whole numeric, BOOL or ENUM array, as the read of {@code NAME[]} gives them.
+ * The elements of a whole numeric, BOOL or ENUM array, as a read of {@code NAME[]} returns them.
  *
  * @param elements at least one; all INT, all REAL, all BOOL or all ENUM
  */
 public record KrlArray(List<KrlValue> elements) implements KrlValue {
 
-  /** Checks that there is an element and that all are scalars of one type. */
+  /** Checks that all elements are scalars of one type. */
   public KrlArray {
     elements = List.copyOf(elements);
     if (elements.isEmpty()) {

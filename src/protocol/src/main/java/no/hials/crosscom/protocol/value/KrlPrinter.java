@@ -1,6 +1,6 @@
 package no.hials.crosscom.protocol.value;
 
-/** Prints KRL values. The only code that does. */
+/** Prints KRL values. */
 public final class KrlPrinter {
   private KrlPrinter() {}
 
@@ -13,15 +13,15 @@ public final class KrlPrinter {
   /**
    * Appends the text of a value.
    *
-   * @param out where to
+   * @param out the target
    * @param value the value
-   * @param style how to print REALs; with {@link RealStyle#SHORTEST} aggregates are printed as in a
-   *     data list, without type name and without blanks after commas
+   * @param style the style of REALs; {@link RealStyle#SHORTEST} also prints aggregates as in a data
+   *     list, without type name and without blanks after commas
    */
   public static void append(StringBuilder out, KrlValue value, RealStyle style) {
     value.accept(new Appender(out, style));
     if (value instanceof KrlArray) {
-      out.append(' '); // as the controller does (krl.md 1.4)
+      out.append(' '); // as the controller does (docs/reference/krl-values.md#arrays)
     }
   }
 
@@ -86,17 +86,17 @@ public final class KrlPrinter {
   /**
    * Opens an aggregate without a type name, as in a data list.
    *
-   * @param out where to
+   * @param out the target
    */
   public static void openStruct(StringBuilder out) {
     out.append('{');
   }
 
   /**
-   * Appends the name of the next field of an aggregate opened by {@link #openStruct}; its value is
-   * to follow.
+   * Appends the name of the next field of an aggregate opened by {@link #openStruct}; the caller
+   * appends the value.
    *
-   * @param out where to
+   * @param out the target
    * @param name the field's name
    */
   public static void nextField(StringBuilder out, String name) {
@@ -109,7 +109,7 @@ public final class KrlPrinter {
   /**
    * Closes an aggregate.
    *
-   * @param out where to
+   * @param out the target
    */
   public static void closeStruct(StringBuilder out) {
     out.append('}');
@@ -118,9 +118,9 @@ public final class KrlPrinter {
   /**
    * Appends a REAL.
    *
-   * @param out where to
+   * @param out the target
    * @param value the number; finite
-   * @param style how
+   * @param style the style
    */
   public static void appendReal(StringBuilder out, float value, RealStyle style) {
     RealText.append(out, value, style);
@@ -129,7 +129,7 @@ public final class KrlPrinter {
   /**
    * Appends a BOOL.
    *
-   * @param out where to
+   * @param out the target
    * @param value the value
    */
   public static void appendBool(StringBuilder out, boolean value) {

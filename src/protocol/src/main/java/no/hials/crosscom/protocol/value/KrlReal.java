@@ -23,7 +23,7 @@ public record KrlReal(float value) implements KrlValue {
   /**
    * Rounds a double to the nearest REAL.
    *
-   * @param value any number that a 32-bit float can hold
+   * @param value a number that a 32-bit float can hold
    * @return the REAL
    * @throws IllegalArgumentException if the number is NaN, infinite or beyond ±3.4028235E38
    */

@@ -1,12 +1,15 @@
 package no.hials.crosscom.protocol.value;
 
 /**
- * Reads KRL text piece by piece, without making objects.
+ * Reads KRL text piece by piece, without creating objects.
  *
- * <p>The caller says what it expects: {@link #readInt()}, {@link #readReal()}, or for an aggregate
- * {@link #openStruct()} and then {@link #nextField()} before each value. What is not as expected is
- * a {@link KrlSyntaxException} that gives the position. A scanner is for one thread; it can be used
- * again after {@link #reset}.
+ * <p>The caller calls the method for the value it expects: {@link #readInt()}, {@link #readReal()},
+ * or for an aggregate {@link #openStruct()} and then {@link #nextField()} before each value. Other
+ * text is a {@link KrlSyntaxException} with the position. A scanner is for one thread, and can be
+ * reused after {@link #reset}.
+ *
+ * <p>The class is longer than others because its methods share one position and one text: a part of
+ * it in another class would need an object for the position, and reading must not create objects.
  */
 public final class KrlScanner {
   private static final int NO_CHAR = -1;
@@ -19,16 +22,16 @@ public final class KrlScanner {
   private boolean firstField;
   private int depth;
 
-  // what the last number looked like, for readFloat
+  // where the last number begins, for readFloat
   private int numberStart;
 
-  /** Makes a scanner of an empty text. */
+  /** Creates a scanner of an empty text. */
   public KrlScanner() {}
 
   /**
-   * Makes a scanner of a text.
+   * Creates a scanner of a text.
    *
-   * @param text what to read
+   * @param text the text
    */
   public KrlScanner(CharSequence text) {
     reset(text);
@@ -37,7 +40,7 @@ public final class KrlScanner {
   /**
    * Starts again with another text. The text must not change while it is read.
    *
-   * @param newText what to read
+   * @param newText the text
    */
   public void reset(CharSequence newText) {
     text = newText;
@@ -50,16 +53,16 @@ public final class KrlScanner {
   }
 
   /**
-   * Gives the whole text.
+   * Returns the whole text.
    *
-   * @return the text, as it was given
+   * @return the text, not a copy
    */
   public CharSequence text() {
     return text;
   }
 
   /**
-   * Gives the place reached.
+   * Returns the position.
    *
    * @return the index of the next character, from 0
    */
@@ -71,7 +74,7 @@ public final class KrlScanner {
     return pos < end ? text.charAt(pos) : NO_CHAR;
   }
 
-  /** Skips blanks, tabs and line ends, and gives the character after them, or -1 at the end. */
+  /** Skips blanks, tabs and line ends, and returns the character after them, or -1 at the end. */
   int peekAfterBlanks() {
     skipBlanks();
     return peek();
@@ -83,7 +86,7 @@ public final class KrlScanner {
     }
   }
 
-  /** Says whether the character just before the place reached is a blank. */
+  /** Returns whether the character before the position is a blank. */
   boolean afterBlank() {
     return pos > 0 && isBlank(text.charAt(pos - 1));
   }
@@ -104,7 +107,9 @@ public final class KrlScanner {
     return isNameStart(c) || isDigit(c);
   }
 
-  /** Says whether a text is a KRL name. The controller's limit of 24 characters is not checked. */
+  /**
+   * Returns whether a text is a KRL name. The controller's limit of 24 characters is not checked.
+   */
   static boolean isName(CharSequence name) {
     if (name.isEmpty() || !isNameStart(name.charAt(0))) {
       return false;
@@ -117,16 +122,18 @@ public final class KrlScanner {
     return true;
   }
 
-  /** Says whether a text is a name with nothing, {@code []} or {@code [1,2]} behind it. */
+  /**
+   * Returns whether a text is a name, alone or followed by {@code []} or an index as {@code [1,2]}.
+   */
   static boolean isFieldName(CharSequence name) {
     KrlScanner scanner = new KrlScanner(name);
     return !name.isEmpty() && scanner.skipFieldName() && scanner.pos == scanner.end;
   }
 
   /**
-   * Makes an exception for the place reached.
+   * Creates an exception for the position.
    *
-   * @param expected what would have been right
+   * @param expected the text that would be correct
    * @return the exception, to be thrown
    */
   public KrlSyntaxException wrong(String expected) {
@@ -134,10 +141,10 @@ public final class KrlScanner {
   }
 
   /**
-   * Makes an exception for a place already passed.
+   * Creates an exception for an earlier position.
    *
    * @param position the index in the text
-   * @param expected what would have been right
+   * @param expected the text that would be correct
    * @return the exception, to be thrown
    */
   public KrlSyntaxException wrongAt(int position, String expected) {
@@ -152,7 +159,7 @@ public final class KrlScanner {
   }
 
   /**
-   * Says whether anything but blanks is left.
+   * Returns whether anything but blanks is left.
    *
    * @return true if so
    */
@@ -171,7 +178,7 @@ public final class KrlScanner {
    * Reads an INT: decimal, {@code 'B0101'} or {@code 'HFF'}.
    *
    * @return the number
-   * @throws KrlSyntaxException if there is none, or it needs more than 32 bits
+   * @throws KrlSyntaxException if the text is not an INT of 32 bits
    */
   public int readInt() {
     int c = peekAfterBlanks();
@@ -239,10 +246,10 @@ public final class KrlScanner {
   }
 
   /**
-   * Reads a REAL, in any form that C's printf makes, or an INT.
+   * Reads a REAL, in any form that C's printf prints, or an INT.
    *
-   * @return the number as the nearest double to the text
-   * @throws KrlSyntaxException if there is none, or no 32-bit float can hold it
+   * @return the double nearest to the text
+   * @throws KrlSyntaxException if the text is not a number that a 32-bit float can hold
    */
   public double readReal() {
     int c = peekAfterBlanks();
@@ -272,7 +279,7 @@ public final class KrlScanner {
             exponent--;
           }
         } else {
-          // more digits than a long holds: the slow way below reads them
+          // more digits than a long holds: parseDouble below reads them
           significant++;
         }
       } else if (d == '.' && !point) {
@@ -311,7 +318,7 @@ public final class KrlScanner {
     }
     int value = 0;
     while (isDigit(peek())) {
-      // does not overflow, and is out of range like the true one, however many digits come before
+      // the limit avoids an overflow, and is out of range whatever the digits before it
       value = Math.min(value * 10 + (text.charAt(pos) - '0'), 100_000_000);
       pos++;
     }
@@ -319,10 +326,10 @@ public final class KrlScanner {
   }
 
   /**
-   * Reads a REAL as the float nearest to the text, which is the number that the controller holds.
+   * Reads a REAL as the float nearest to the text, which is the number the controller holds.
    *
    * @return the number
-   * @throws KrlSyntaxException if there is none, or no float can hold it
+   * @throws KrlSyntaxException if the text is not a number that a float can hold
    */
   public float readFloat() {
     double value = readReal();
@@ -331,7 +338,7 @@ public final class KrlScanner {
         : Float.parseFloat(text.subSequence(numberStart, pos).toString());
   }
 
-  /** Says whether the number at the place reached is written as a REAL, with point or exponent. */
+  /** Returns whether the number at the position is written as a REAL, with point or exponent. */
   boolean looksReal() {
     for (int i = pos; i < end; i++) {
       char c = text.charAt(i);
@@ -349,7 +356,7 @@ public final class KrlScanner {
    * Reads a BOOL, in upper or lower case.
    *
    * @return the value
-   * @throws KrlSyntaxException if there is none
+   * @throws KrlSyntaxException if the text is not a BOOL
    */
   public boolean readBool() {
     skipBlanks();
@@ -383,7 +390,7 @@ public final class KrlScanner {
    * Reads a CHAR or CHAR array.
    *
    * @return the text between the quotes
-   * @throws KrlSyntaxException if there is none, or the closing quote is missing
+   * @throws KrlSyntaxException if the text is not in double quotes
    */
   public String readString() {
     if (peekAfterBlanks() != '"') {
@@ -406,7 +413,7 @@ public final class KrlScanner {
    * Reads a value of an ENUM.
    *
    * @return the constant's name, without the {@code #}
-   * @throws KrlSyntaxException if there is none
+   * @throws KrlSyntaxException if the text is not an ENUM constant
    */
   public String readEnum() {
     if (peekAfterBlanks() != '#') {
@@ -424,7 +431,7 @@ public final class KrlScanner {
     return text.subSequence(start, pos).toString();
   }
 
-  /** Checks that a scalar is followed by a blank, the end, or the end of a field. */
+  /** Checks that a blank, the end, or the end of a field follows a scalar. */
   private void endScalar(String what) {
     if (pos < end) {
       char c = text.charAt(pos);
@@ -435,9 +442,9 @@ public final class KrlScanner {
   }
 
   /**
-   * Opens an aggregate and passes over its type name, if there is one.
+   * Opens an aggregate and skips its type name, if there is one.
    *
-   * @throws KrlSyntaxException if there is no aggregate, or too many are open
+   * @throws KrlSyntaxException if the text is not an aggregate, or aggregates are nested too deep
    */
   public void openStruct() {
     if (peekAfterBlanks() != '{') {
@@ -467,12 +474,12 @@ public final class KrlScanner {
   }
 
   /**
-   * Goes to the value of the next field, whose name {@link #fieldIs} and {@link #fieldName} then
-   * tell, or closes the aggregate. A field without a value is uninitialised (assumed: krl.md 1.3
-   * only says that uninitialised components are not printed) and passed over.
+   * Moves to the value of the next field, whose name {@link #fieldIs} and {@link #fieldName}
+   * return, or closes the aggregate. A field without a value is assumed to be uninitialised, and is
+   * skipped.
    *
-   * @return false if there is no further field
-   * @throws KrlSyntaxException if what follows is neither a field nor the closing brace
+   * @return false if there are no more fields
+   * @throws KrlSyntaxException if the next text is neither a field nor the closing brace
    */
   public boolean nextField() {
     while (true) {
@@ -527,11 +534,11 @@ public final class KrlScanner {
   }
 
   /**
-   * Compares the name of the field reached, or after {@link #openStruct} the type, whatever its
-   * case.
+   * Returns whether the current field has a name, or after {@link #openStruct} the type, in upper
+   * or lower case.
    *
    * @param name ASCII, in upper case
-   * @return whether it is that name
+   * @return true if it has
    */
   public boolean fieldIs(String name) {
     int length = name.length();
@@ -551,25 +558,25 @@ public final class KrlScanner {
   }
 
   /**
-   * Gives the name of the field reached, as printed.
+   * Returns the name of the current field, as printed.
    *
-   * @return the name; after {@link #openStruct} the type's name, empty if there is none
+   * @return the name; after {@link #openStruct} the name of the type, or empty
    */
   public String fieldName() {
     return text.subSequence(nameStart, nameEnd).toString();
   }
 
   /**
-   * Reads the value of the field reached, of whatever type.
+   * Reads the value of the current field, of any type.
    *
    * @return the value
-   * @throws KrlSyntaxException if there is none
+   * @throws KrlSyntaxException if the text is not a KRL value
    */
   public KrlValue readFieldValue() {
     return KrlValueParser.fieldValue(this);
   }
 
-  /** Says whether the field reached is a whole array, with {@code []} behind its name. */
+  /** Returns whether the current field is a whole array, with {@code []} after its name. */
   boolean fieldHasBrackets() {
     return nameEnd - nameStart > 2 && text.charAt(nameEnd - 2) == '[';
   }

@@ -4,11 +4,11 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A KRL CHAR or CHAR array. A controller prints both in double quotes, so that {@code "A"} may be
- * either; a CHAR is the text of length one.
+ * A KRL CHAR or CHAR array. A controller prints both in double quotes, so {@code "A"} may be
+ * either; a CHAR is a text of length one.
  *
- * @param text the characters between the quotes. It cannot hold a double quote: krl.md knows no way
- *     to write one inside a literal, and none is assumed here.
+ * @param text the characters between the quotes. Assumed to hold no double quote, since no way to
+ *     write one in a literal is known.
  */
 public record KrlString(String text) implements KrlValue {
 

@@ -9,11 +9,11 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An aggregate: the value of a KRL STRUC, with those of its fields that are initialised.
+ * An aggregate: the value of a KRL STRUC, with its initialised fields.
  *
  * @param typeName the STRUC's name, as in <code>{E6POS: X 1.0}</code>; null if the text has none
- * @param fields the fields in the order of the text; no name twice, whatever its case; none at all
- *     for a wholly uninitialised variable
+ * @param fields the fields in the order of the text; no name twice in upper or lower case; empty
+ *     for an uninitialised variable
  */
 public record KrlStruct(@Nullable String typeName, List<Field> fields) implements KrlValue {
 
@@ -48,10 +48,10 @@ public record KrlStruct(@Nullable String typeName, List<Field> fields) implement
   }
 
   /**
-   * Finds a field by its name, whatever its case.
+   * Returns the value of a field, by its name in upper or lower case.
    *
    * @param name the field's name; the brackets of an array field may be left out
-   * @return its value, or nothing if the field is missing or uninitialised
+   * @return the value, or empty if the field is missing or uninitialised
    */
   public Optional<KrlValue> get(String name) {
     for (Field field : fields) {

@@ -1,10 +1,13 @@
 package no.hials.crosscom.protocol.value;
 
-/** Says that a text is not the KRL value it should be: where, what was expected, what was found. */
+/**
+ * Thrown when a text is not the expected KRL value; has the position, and the expected and the
+ * actual text.
+ */
 public final class KrlSyntaxException extends IllegalArgumentException {
   private static final long serialVersionUID = 1L;
 
-  /** How much of a long text the message shows. */
+  /** The number of characters that the message shows of a long text. */
   private static final int SHOWN = 120;
 
   private final String text;
@@ -13,12 +16,12 @@ public final class KrlSyntaxException extends IllegalArgumentException {
   private final String found;
 
   /**
-   * Makes the exception.
+   * Creates the exception.
    *
    * @param text the whole text
-   * @param position the index in it at which it is wrong, from 0
-   * @param expected what would have been right
-   * @param found what is there
+   * @param position the index of the error, from 0
+   * @param expected the text that would be correct, as a phrase
+   * @param found the actual text, as a phrase
    */
   public KrlSyntaxException(CharSequence text, int position, String expected, String found) {
     super(
@@ -43,7 +46,7 @@ public final class KrlSyntaxException extends IllegalArgumentException {
   }
 
   /**
-   * Gives the text that was parsed.
+   * Returns the text that was parsed.
    *
    * @return the whole text
    */
@@ -52,7 +55,7 @@ public final class KrlSyntaxException extends IllegalArgumentException {
   }
 
   /**
-   * Gives the place of the error.
+   * Returns the position of the error.
    *
    * @return an index into {@link #text()}, from 0; its length if the text ended too early
    */
@@ -61,7 +64,7 @@ public final class KrlSyntaxException extends IllegalArgumentException {
   }
 
   /**
-   * Says what would have been right.
+   * Returns the text that would be correct.
    *
    * @return a phrase
    */
@@ -70,7 +73,7 @@ public final class KrlSyntaxException extends IllegalArgumentException {
   }
 
   /**
-   * Says what stands there.
+   * Returns the actual text.
    *
    * @return a phrase
    */

@@ -3,7 +3,7 @@ package no.hials.crosscom.protocol.value;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Builds value trees from what {@link KrlScanner} reads. */
+/** Builds value trees, with {@link KrlScanner}. */
 final class KrlValueParser {
   private final KrlScanner scanner;
 
@@ -18,14 +18,14 @@ final class KrlValueParser {
     return value;
   }
 
-  /** Reads the value of the field that a scanner has reached. */
+  /** Reads the value of a scanner's current field. */
   static KrlValue fieldValue(KrlScanner scanner) {
     return new KrlValueParser(scanner).value(false, scanner.fieldHasBrackets());
   }
 
   /**
-   * @param outermost whether this is the whole text, in which a trailing blank makes an array
-   * @param array whether the name before it has brackets, which makes an array too
+   * @param outermost whether this is the whole text, where a trailing blank means an array
+   * @param array whether the name before it has brackets, which also mean an array
    */
   private KrlValue value(boolean outermost, boolean array) {
     int start = scanner.position();
@@ -64,7 +64,7 @@ final class KrlValueParser {
     return value instanceof KrlInt || value instanceof KrlReal;
   }
 
-  /** An array with one REAL among its numbers is an array of REAL. */
+  /** Returns an array of INT, or of REAL if one of its numbers is a REAL. */
   private static KrlArray array(List<KrlValue> elements) {
     if (elements.stream().anyMatch(KrlReal.class::isInstance)) {
       List<KrlValue> reals = new ArrayList<>(elements.size());

@@ -5,11 +5,11 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /**
- * The text of 32-bit floats: both ways of printing them, and the rounding of doubles.
+ * Prints 32-bit floats in both styles, and rounds doubles to them.
  *
- * <p>The KR C4 rule is krl.md 1.2: {@code %#.6g} if that text gives the same float again, else
- * {@code %#.9g}, an upper-case exponent, and a {@code 0} after a final point. Ties are rounded to
- * even, as C's printf does; krl.md has no case that shows it.
+ * <p>A KR C4 prints {@code %#.6g} if that text is read as the same float, else {@code %#.9g}, an
+ * upper-case exponent, and a {@code 0} after a final point (docs/reference/krl-values.md#real).
+ * Ties are assumed to be rounded to even, as by C's printf.
  */
 final class RealText {
   private static final double[] POW10 = {
@@ -17,15 +17,15 @@ final class RealText {
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22
   };
 
-  /** Nine significant digits tell any two floats apart. */
+  /** Nine significant digits distinguish any two floats. */
   private static final int MAX_DIGITS = 9;
 
-  /** Up to so many digits, no two decimals are the same normal float. */
+  /** No two decimals with up to this number of digits are the same normal float. */
   private static final int SURE_DIGITS = 6;
 
   private RealText() {}
 
-  /** Rounds to the nearest float; a number that no float holds is refused. */
+  /** Rounds to the nearest float; throws if no float can hold the number. */
   static float toFloat(double value) {
     float f = (float) value;
     if (!Float.isFinite(f)) {
@@ -35,10 +35,7 @@ final class RealText {
     return f;
   }
 
-  /**
-   * Gives the number {@code digits * 10^exponent} if a double computes it with one rounding, else
-   * NaN.
-   */
+  /** Returns {@code digits * 10^exponent} if a double computes it with one rounding, else NaN. */
   static double exactly(long digits, int exponent) {
     if (digits <= 1L << 53) {
       if (exponent >= 0 && exponent < POW10.length) {
@@ -52,8 +49,8 @@ final class RealText {
   }
 
   /**
-   * Says whether rounding this correctly rounded double to float is sure to give the float nearest
-   * to the decimal number behind it. It is not where the double lies half-way between two floats.
+   * Returns whether rounding this correctly rounded double to a float is certain to return the
+   * float nearest to the original decimal number. A double half-way between two floats is not.
    */
   static boolean narrowsSafely(double value) {
     return (Double.doubleToRawLongBits(value) & 0x1FFF_FFFFL) != 0x1000_0000L
@@ -93,8 +90,8 @@ final class RealText {
     boolean powerOfTwo = (Float.floatToRawIntBits(magnitude) & 0x7F_FFFF) == 0;
     int first = 1;
     if (magnitude >= Float.MIN_NORMAL) {
-      // No two decimals of up to six digits are the same float, so if six digits give this one,
-      // fewer can only be the same number without its final zeros.
+      // No two decimals of up to six digits are the same float, so if six digits are this float,
+      // fewer digits can only be the same number without its final zeros.
       long six = Decimal.of(magnitude, SURE_DIGITS);
       if (Decimal.is(six, magnitude)) {
         return Decimal.withoutFinalZeros(six);
@@ -128,7 +125,7 @@ final class RealText {
   }
 
   private static void appendFixed(StringBuilder out, long decimal, int decimals) {
-    // with at least one digit after the point, which also gives the 0 after a final point
+    // with at least one digit after the point: the 0 after a final point
     int exponent = Decimal.exponent(decimal);
     if (exponent < 0) {
       out.append("0.");

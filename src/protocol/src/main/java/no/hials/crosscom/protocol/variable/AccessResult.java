@@ -5,12 +5,12 @@ import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * What came of one access of several.
+ * The result of one access of several.
  *
- * @param code u8; {@link ErrorCode#SUCCESS} if it succeeded, else why not
- * @param value WSTRING: u16 count of characters and UTF-16, little-endian. What was read, or read
- *     back after writing; after a failed write what was sent (c3-bridge.md, "Common to all
- *     messages")
+ * @param code u8; {@link ErrorCode#SUCCESS}, or the reason of the failure
+ * @param value WSTRING: u16 count of characters and UTF-16, little-endian. The value read, or read
+ *     back after a write; after a failed write the value sent
+ *     (docs/reference/c3-messages.md#several-variables-6-and-7)
  */
 public record AccessResult(Code<ErrorCode> code, String value) {
 
@@ -20,7 +20,7 @@ public record AccessResult(Code<ErrorCode> code, String value) {
   }
 
   /**
-   * Says how the access ended.
+   * Returns whether the access succeeded.
    *
    * @return true for success
    */

@@ -4,7 +4,7 @@ import java.util.List;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * A variable and the text that it is to have.
+ * A variable and the text to write to it.
  *
  * @param name WSTRING: u16 count of characters and UTF-16, little-endian
  * @param value WSTRING

@@ -5,8 +5,7 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks to measure how long reading takes (c3-bridge.md, type 17): {@code 00, count u8, iterations,
- * names}.
+ * Asks to measure how long reading takes (type 17): {@code 00, count u8, iterations, names}.
  *
  * @param id u16, echoed in the answer
  * @param iterations u32

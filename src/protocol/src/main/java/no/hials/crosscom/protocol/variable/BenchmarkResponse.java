@@ -6,8 +6,8 @@ import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers {@link BenchmarkReadRequest} and {@link BenchmarkWriteRequest} (c3-bridge.md, type 17):
- * {@code write, count, iterations, start, stop, difference}.
+ * Answers {@link BenchmarkReadRequest} and {@link BenchmarkWriteRequest} (type 17): {@code write,
+ * count, iterations, start, stop, difference}.
  *
  * @param id u16, of the request
  * @param write u8, 0 or 1, of the request
@@ -16,7 +16,7 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * @param startMillis u32, in ms
  * @param stopMillis u32, in ms
  * @param differenceMillis u32, in ms
- * @param tail how the access ended
+ * @param tail the end of the answer
  */
 public record BenchmarkResponse(
     int id,

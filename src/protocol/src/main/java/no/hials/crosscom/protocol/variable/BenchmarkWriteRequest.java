@@ -5,8 +5,7 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks to measure how long writing takes (c3-bridge.md, type 17): {@code 01, count u8, iterations,
- * assignments}.
+ * Asks to measure how long writing takes (type 17): {@code 01, count u8, iterations, assignments}.
  *
  * @param id u16, echoed in the answer
  * @param iterations u32

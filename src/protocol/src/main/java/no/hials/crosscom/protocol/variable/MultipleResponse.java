@@ -7,14 +7,14 @@ import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Answers {@link ReadMultipleRequest} and {@link WriteMultipleRequest} (c3-bridge.md, types 6 and
- * 7): {@code count u8, results}.
+ * Answers {@link ReadMultipleRequest} and {@link WriteMultipleRequest} (types 6 and 7): {@code
+ * count u8, results}.
  *
  * @param id u16, of the request
  * @param type u8, of the request
- * @param results u8 code and WSTRING value each; 255 at most. None if the request was malformed or
+ * @param results u8 code and WSTRING value each; 255 at most. Empty if the request was malformed or
  *     the answer is too long
- * @param tail how it ended; failure if one access failed
+ * @param tail the end of the answer; a failure if one access failed
  */
 public record MultipleResponse(int id, MessageType type, List<AccessResult> results, Tail tail)
     implements TypedResponse {

@@ -10,8 +10,8 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * Answers {@link ReadArrayRequest}: {@code id, length, 02, value length, numbers, tail}.
  *
  * @param id u16, of the request
- * @param elements u16 each; none if the access failed
- * @param tail how the access ended
+ * @param elements u16 each; empty if the access failed
+ * @param tail the end of the answer
  */
 public record ReadArrayResponse(int id, List<Integer> elements, Tail tail)
     implements TypedResponse {

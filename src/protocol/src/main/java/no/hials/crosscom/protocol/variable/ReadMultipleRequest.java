@@ -5,7 +5,7 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks for the texts of several variables (c3-bridge.md, type 6): {@code count u8, names}.
+ * Asks for the texts of several variables (type 6): {@code count u8, names}.
  *
  * @param id u16, echoed in the answer
  * @param names WSTRING each; 255 at most

@@ -10,8 +10,9 @@ import no.hials.crosscom.protocol.internal.Ranges;
  *
  * @param id u16, of the request
  * @param value u16 byte count and ISO 8859-1 bytes; 65,529 at most. Empty if the access failed,
- *     which some servers say with a success tail (krl.md 1.8)
- * @param tail how the access ended
+ *     which some servers report with a success tail
+ *     (docs/reference/kukavarproxy.md#refused-accesses)
+ * @param tail the end of the answer
  */
 public record ReadResponse(int id, String value, Tail tail) implements TypedResponse {
   /** Checks the ranges. */

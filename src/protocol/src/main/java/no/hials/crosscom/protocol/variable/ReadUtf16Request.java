@@ -4,7 +4,7 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Asks for the text of a variable (c3-bridge.md, type 4): {@code name}.
+ * Asks for the text of a variable (type 4): {@code name}.
  *
  * @param id u16, echoed in the answer
  * @param name WSTRING: u16 count of characters and UTF-16, little-endian; 32,766 at most

@@ -2,7 +2,7 @@ package no.hials.crosscom.protocol.variable;
 
 import no.hials.crosscom.protocol.Request;
 
-/** Reads or writes variables, or measures how long that takes. */
+/** Asks to read or write variables, or to measure how long that takes. */
 public sealed interface VariableRequest extends Request
     permits BenchmarkReadRequest,
         BenchmarkWriteRequest,

@@ -6,8 +6,8 @@ import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
  * Sets the elements of an array from 16-bit numbers: {@code id, length, 03, name length, name,
- * value length, numbers}. That the value length counts bytes, not numbers, is assumed:
- * kukavarproxy.md does not say, and it counts bytes in every other message.
+ * value length, numbers}. Assumed: the value length counts bytes, as in every other message, and
+ * not numbers (docs/reference/wire-format.md#integer-arrays).
  *
  * @param id u16, echoed in the answer
  * @param name u16 byte count and ISO 8859-1 bytes

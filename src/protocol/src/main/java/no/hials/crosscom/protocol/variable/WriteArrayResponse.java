@@ -9,8 +9,8 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * Answers {@link WriteArrayRequest}: {@code id, length, 03, value length, value, tail}.
  *
  * @param id u16, of the request
- * @param value u16 byte count and ISO 8859-1 bytes; empty (kukavarproxy.md)
- * @param tail how the access ended
+ * @param value u16 byte count and ISO 8859-1 bytes; empty
+ * @param tail the end of the answer
  */
 public record WriteArrayResponse(int id, String value, Tail tail) implements TypedResponse {
   /** Checks the ranges. */

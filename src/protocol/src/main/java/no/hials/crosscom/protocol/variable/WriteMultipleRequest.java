@@ -6,12 +6,12 @@ import no.hials.crosscom.protocol.Strictness;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Sets several variables from texts (c3-bridge.md, type 7): {@code count u8, assignments}.
+ * Sets several variables from texts (type 7): {@code count u8, assignments}.
  *
  * @param id u16, echoed in the answer
- * @param count u8; how many assignments are announced. More than there are is an error of the
- *     client, after which a server still does those that are there (c3-bridge.md, "Common to all
- *     messages"); only {@link Strictness#LENIENT} reads such a request
+ * @param count u8; the announced number of assignments. If fewer follow, a server does those and
+ *     then reports an error (docs/reference/c3-messages.md#framing); only {@link
+ *     Strictness#LENIENT} reads such a request
  * @param assignments WSTRING name and WSTRING value each; 255 at most
  */
 public record WriteMultipleRequest(int id, int count, List<Assignment> assignments)
@@ -27,7 +27,7 @@ public record WriteMultipleRequest(int id, int count, List<Assignment> assignmen
   }
 
   /**
-   * Makes a request that announces what it has.
+   * Creates a request that announces the number of its assignments.
    *
    * @param id 0 to 65535
    * @param assignments 255 at most

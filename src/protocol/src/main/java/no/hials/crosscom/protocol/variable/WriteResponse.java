@@ -9,9 +9,9 @@ import no.hials.crosscom.protocol.internal.Ranges;
  * Answers {@link WriteRequest}: {@code id, length, 01, value length, value, tail}.
  *
  * @param id u16, of the request
- * @param value u16 byte count and ISO 8859-1 bytes; the text that was sent, not what the controller
- *     stored (krl.md 1.6)
- * @param tail how the access ended
+ * @param value u16 byte count and ISO 8859-1 bytes; the text sent, which the controller may have
+ *     stored in another form (docs/reference/wire-format.md#answers)
+ * @param tail the end of the answer
  */
 public record WriteResponse(int id, String value, Tail tail) implements TypedResponse {
   /** Checks the ranges. */

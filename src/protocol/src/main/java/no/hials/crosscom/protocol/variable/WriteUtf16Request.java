@@ -4,7 +4,7 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * Sets a variable from text (c3-bridge.md, type 5): {@code name, value}.
+ * Sets a variable from text (type 5): {@code name, value}.
  *
  * @param id u16, echoed in the answer
  * @param name WSTRING

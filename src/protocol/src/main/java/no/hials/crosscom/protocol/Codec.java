@@ -131,7 +131,8 @@ public final class Codec {
       throws MalformedFrameException {
     checkLength(frame, frame.length);
     if (frame.length == HEADER_LENGTH) {
-      throw new MalformedFrameException("a request has a function, has none", frame, frame.length);
+      throw new MalformedFrameException(
+          "a request must have a function, has none", frame, frame.length);
     }
     int id = FieldReader.u16At(frame, 0);
     MessageType type = type(frame, server, id);

@@ -1250,7 +1250,7 @@ final class C3CodecTest {
         refused(() -> new ReadUtf16Request(0, many), frame("name", 80003)),
         refused(
             () -> new ReadUtf16Request(0, "n".repeat(32767)),
-            "name makes a frame of 65537 bytes, a frame has 65535 at most"),
+            "name needs a frame of 65537 bytes, a frame has 65535 at most"),
         refused(() -> new WriteUtf16Request(0, "", many), frame("name and value", 80005)),
         refused(
             () -> new ReadMultipleRequest(0, Collections.nCopies(256, "")),
@@ -1286,7 +1286,7 @@ final class C3CodecTest {
   }
 
   private static String frame(String field, int length) {
-    return field + " makes a frame of " + length + " bytes, a frame has 65535 at most";
+    return field + " needs a frame of " + length + " bytes, a frame has 65535 at most";
   }
 
   private static Arguments refused(Supplier<Object> constructor, String message) {

@@ -211,7 +211,7 @@ final class C3VectorsTest {
     if (row.meaning().startsWith("length 0")) {
       assertThatExceptionOfType(MalformedFrameException.class)
           .isThrownBy(() -> strict(frames.get(0)))
-          .withMessage("a request has a function, has none, frame: 00 01 00 00");
+          .withMessage("a request must have a function, has none, frame: 00 01 00 00");
       encoded.write(frames.get(0));
     } else {
       for (byte[] frame : frames) {

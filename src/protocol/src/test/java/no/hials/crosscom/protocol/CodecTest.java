@@ -447,7 +447,7 @@ final class CodecTest {
     return Stream.of(
         arguments("", "a frame has at least 4 bytes, has 0"),
         arguments("00 00 00", "a frame has at least 4 bytes, has 3"),
-        arguments("00 00  00 00", "a request has a function, has none"),
+        arguments("00 00  00 00", "a request must have a function, has none"),
         arguments("00 00  00 01  00", "name length needs 2 bytes, 0 are left"),
         arguments("00 00  00 02  00  00", "name length needs 2 bytes, 1 are left"),
         arguments("00 00  00 04  00  00 02 41", "name needs 2 bytes, 1 are left"),
@@ -571,28 +571,28 @@ final class CodecTest {
     return Stream.of(
         refused(
             () -> new ReadRequest(0, name),
-            "name makes a frame of 65536 bytes, a frame has 65535 at most"),
+            "name needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
             () -> new ReadArrayRequest(0, name),
-            "name makes a frame of 65536 bytes, a frame has 65535 at most"),
+            "name needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
             () -> new WriteRequest(0, "n", value),
-            "name and value makes a frame of 65536 bytes, a frame has 65535 at most"),
+            "name and value needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
             () -> new WriteArrayRequest(0, "n", Collections.nCopies(32765, 1)),
-            "name and elements makes a frame of 65536 bytes, a frame has 65535 at most"),
+            "name and elements needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
             () -> new ReadResponse(0, value, Tail.SUCCESS),
-            "value makes a frame of 65536 bytes, a frame has 65535 at most"),
+            "value needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
             () -> new WriteResponse(0, value, Tail.SUCCESS),
-            "value makes a frame of 65536 bytes, a frame has 65535 at most"),
+            "value needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
             () -> new WriteArrayResponse(0, value, Tail.SUCCESS),
-            "value makes a frame of 65536 bytes, a frame has 65535 at most"),
+            "value needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
             () -> new ReadArrayResponse(0, Collections.nCopies(32765, 1), Tail.SUCCESS),
-            "elements makes a frame of 65536 bytes, a frame has 65535 at most"));
+            "elements needs a frame of 65536 bytes, a frame has 65535 at most"));
   }
 
   static Stream<Arguments> notLatin1() {

@@ -100,7 +100,7 @@ public final class Ranges {
   public static void frame(String field, long length) {
     if (length > MAX_U16) {
       throw new IllegalArgumentException(
-          field + " makes a frame of " + length + " bytes, a frame has " + MAX_U16 + " at most");
+          field + " needs a frame of " + length + " bytes, a frame has " + MAX_U16 + " at most");
     }
   }
 }

@@ -27,7 +27,7 @@ public record KrlStruct(@Nullable String typeName, List<Field> fields) implement
     Set<String> names = new HashSet<>();
     for (Field field : fields) {
       if (!names.add(field.name().toUpperCase(Locale.ROOT))) {
-        throw new IllegalArgumentException("field " + field.name() + " stands there twice");
+        throw new IllegalArgumentException("field " + field.name() + " is there twice");
       }
     }
     int depth = 1 + deepest(fields);

@@ -549,8 +549,7 @@ final class KrlValueTest {
             (Runnable) () -> struct("E6 POS"),
             "a STRUC's type is a name of letters, digits, _ and $, is \"E6 POS\""),
         arguments(
-            (Runnable) () -> struct("T", field("X", 1), field("x", 2)),
-            "field x stands there twice"),
+            (Runnable) () -> struct("T", field("X", 1), field("x", 2)), "field x is there twice"),
         arguments(
             (Runnable) () -> field("", 1),
             "a field's name is a name with or without an index, is \"\""),

@@ -104,7 +104,7 @@ class ConstantExpressionsTest {
         "1.0/0|10|a divisor must not be 0",
         "2147483647+1|17|an INT has 32 bits, the result would be 2147483648",
         "-'H80000000'|7|an INT has 32 bits, the result would be 2147483648",
-        "{X 1,X 2}|7|field X stands there twice",
+        "{X 1,X 2}|7|field X is there twice",
         "{X[] 5}|8|must hold an array",
       })
   void refusesWhatIsNotConstant(String text, int column, String message) {

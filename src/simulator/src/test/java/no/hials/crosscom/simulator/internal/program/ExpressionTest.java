@@ -129,7 +129,7 @@ class ExpressionTest {
         "LIMIT = 8 | 9007 line 2: LIMIT: may only be read",
         "TEXT[] = \"far too long\" | 9004 line 2: TEXT[]: holds 10 characters, was given 12",
         "F = {X 1,W 2} | 9003 line 2: F: FRAME has no .W",
-        "F = {X 1,X 2} | 9003 line 2: field X stands there twice",
+        "F = {X 1,X 2} | 9003 line 2: field X is there twice",
         "F = F : 1 | 9003 line 2: needs FRAME, POS or E6POS, was given 1",
         "F = XHOME : F | 9003 line 2: needs FRAME, POS or E6POS, was given {E6AXIS:",
         "F = F : {X 1} | 9001 line 2: component Y has no value yet of",
@@ -187,8 +187,16 @@ class ExpressionTest {
     Rig rig =
         new Rig()
             .execute(
-                "ARR[] = 1.6\nI = ARR[5]\nARR[1] = 4\nTAKE(ARR[])\nEND\n"
-                    + "DEF TAKE(A[]:IN)\nDECL INT A[]\nDECL INT MINE[5]\nMINE[] = A[]\nJ = MINE[1]");
+                "ARR[] = 1.6\n"
+                    + "I = ARR[5]\n"
+                    + "ARR[1] = 4\n"
+                    + "TAKE(ARR[])\n"
+                    + "END\n"
+                    + "DEF TAKE(A[]:IN)\n"
+                    + "DECL INT A[]\n"
+                    + "DECL INT MINE[5]\n"
+                    + "MINE[] = A[]\n"
+                    + "J = MINE[1]");
 
     assertThat(rig.get("I")).isEqualTo("2");
     assertThat(rig.get("J")).isEqualTo("4");

@@ -397,18 +397,16 @@ public final class Scope {
     String key = path.first().name();
     if (writer == Writer.CLIENT) {
       if (contents.read(path) instanceof Storage.Array) {
-        // assumed: there is no way to set an array as a whole before KSS 8
-        // (docs/reference/krl-values.md#arrays),
-        // and none is documented for later
+        // before KSS 8 no array can be set as a whole (docs/reference/krl-values.md#arrays);
+        // assumed for later versions
         throw new RefusedException(Refusal.WHOLE_ARRAY, "an array is written by element");
       }
     }
     if (writer != Writer.SYSTEM) {
       Index index = path.first().index();
       if (key.equals(OUTPUTS) && index.count() > 0 && systemOutputs().get(index.number(0))) {
-        // docs/reference/krl-values.md#signals-and-inputs, unconfirmed: outputs that system signals
-        // use cannot be set; for programs
-        // assumed
+        // outputs that system signals use cannot be set (unconfirmed,
+        // docs/reference/krl-values.md#signals-and-inputs); for programs assumed
         throw new RefusedException(Refusal.READ_ONLY, "is used by a system signal");
       }
     }

@@ -162,8 +162,8 @@ public final class ControllerFileSystem implements FileTree {
   // names
 
   /**
-   * Returns the full name of an item, in capital letters as
-   * docs/reference/c3-messages.md#files-20-to-28, has it.
+   * Returns the full name of an item, in capital letters
+   * (docs/reference/c3-messages.md#files-20-to-28).
    *
    * @param name in either form
    * @return such as {@code KRC:\R1\PROGRAM\X.SRC}

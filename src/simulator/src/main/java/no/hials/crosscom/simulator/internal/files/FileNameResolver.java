@@ -29,8 +29,8 @@ final class FileNameResolver {
     if (module != null) {
       return module.path();
     }
-    // a new program of the short form belongs where docs/reference/c3-messages.md#files-20-to-28,
-    // finds one
+    // a new program of the short form belongs where type 27 finds one
+    // (docs/reference/c3-messages.md#files-20-to-28)
     boolean program = path.names().get(0).equalsIgnoreCase(PROGRAMS) && path.name().contains(".");
     return program
         ? ControllerPath.ROOT.child(path.names().get(0)).child(PROGRAM_FOLDER).child(path.name())

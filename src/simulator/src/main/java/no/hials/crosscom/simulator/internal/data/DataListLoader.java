@@ -12,6 +12,7 @@ import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Access;
 import no.hials.crosscom.simulator.RefusedException;
@@ -65,8 +66,9 @@ public final class DataListLoader {
    */
   public static void load(DataList list, Scope module, Scope globals, Consumer<KrlError> errors) {
     DataListLoader loader = new DataListLoader(list, module, globals, errors);
+    TypeSwitch<Declaration, KrlErrorException> cases = loader.cases();
     for (Declaration declaration : list.declarations()) {
-      loader.tell(() -> loader.declare(declaration));
+      loader.tell(() -> cases.handle(declaration));
     }
   }
 
@@ -96,20 +98,17 @@ public final class DataListLoader {
     }
   }
 
-  private void declare(Declaration declaration) throws KrlErrorException {
-    if (declaration instanceof Declaration.Variables group) {
-      declareVariables(group);
-    } else if (declaration instanceof Declaration.Struc struc) {
-      declareStruc(struc);
-    } else if (declaration instanceof Declaration.Enumeration enumeration) {
-      declareEnum(enumeration);
-    } else if (declaration instanceof Declaration.Signal signal) {
-      declareSignal(signal);
-    } else if (declaration instanceof Declaration.InitialValue initial) {
-      initialise(initial);
-    } else if (declaration instanceof Declaration.External external) {
-      checkExternal(external);
-    }
+  private TypeSwitch<Declaration, KrlErrorException> cases() {
+    return TypeSwitch.create(
+        Declaration.class,
+        cases ->
+            cases
+                .on(Declaration.Variables.class, this::declareVariables)
+                .on(Declaration.Struc.class, this::declareStruc)
+                .on(Declaration.Enumeration.class, this::declareEnum)
+                .on(Declaration.Signal.class, this::declareSignal)
+                .on(Declaration.InitialValue.class, this::initialise)
+                .on(Declaration.External.class, this::checkExternal));
   }
 
   private Scope target(boolean global, Position position) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -23,6 +24,7 @@ final class ExpressionCompiler {
   private final RoutineContext context;
   private final CodeBuilder code;
   private final boolean mayCall;
+  private final TypeSwitch<Expression, RuntimeException> cases = cases();
 
   /**
    * @param context the routine
@@ -42,28 +44,28 @@ final class ExpressionCompiler {
   }
 
   void compile(Expression expression) {
-    Position position = expression.position();
-    if (expression instanceof Expression.IntLiteral literal) {
-      code.constant(position, new KrlInt(literal.value()));
-    } else if (expression instanceof Expression.RealLiteral literal) {
-      real(literal);
-    } else if (expression instanceof Expression.BoolLiteral literal) {
-      code.constant(position, new KrlBool(literal.value()));
-    } else if (expression instanceof Expression.TextLiteral literal) {
-      code.constant(position, new KrlString(literal.text()));
-    } else if (expression instanceof Expression.EnumLiteral literal) {
-      code.constant(position, new KrlEnum(literal.name()));
-    } else if (expression instanceof Expression.Aggregate aggregate) {
-      aggregate(aggregate);
-    } else if (expression instanceof Expression.Variable variable) {
-      read(variable);
-    } else if (expression instanceof Expression.Call call) {
-      call(position, call.name(), call.arguments(), true);
-    } else if (expression instanceof Expression.Unary unary) {
-      unary(unary);
-    } else if (expression instanceof Expression.Binary binary) {
-      binary(binary);
-    }
+    cases.handle(expression);
+  }
+
+  private TypeSwitch<Expression, RuntimeException> cases() {
+    return TypeSwitch.create(
+        Expression.class,
+        cases ->
+            cases
+                .on(Expression.IntLiteral.class, e -> constant(e, new KrlInt(e.value())))
+                .on(Expression.RealLiteral.class, this::real)
+                .on(Expression.BoolLiteral.class, e -> constant(e, new KrlBool(e.value())))
+                .on(Expression.TextLiteral.class, e -> constant(e, new KrlString(e.text())))
+                .on(Expression.EnumLiteral.class, e -> constant(e, new KrlEnum(e.name())))
+                .on(Expression.Aggregate.class, this::aggregate)
+                .on(Expression.Variable.class, this::read)
+                .on(Expression.Call.class, e -> call(e.position(), e.name(), e.arguments(), true))
+                .on(Expression.Unary.class, this::unary)
+                .on(Expression.Binary.class, this::binary));
+  }
+
+  private void constant(Expression expression, KrlValue value) {
+    code.constant(expression.position(), value);
   }
 
   private void real(Expression.RealLiteral literal) {

@@ -13,6 +13,7 @@ import java.util.OptionalInt;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Statement;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
@@ -42,6 +43,7 @@ final class StatementCompiler {
   private final ExpressionCompiler expressions;
   private final Deque<CodeBuilder.Label> loopEnds = new ArrayDeque<>();
   private final Map<String, CodeBuilder.Label> labels = new HashMap<>();
+  private final TypeSwitch<Statement, RuntimeException> cases = cases();
 
   /** Whether CONTINUE stands ahead of the statement. */
   private boolean goOn;
@@ -79,63 +81,52 @@ final class StatementCompiler {
     goOn = false;
     for (Statement statement : body) {
       code.statement();
-      statement(statement);
+      cases.handle(statement);
       goOn = statement instanceof Statement.Continue;
     }
   }
 
-  private void statement(Statement statement) {
-    if (statement instanceof Statement.Action action) {
-      awaitFor(action);
-      action(action);
-    } else if (statement instanceof Statement.If branch) {
-      branch(branch);
-    } else if (statement instanceof Statement.Switch branch) {
-      branch(branch);
-    } else if (statement instanceof Statement.For loop) {
-      loop(loop);
-    } else if (statement instanceof Statement.While loop) {
-      loop(loop);
-    } else if (statement instanceof Statement.Repeat loop) {
-      loop(loop);
-    } else if (statement instanceof Statement.Loop loop) {
-      loop(loop);
-    } else if (statement instanceof Statement.Exit exit) {
-      code.jump(exit.position(), loopEnds.element());
-    } else if (statement instanceof Statement.Goto jump) {
-      code.jump(jump.position(), label(jump.label()));
-    } else if (statement instanceof Statement.Label label) {
-      code.mark(label(label.name()));
-    } else if (statement instanceof Statement.Return leave) {
-      leave(leave);
-    } else if (statement instanceof Statement.Motion motion) {
-      motion(motion);
-    } else {
-      control(statement);
-    }
+  private TypeSwitch<Statement, RuntimeException> cases() {
+    return TypeSwitch.create(
+        Statement.class,
+        cases ->
+            cases
+                .on(
+                    Statement.Action.class,
+                    action -> {
+                      awaitFor(action);
+                      action(action);
+                    })
+                .on(Statement.If.class, this::branch)
+                .on(Statement.Switch.class, this::branch)
+                .on(Statement.For.class, this::loop)
+                .on(Statement.While.class, this::loop)
+                .on(Statement.Repeat.class, this::loop)
+                .on(Statement.Loop.class, this::loop)
+                .on(Statement.Exit.class, exit -> code.jump(exit.position(), loopEnds.element()))
+                .on(Statement.Goto.class, jump -> code.jump(jump.position(), label(jump.label())))
+                .on(Statement.Label.class, label -> code.mark(label(label.name())))
+                .on(Statement.Return.class, this::leave)
+                .on(Statement.Continue.class, next -> {}) // see statements()
+                .on(Statement.Motion.class, this::motion)
+                .on(Statement.Halt.class, this::halt)
+                .on(Statement.WaitFor.class, this::waitFor)
+                .on(Statement.WaitSec.class, this::waitSeconds)
+                .on(Statement.InterruptDeclaration.class, this::declare)
+                .on(Statement.Interrupt.class, this::interrupt)
+                .on(Statement.Trigger.class, this::trigger)
+                .on(
+                    Statement.Resume.class,
+                    resume -> code.emit(resume.position(), KrlVirtualMachine::resume))
+                .on(
+                    Statement.Brake.class,
+                    brake ->
+                        code.emit(brake.position(), machine -> machine.brake(brake.maximum()))));
   }
 
-  /** Compiles what stops, waits or interrupts. */
-  private void control(Statement statement) {
-    Position position = statement.position();
-    if (statement instanceof Statement.Halt) {
-      code.emit(position, KrlVirtualMachine::awaitMotion);
-      code.emit(position, KrlVirtualMachine::halt);
-    } else if (statement instanceof Statement.WaitFor wait) {
-      waitFor(wait);
-    } else if (statement instanceof Statement.WaitSec wait) {
-      waitSeconds(wait);
-    } else if (statement instanceof Statement.InterruptDeclaration declaration) {
-      declare(declaration);
-    } else if (statement instanceof Statement.Interrupt interrupt) {
-      interrupt(interrupt);
-    } else if (statement instanceof Statement.Trigger trigger) {
-      trigger(trigger);
-    } else if (statement instanceof Statement.Resume) {
-      code.emit(position, KrlVirtualMachine::resume);
-    } else if (statement instanceof Statement.Brake brake) {
-      code.emit(position, machine -> machine.brake(brake.maximum()));
-    }
+  private void halt(Statement.Halt halt) {
+    code.emit(halt.position(), KrlVirtualMachine::awaitMotion);
+    code.emit(halt.position(), KrlVirtualMachine::halt);
   }
 
   // the advance run
@@ -177,6 +168,8 @@ final class StatementCompiler {
       expressions.call(call.position(), call.name(), call.arguments(), false);
     } else if (action instanceof Statement.Pulse pulse) {
       pulse(pulse);
+    } else {
+      throw new AssertionError(action);
     }
   }
 

@@ -67,8 +67,9 @@ final class RealText {
     }
     float magnitude = Math.abs(value);
     if (style == RealStyle.KRC4) {
-      long six = Decimal.of(magnitude, 6);
-      appendG(out, Decimal.is(six, magnitude) ? six : Decimal.of(magnitude, MAX_DIGITS));
+      int exponent = Decimal.estimateExponent(magnitude);
+      long six = Decimal.of(magnitude, 6, exponent);
+      appendG(out, Decimal.is(six, magnitude) ? six : Decimal.of(magnitude, MAX_DIGITS, exponent));
     } else {
       appendShortest(out, magnitude);
     }
@@ -88,18 +89,19 @@ final class RealText {
     // Below a power of two the floats lie twice as close as above it. The nearest decimal, when it
     // lies below, may then be another float's, and the next one above still this float's.
     boolean powerOfTwo = (Float.floatToRawIntBits(magnitude) & 0x7F_FFFF) == 0;
+    int exponent = Decimal.estimateExponent(magnitude);
     int first = 1;
     if (magnitude >= Float.MIN_NORMAL) {
       // No two decimals of up to six digits are the same float, so if six digits are this float,
       // fewer digits can only be the same number without its final zeros.
-      long six = Decimal.of(magnitude, SURE_DIGITS);
+      long six = Decimal.of(magnitude, SURE_DIGITS, exponent);
       if (Decimal.is(six, magnitude)) {
         return Decimal.withoutFinalZeros(six);
       }
-      first = SURE_DIGITS;
+      first = powerOfTwo ? SURE_DIGITS : SURE_DIGITS + 1;
     }
     for (int precision = first; precision < MAX_DIGITS; precision++) {
-      long nearest = Decimal.of(magnitude, precision);
+      long nearest = Decimal.of(magnitude, precision, exponent);
       if (Decimal.is(nearest, magnitude)) {
         return nearest;
       }
@@ -111,7 +113,7 @@ final class RealText {
         }
       }
     }
-    return Decimal.of(magnitude, MAX_DIGITS);
+    return Decimal.of(magnitude, MAX_DIGITS, exponent);
   }
 
   /** C's {@code %#g}. */
@@ -184,12 +186,27 @@ final class RealText {
       return (int) decimal & 0xFF;
     }
 
-    /** Rounds half to even, from the exact value of the float. */
-    static long of(float magnitude, int precision) {
+    /** Returns the power of ten of the first digit, in rare cases one more or less. */
+    static int estimateExponent(float magnitude) {
+      int exponent = Math.getExponent(magnitude) * 1233 >> 12; // 1233 / 4096 is log10(2)
+      int next = exponent + 1;
+      boolean low =
+          next >= 0
+              ? next < POW10.length && magnitude >= POW10[next]
+              : -next < POW10.length && magnitude * POW10[-next] >= 1;
+      return low ? next : exponent;
+    }
+
+    /**
+     * Rounds half to even, from the exact value of the float.
+     *
+     * @param estimate the exponent, or one more or less
+     */
+    static long of(float magnitude, int precision, int estimate) {
       double value = magnitude;
-      int exponent = (int) Math.floor(Math.log10(value));
-      // twice at most: the estimate may be one off, and rounding up may add a digit
-      for (int attempt = 0; attempt < 2; attempt++) {
+      int exponent = estimate;
+      // the estimate may be one off, and rounding up may add a digit
+      for (int attempt = 0; attempt < 3; attempt++) {
         int shift = precision - 1 - exponent;
         if (Math.abs(shift) >= POW10.length) {
           break;

@@ -100,12 +100,23 @@ public final class FieldWriter {
     int count = value.length();
     u16(count);
     reserve(count);
-    byte[] target = buffer;
-    int offset = length;
-    for (int i = 0; i < count; i++) {
-      target[offset + i] = (byte) value.charAt(i);
+    if (value instanceof StringBuilder text) {
+      copy(text, buffer, length);
+    } else {
+      copy(value.toString(), buffer, length);
     }
     length += count;
+  }
+
+  private static void copy(StringBuilder text, byte[] target, int offset) {
+    for (int i = 0, count = text.length(); i < count; i++) {
+      target[offset + i] = (byte) text.charAt(i);
+    }
+  }
+
+  @SuppressWarnings("deprecation") // copies the lower bytes, which is ISO 8859-1
+  private static void copy(String text, byte[] target, int offset) {
+    text.getBytes(0, text.length(), target, offset);
   }
 
   /** Writes 16-bit numbers: a byte count, then the numbers. */

@@ -24,25 +24,25 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The motions of the robot's program: those that are planned and under way, those that interrupts
- * have put aside, and what has to wait until the robot stands.
+ * The motions of the robot's program: those planned and under way, those that interrupts have put
+ * aside, and steps that wait until the robot stands.
  */
 final class AdvanceRun {
   private static final Logger log = LoggerFactory.getLogger(AdvanceRun.class);
 
-  /** Learns what happens. */
+  /** Called when the robot moves. */
   interface Listener {
-    /** Learns that the robot cannot move as the program says. */
+    /** Called when the robot cannot move as the program says. */
     void failed(int number, String text);
 
-    /** Learns that a motion has begun, and in which base (in the robot's root) and tool. */
+    /** Called when a motion starts, with its base (in the robot's root) and tool. */
     void started(Axes from, Axes to, Frame base, Frame tool);
 
-    /** Learns where the robot leaves its path for an interrupt. */
+    /** Called when the robot leaves its path for an interrupt. */
     void leftPath(Axes axes);
   }
 
-  /** What has to wait until the robot stands, in the order in which it was asked for. */
+  /** A step that waits until the robot stands, in the order of the requests. */
   private sealed interface Step {}
 
   private record PutAside() implements Step {}
@@ -51,7 +51,7 @@ final class AdvanceRun {
 
   private record Begin(MotionOrder order) implements Step {}
 
-  /** A plan that an interrupt has put aside, and the statements it came from. */
+  /** A plan that an interrupt has put aside, and its statements. */
   private record Aside(SuspendedPlan plan, Map<Long, MotionOrder> orders) {}
 
   private final SystemVariableAccess access;
@@ -62,13 +62,13 @@ final class AdvanceRun {
   private RobotModel model;
   private Interpolator interpolator;
 
-  /** Motions that were handed over and have not ended. */
+  /** The statements of motions that were handed over and have not ended, by the motion's number. */
   private Map<Long, MotionOrder> orders = new HashMap<>();
 
   /** The bases in which motions were planned. */
   private final Map<Long, Frame> bases = new HashMap<>();
 
-  /** The plans that interrupts have put aside, the last one first. */
+  /** The plans that interrupts have put aside, the latest first. */
   private final Deque<Aside> aside = new ArrayDeque<>();
 
   private final Deque<Step> waiting = new ArrayDeque<>();
@@ -97,7 +97,7 @@ final class AdvanceRun {
     return model;
   }
 
-  /** Takes over the software limits, which clients and data lists may have changed. */
+  /** Reads the software limits, which clients and data lists can change. */
   void readLimits() {
     Axes low = robot.home();
     Axes high = robot.home();
@@ -112,7 +112,7 @@ final class AdvanceRun {
     try {
       model = robot.withLimits(low, high);
     } catch (IllegalArgumentException e) {
-      // a minimum above its maximum, perhaps while a client is about to change both
+      // a minimum above its maximum, perhaps because a client is about to change both
       log.debug("the software limits stay as they were: {}", e.getMessage());
       return;
     }
@@ -129,7 +129,7 @@ final class AdvanceRun {
     return true;
   }
 
-  // what a program asks for
+  // requests of a program
 
   void move(MotionOrder order) throws KrlExecutionException {
     if (waiting.isEmpty()) {
@@ -148,7 +148,7 @@ final class AdvanceRun {
     } catch (MotionRefusedException e) {
       throw new KrlExecutionException(number(e.problem()), e.problem().message());
     } catch (IllegalArgumentException e) {
-      // numbers with which nothing can be computed, such as a target of 1E38 mm
+      // numbers that cannot be computed with, such as a target of 1E38 mm
       throw new KrlExecutionException(MessageWindow.BAD_MOTION, String.valueOf(e.getMessage()));
     }
     resolver.startAt(interpolator.plannedEnd());
@@ -181,7 +181,7 @@ final class AdvanceRun {
     return waiting.isEmpty() && interpolator.finished();
   }
 
-  /** Says whether nothing is put aside either. */
+  /** Returns whether all motions have ended and none is put aside. */
   boolean idle() {
     return finished() && aside.isEmpty();
   }
@@ -192,7 +192,7 @@ final class AdvanceRun {
   }
 
   void release() {
-    // nothing is there to go on with if somebody has placed the robot in the meantime
+    // empty if the robot was placed in the meantime
     if (!aside.isEmpty()) {
       Aside last = aside.pop();
       interpolator.resume(last.plan(), resolver.axisRates());
@@ -211,7 +211,7 @@ final class AdvanceRun {
         aside.poll();
       }
     }
-    // what an earlier interrupt is about to put aside stays, and has the robot brake anyway
+    // motions that an earlier interrupt is about to put aside stay, and the robot brakes anyway
     if (waiting.stream().noneMatch(step -> step instanceof PutAside)) {
       waiting.add(new Forget());
       orders.clear();
@@ -232,9 +232,9 @@ final class AdvanceRun {
     return kept;
   }
 
-  // what the controller asks for
+  // requests of the controller
 
-  /** Slows the robot down, and forgets everything when it stands. */
+  /** Slows the robot down, and discards all motions when it stands. */
   void discardAll() {
     aside.clear();
     waiting.clear();
@@ -245,7 +245,7 @@ final class AdvanceRun {
     settle(false);
   }
 
-  /** Puts the robot somewhere, at once. */
+  /** Puts the robot at a position immediately. */
   void place(Axes axes) {
     interpolator = new Interpolator(model, axes);
     discardAll();
@@ -253,7 +253,7 @@ final class AdvanceRun {
   }
 
   /**
-   * Does what had to wait until the robot stands.
+   * Executes the steps that waited until the robot stands.
    *
    * @param active whether the program runs; motions are planned only then
    */
@@ -288,7 +288,7 @@ final class AdvanceRun {
     }
   }
 
-  /** Lets the robot move for a cycle. */
+  /** Moves the robot for one cycle. */
   void cycle(long time, double override, boolean released, SpeedLimit speedLimit) {
     for (MotionEvent event : interpolator.cycle(override, released, speedLimit)) {
       MotionCommand of = event.motion();
@@ -318,8 +318,8 @@ final class AdvanceRun {
   }
 
   /**
-   * Forgets the motion. Those behind it are planned again when the program goes on, and a plan that
-   * an interrupt has put aside stays.
+   * Discards the motion. The motions after it are planned again when the program continues, and a
+   * plan that an interrupt has put aside stays.
    */
   private void fault(MotionEvent.Faulted fault) {
     MotionOrder order = orders.get(fault.motion().id());

@@ -29,25 +29,27 @@ import no.hials.crosscom.simulator.internal.program.TriggerOrder;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The simulated controller but for its network: programs, motion, modes, messages and time.
+ * Connects the parts of the simulated controller: programs, motion, modes, messages and time.
  *
  * <p>Everything happens in cycles of 12 ms, one after the other: timers, submit interpreter, robot
  * interpreter, motion, system variables. One lock is held during a cycle and during every other
- * call. What clients read between two cycles is the state after the last.
+ * call. Clients that read between two cycles see the state after the last.
  */
 public final class ControllerCore {
-  /** The interpolation cycle of a KR C4 (docs/reference/access-times.md#cycles), ms. */
+  /**
+   * The cycle in ms: the interpolation cycle of a KR C4 (docs/reference/access-times.md#cycles).
+   */
   public static final int CYCLE_MILLIS = 12;
 
   /**
-   * How many instructions the interpreters execute in a cycle. Assumed: the reference does not say
-   * how fast they are; it keeps a loop without end from stopping everything else.
+   * The most instructions that an interpreter executes in a cycle, so that an endless loop does not
+   * stop everything else. Assumed: the speed of the real interpreters is not known.
    */
   private static final int ROBOT_INSTRUCTIONS = 1000;
 
   private static final int SUBMIT_INSTRUCTIONS = 500;
 
-  /** Fair, so that a clock without a limit lets others in between its cycles. */
+  /** Fair, so that a clock without a limit lets other threads in between its cycles. */
   private final ReentrantLock lock = new ReentrantLock(true);
 
   private final ProgramLibrary library;
@@ -62,16 +64,16 @@ public final class ControllerCore {
   private volatile long time;
   private volatile boolean closed;
 
-  /** The simulation's own error after which nothing moves any more. */
+  /** An error in the simulation itself; nothing moves after it. */
   private @Nullable RuntimeException failure;
 
   /**
-   * Makes a controller that stands where {@code $AXIS_ACT} says.
+   * Creates a controller whose robot is at {@code $AXIS_ACT}.
    *
    * @param globals the variables that clients see
    * @param model the robot; its software limits are replaced by {@code $SOFTN_END} and {@code
    *     $SOFTP_END}
-   * @param begin what {@code $DATE} shows at first
+   * @param begin the first value of {@code $DATE}
    */
   public ControllerCore(Scope globals, RobotModel model, LocalDateTime begin) {
     SystemVariableAccess access = new SystemVariableAccess(globals);
@@ -95,7 +97,6 @@ public final class ControllerCore {
 
   // calls from outside
 
-  /** Looks at something, or works with what no variable shows. */
   private <T> T locked(Supplier<T> work) {
     lock.lock();
     try {
@@ -105,7 +106,7 @@ public final class ControllerCore {
     }
   }
 
-  /** Changes something, and has the variables show it. */
+  /** Changes the state and publishes it in the variables. */
   private void change(Runnable work) {
     locked(
         () -> {
@@ -115,13 +116,7 @@ public final class ControllerCore {
         });
   }
 
-  /**
-   * Works with the modules on the controller.
-   *
-   * @param work what to do
-   * @param <T> the type of its result
-   * @return the result
-   */
+  /** Runs work on the loaded modules under the lock. */
   public <T> T withLibrary(Function<ProgramLibrary, T> work) {
     return locked(() -> work.apply(library));
   }
@@ -129,11 +124,8 @@ public final class ControllerCore {
   /**
    * Selects a program.
    *
-   * @param kind which interpreter shall run it
-   * @param name its name
-   * @param arguments the values of its first parameters
-   * @throws LinkException if there is no such program or something is wrong with it
-   * @throws KrlExecutionException if the arguments do not suit it
+   * @throws LinkException if the program does not exist or has errors
+   * @throws KrlExecutionException if the arguments do not match its parameters
    */
   public void select(Interpreter kind, String name, List<KrlValue> arguments)
       throws LinkException, KrlExecutionException {
@@ -162,10 +154,9 @@ public final class ControllerCore {
   }
 
   /**
-   * Starts the selected program or lets it go on.
+   * Starts the selected program or continues it.
    *
-   * @param kind which interpreter
-   * @param external whether the higher-level controller starts it and not the pendant
+   * @param external whether the higher-level controller starts it, not the pendant
    */
   public void start(Interpreter kind, boolean external) {
     change(() -> startLocked(kind, external));
@@ -190,11 +181,7 @@ public final class ControllerCore {
     interpreter.start();
   }
 
-  /**
-   * Stops the program; the robot slows down on its path.
-   *
-   * @param kind which interpreter
-   */
+  /** Stops the program; the robot slows down on its path. */
   public void stop(Interpreter kind) {
     change(
         () -> {
@@ -205,11 +192,7 @@ public final class ControllerCore {
         });
   }
 
-  /**
-   * Sets the program back to its beginning.
-   *
-   * @param kind which interpreter
-   */
+  /** Stops the program and sets it back to its beginning. */
   public void reset(Interpreter kind) {
     change(
         () -> {
@@ -224,11 +207,7 @@ public final class ControllerCore {
         });
   }
 
-  /**
-   * Takes the program away.
-   *
-   * @param kind which interpreter
-   */
+  /** Stops the program and deselects it. */
   public void cancel(Interpreter kind) {
     change(
         () -> {
@@ -241,59 +220,28 @@ public final class ControllerCore {
         });
   }
 
-  /**
-   * Gives the state of an interpreter.
-   *
-   * @param kind which
-   * @return what {@code $PRO_STATE} tells
-   */
   public ProgramState state(Interpreter kind) {
     return locked(() -> interpreter(kind).state());
   }
 
-  /**
-   * Names the selected program.
-   *
-   * @param kind which interpreter
-   * @return the name of its module; nothing if none is selected
-   */
   public Optional<String> program(Interpreter kind) {
     return locked(() -> interpreter(kind).program().map(program -> program.name()));
   }
 
-  /**
-   * Gives the place of the program pointer.
-   *
-   * @param kind which interpreter
-   * @return the innermost call first
-   */
+  /** Returns the calls of the selected program, the innermost first. */
   public List<KrlInterpreter.Level> levels(Interpreter kind) {
     return locked(() -> interpreter(kind).levels());
   }
 
-  /**
-   * Gives the operating mode.
-   *
-   * @return the mode
-   */
   public OperatingMode mode() {
     return locked(panel::mode);
   }
 
-  /**
-   * Turns the key switch. A program that runs is stopped.
-   *
-   * @param newMode the mode
-   */
+  /** Turns the key switch, which stops a running program. */
   public void setMode(OperatingMode newMode) {
     change(() -> panel.setMode(newMode, this::stopRobot));
   }
 
-  /**
-   * Presses or releases the emergency stop.
-   *
-   * @param pressed whether it is pressed
-   */
   public void emergencyStop(boolean pressed) {
     change(() -> panel.emergencyStop(pressed, this::stopRobot));
   }
@@ -304,20 +252,11 @@ public final class ControllerCore {
     return running;
   }
 
-  /**
-   * Gives the messages.
-   *
-   * @return the last 1000, the oldest first
-   */
   public List<Message> messages() {
     return locked(panel::messages);
   }
 
-  /**
-   * Confirms all messages.
-   *
-   * @return how many had to be
-   */
+  /** Confirms all messages, and returns how many were waiting. */
   public int confirmAll() {
     return locked(
         () -> {
@@ -327,11 +266,7 @@ public final class ControllerCore {
         });
   }
 
-  /**
-   * Puts the robot somewhere, at once.
-   *
-   * @param axes where
-   */
+  /** Puts the robot at a position immediately. */
   public void place(Axes axes) {
     change(
         () -> {
@@ -349,29 +284,15 @@ public final class ControllerCore {
         });
   }
 
-  /**
-   * Gives where the robot stands.
-   *
-   * @return the commanded axis angles
-   */
   public Axes axes() {
     return locked(() -> motions.interpolator().axes());
   }
 
-  /**
-   * Says whether the robot stands.
-   *
-   * @return whether no axis moves
-   */
   public boolean standing() {
     return locked(() -> motions.interpolator().standing());
   }
 
-  /**
-   * Gives the robot.
-   *
-   * @return the model with the software limits of the controller
-   */
+  /** Returns the robot with the controller's software limits. */
   public RobotModel model() {
     return locked(
         () -> {
@@ -380,20 +301,12 @@ public final class ControllerCore {
         });
   }
 
-  /**
-   * Gives the simulated time.
-   *
-   * @return ms since the start
-   */
+  /** Returns the simulated time in ms since the start. */
   public long time() {
     return time;
   }
 
-  /**
-   * Says whether anything happens by itself.
-   *
-   * @return whether a program runs or the robot moves
-   */
+  /** Returns whether a program runs or the robot moves. */
   public boolean busy() {
     return locked(
         () ->
@@ -404,11 +317,11 @@ public final class ControllerCore {
   }
 
   /**
-   * Lets time pass.
+   * Runs cycles until a condition is true.
    *
-   * @param limit how much simulated time at most; rounded up to whole cycles
-   * @param done is asked before each cycle
-   * @return whether it was done in time
+   * @param limit the most simulated time; rounded up to whole cycles
+   * @param done called before each cycle
+   * @return whether it became true within the limit
    */
   public boolean run(Duration limit, BooleanSupplier done) {
     Duration cycle = Duration.ofMillis(CYCLE_MILLIS);
@@ -426,22 +339,13 @@ public final class ControllerCore {
     return true;
   }
 
-  /** Ends a {@link #run} that is under way on another thread. */
+  /** Ends a {@link #run} on another thread. */
   public void close() {
     closed = true;
   }
 
-  // motions without a program, as C3 Bridge's messages 11 and 12 ask for them
+  // motions without a program
 
-  /**
-   * Moves the robot without a program: after the motions that were asked for before, exactly to the
-   * end.
-   *
-   * @param kind the kind of motion; not a circle
-   * @param target a Cartesian or an axis position, or for a relative motion a difference
-   * @throws KrlExecutionException if the robot cannot go there
-   * @throws IllegalStateException if the state of the controller does not allow it
-   */
   public void move(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     lock.lock();
     try {
@@ -452,15 +356,6 @@ public final class ControllerCore {
     }
   }
 
-  /**
-   * Moves the robot until {@link #releaseJog}: in T1 and T2, with {@code $OV_JOG}, at most to the
-   * end of its reach.
-   *
-   * @param kind PTP to an axis position far away, or LIN_REL by a difference far out
-   * @param target the position
-   * @throws KrlExecutionException if the robot cannot go there at all
-   * @throws IllegalStateException if the state of the controller does not allow it
-   */
   public void jog(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     lock.lock();
     try {
@@ -471,7 +366,6 @@ public final class ControllerCore {
     }
   }
 
-  /** Slows down a robot that is jogged. */
   public void releaseJog() {
     change(
         () -> {
@@ -483,7 +377,7 @@ public final class ControllerCore {
 
   // the cycle
 
-  /** Lets one cycle pass. */
+  /** Runs one cycle. */
   public void cycle() {
     lock.lock();
     try {
@@ -503,7 +397,7 @@ public final class ControllerCore {
     }
   }
 
-  /** An error of the simulation itself: it says so once, and starts nothing any more. */
+  /** Reports an error in the simulation once; no program can be started after it. */
   private void fail(RuntimeException error) {
     if (failure == null) {
       failure = error;
@@ -513,7 +407,7 @@ public final class ControllerCore {
     }
   }
 
-  /** Only here, under the lock; others only read the time. */
+  /** Written only here, under the lock; other threads only read the time. */
   @SuppressWarnings("NonAtomicVolatileUpdate")
   private void advanceTime() {
     time += CYCLE_MILLIS;
@@ -557,13 +451,13 @@ public final class ControllerCore {
         motions.idle());
   }
 
-  /** Shows what the robot does. */
+  /** Shows the motions of the robot in the variables. */
   private final class MotionListener implements AdvanceRun.Listener {
     @Override
     public void failed(int number, String text) {
       boolean jogged = manual.jogging();
       manual.end();
-      // who jogs to the end of the reach sees that the robot stands
+      // a robot that is jogged to the end of its reach simply stands
       if (!jogged) {
         stopFor(number, text);
       }

@@ -8,9 +8,8 @@ import no.hials.crosscom.simulator.Message;
 
 /** The message window of the pendant: the last messages, and those that wait to be confirmed. */
 final class MessageWindow {
-  /*
-   * The reference has no numbers of KSS: these are this simulation's own, beside those of the
-   * interpreter.
+  /**
+   * The numbers are this simulation's own, as are those of the interpreter: KSS's are not known.
    */
 
   /** A target is beyond the reach of the arm or a software limit. */

@@ -22,9 +22,8 @@ import no.hials.crosscom.simulator.internal.motion.PointToPoint;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
 
 /**
- * Resolves motion statements: what a target means by {@code $BASE}, {@code $TOOL} and the end of
- * the motion before, and how fast it may be by {@code $VEL}, {@code $ACC} and the like, all as they
- * are when the advance run comes by.
+ * Resolves motion statements when the advance run reaches them: the target by {@code $BASE}, {@code
+ * $TOOL} and the end of the motion before, the speed by {@code $VEL}, {@code $ACC} and the like.
  */
 final class MotionResolver {
   private static final VariablePath BASE = SystemVariableAccess.path("$BASE");
@@ -45,8 +44,8 @@ final class MotionResolver {
   private static final VariablePath APO_CORI = SystemVariableAccess.path("$APO.CORI");
 
   /**
-   * What INITMOV sets (docs/reference/system-variables.md#what-initmov-sets), for a controller
-   * without these variables.
+   * The values that INITMOV sets, for a controller without these variables
+   * (docs/reference/system-variables.md#what-initmov-sets).
    */
   private static final double DEFAULT_VELOCITY = 2;
 
@@ -54,7 +53,7 @@ final class MotionResolver {
   private static final double DEFAULT_ACCELERATION = 2.3;
   private static final double DEFAULT_TURN_ACCELERATION = 100;
 
-  /** Slower than this a motion would hardly end; a rate of 0 is taken for it (assumed). */
+  /** The slowest rate, in place of 0, with which a motion would never end (assumed). */
   private static final double LEAST_PERCENT = 0.1;
 
   private static final double LEAST_RATE = 0.001;
@@ -62,7 +61,7 @@ final class MotionResolver {
   private final SystemVariableAccess access;
   private RobotModel robot;
 
-  /** Where the last planned motion ends. */
+  /** The end of the last planned motion. */
   private Axes last;
 
   private long planned;
@@ -73,12 +72,12 @@ final class MotionResolver {
     this.last = start;
   }
 
-  /** Takes the robot with other software limits. */
+  /** Replaces the robot by the same with other software limits. */
   void robot(RobotModel limited) {
     robot = limited;
   }
 
-  /** Says where the robot will be when the next motion begins. */
+  /** Sets the start position of the next motion. */
   void startAt(Axes axes) {
     last = axes;
   }
@@ -91,7 +90,7 @@ final class MotionResolver {
     return access.frame(TOOL);
   }
 
-  /** Makes a motion of a statement. */
+  /** Creates the motion of a statement. */
   MotionCommand plan(MotionOrder order) throws KrlExecutionException {
     planned++;
     return switch (order.kind()) {
@@ -124,9 +123,9 @@ final class MotionResolver {
   }
 
   /**
-   * Finds the axes of a PTP motion's Cartesian target. Without Status and Turn, and for an
-   * increment, the arm stays as it is (docs/reference/kinematics.md#status-and-turn; for PTP_REL
-   * assumed).
+   * Returns the axes of a PTP motion's Cartesian target. Without Status and Turn, and for an
+   * increment, the arm keeps its configuration (docs/reference/kinematics.md#status-and-turn; for
+   * PTP_REL assumed).
    */
   private Axes inverse(MotionOrder order, Frame tcp) throws KrlExecutionException {
     try {
@@ -157,8 +156,8 @@ final class MotionResolver {
   }
 
   /**
-   * Gives the TCP's frame in {@code $ROBROOT}. An increment is added in the axes of {@code $BASE};
-   * its angles turn the TCP about these axes, too. With {@code #TOOL} it is in those of the tool
+   * Returns the TCP's frame in {@code $ROBROOT}. An increment is along the axes of {@code $BASE},
+   * and its angles turn the TCP about these axes. With {@code #TOOL} it is along those of the tool
    * (both assumed).
    */
   private Frame frame(MotionOrder order, KrlStruct target) throws KrlExecutionException {
@@ -191,7 +190,10 @@ final class MotionResolver {
             turned.c()));
   }
 
-  /** Finds the axes that bring the tool to a position: with its Status and Turn, or near others. */
+  /**
+   * Returns the axes that bring the tool to a position: with its Status and Turn, or else near
+   * other axes.
+   */
   Axes inverse(KrlStruct position, Axes near) throws UnreachableException {
     Frame from = base().inverse().times(robot.forward(near)).times(tool());
     Frame flange = base().times(PositionValues.toFrame(position, from)).times(tool().inverse());

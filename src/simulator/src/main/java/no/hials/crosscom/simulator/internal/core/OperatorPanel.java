@@ -13,10 +13,7 @@ final class OperatorPanel {
   private static final VariablePath OV_PRO = SystemVariableAccess.path("$OV_PRO");
   private static final VariablePath T2_OV_REDUCE = SystemVariableAccess.path("$T2_OV_REDUCE");
 
-  /**
-   * The override falls to 10 % on entry to T2
-   * (docs/reference/system-variables.md#override-and-speed).
-   */
+  /** The override after a change to T2 (docs/reference/system-variables.md#override-and-speed). */
   private static final int OVERRIDE_IN_T2 = 10;
 
   private final SystemVariableAccess access;

@@ -5,12 +5,12 @@ import no.hials.crosscom.simulator.SimulationClock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Lets the time of a controller pass, on a thread of its own. */
+/** Runs the cycles of a controller at the pace of its clock, on its own thread. */
 public final class Pacemaker implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Pacemaker.class);
   private static final double CYCLE_NANOS = ControllerCore.CYCLE_MILLIS * 1e6;
 
-  /** Time that could not be caught up with is let go, so that it is not made up for in a rush. */
+  /** The most cycles that are caught up with; more are skipped rather than run in a rush. */
   private static final double MAX_LAG_CYCLES = 20;
 
   private final ControllerCore core;
@@ -20,11 +20,9 @@ public final class Pacemaker implements AutoCloseable {
   private volatile boolean closed;
 
   /**
-   * Starts the time.
+   * Starts the thread.
    *
-   * @param core the controller
-   * @param clock how fast; not stepped
-   * @param threadName the name of the thread
+   * @param clock the pace; not stepped
    */
   public Pacemaker(ControllerCore core, SimulationClock clock, String threadName) {
     this.core = core;
@@ -54,12 +52,12 @@ public final class Pacemaker implements AutoCloseable {
         }
       }
     } catch (RuntimeException e) {
-      // an error of the simulation itself, which the core has told its users of
+      // an error in the simulation itself, which the core has shown as a message
       log.error("the simulated controller has stopped", e);
     }
   }
 
-  /** Stops the time, and waits until the cycle under way has ended. */
+  /** Stops the thread, and waits until the current cycle has ended. */
   @Override
   public void close() {
     closed = true;

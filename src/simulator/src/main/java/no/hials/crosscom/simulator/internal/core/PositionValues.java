@@ -12,16 +12,16 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 
-/** Turns frames and axis positions into KRL values and back. */
+/** Converts frames and axis positions to KRL values and back. */
 final class PositionValues {
   private static final String[] FRAME = {"X", "Y", "Z", "A", "B", "C"};
   private static final String[] EXTERNAL = {"E1", "E2", "E3", "E4", "E5", "E6"};
   private static final Pattern AXIS = Pattern.compile("A[1-6]", Pattern.CASE_INSENSITIVE);
 
-  /** How many axes the arrays of the controller have. */
+  /** The number of elements in the controller's arrays of axes. */
   static final int AXES = 12;
 
-  /** How many of them the robot itself has. */
+  /** The number of axes of the robot itself. */
   static final int ROBOT_AXES = 6;
 
   private PositionValues() {}
@@ -67,7 +67,7 @@ final class PositionValues {
     return new KrlStruct("E6AXIS", fields);
   }
 
-  /** Makes an array of all axes; those that the robot has not are 0. */
+  /** Returns an array of all axes; those that the robot does not have are 0. */
   static KrlArray axisArray(double[] robotAxes) {
     List<KrlValue> numbers = new ArrayList<>();
     for (int i = 0; i < AXES; i++) {
@@ -76,7 +76,7 @@ final class PositionValues {
     return new KrlArray(numbers);
   }
 
-  /** Gives the number in a field of an aggregate; nothing if the field has no value. */
+  /** Returns the number in a field of an aggregate; empty if the field has no value. */
   static OptionalDouble number(KrlStruct struct, String field) {
     return struct
         .get(field)
@@ -95,7 +95,7 @@ final class PositionValues {
     throw new IllegalArgumentException("needs a number, was given " + value);
   }
 
-  /** Makes a frame of an aggregate; what it lacks comes from another one. */
+  /** Converts an aggregate to a frame; missing fields come from another frame. */
   static Frame toFrame(KrlStruct struct, Frame missing) {
     return new Frame(
         number(struct, "X").orElse(missing.x()),
@@ -106,7 +106,7 @@ final class PositionValues {
         number(struct, "C").orElse(missing.c()));
   }
 
-  /** Makes an axis position of an aggregate; what it lacks comes from another one. */
+  /** Converts an aggregate to an axis position; missing fields come from another position. */
   static Axes toAxes(KrlStruct struct, Axes missing) {
     Axes axes = missing;
     for (int i = 0; i < ROBOT_AXES; i++) {
@@ -118,7 +118,7 @@ final class PositionValues {
     return axes;
   }
 
-  /** Says whether an aggregate is an axis position rather than a Cartesian one. */
+  /** Returns whether an aggregate is an axis position rather than a Cartesian one. */
   static boolean isAxes(KrlStruct struct) {
     return struct.fields().stream().anyMatch(field -> AXIS.matcher(field.name()).matches());
   }

@@ -15,8 +15,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Reads and writes those variables of the controller that the simulation itself works with. A user
- * may have removed or redeclared any of them; then a default takes their place.
+ * Reads and writes the variables that the simulation itself works with. A user may have removed or
+ * redeclared any of them; then a default replaces it.
  */
 final class SystemVariableAccess {
   private static final Logger log = LoggerFactory.getLogger(SystemVariableAccess.class);
@@ -44,8 +44,7 @@ final class SystemVariableAccess {
   }
 
   /**
-   * Gives the contents of a variable, which are another object after each write; null if there is
-   * none.
+   * Returns the contents of a variable, a new object after each write; null if it does not exist.
    */
   @Nullable Storage contents(String name) {
     try {
@@ -94,7 +93,7 @@ final class SystemVariableAccess {
         : otherwise;
   }
 
-  /** Writes a value; says whether that was possible. */
+  /** Writes a value, and returns whether that was possible. */
   boolean write(VariablePath path, KrlValue value) {
     try {
       globals.write(path, value, Scope.Writer.SYSTEM);

@@ -27,15 +27,12 @@ import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shows the state of the simulation in the system variables of docs/reference/system-variables.md.
- * What is a number or a text is computed when somebody reads it; what is wired to an output is
- * written when it changes.
+ * Shows the state of the simulation in the system variables (docs/reference/system-variables.md).
+ * Numbers and texts are computed when they are read; variables that can be wired to an output are
+ * written when they change.
  */
 final class SystemVariables {
-  /**
-   * Access to these waits until the robot has come to the end of its motions
-   * (docs/reference/krl-language.md#advance-run).
-   */
+  /** The variables that stop the advance run (docs/reference/krl-language.md#advance-run). */
   private static final Set<String> STOP_ADVANCE =
       Set.of(
           "$IN",
@@ -84,13 +81,13 @@ final class SystemVariables {
   private static final int CENTISECOND_NANOS = 10_000_000;
 
   /**
-   * What is shown, as it is after a cycle.
+   * The state after a cycle.
    *
    * @param axes degrees
    * @param axisVelocity degrees/s
    * @param pathVelocity m/s
    * @param standing whether no axis moves
-   * @param planned motions that have not begun
+   * @param planned motions that have not started
    * @param distanceToEnd mm to the end of the motion
    * @param mode the operating mode
    * @param emergency whether the emergency stop is pressed
@@ -109,7 +106,7 @@ final class SystemVariables {
       boolean stopMessage,
       boolean idle) {}
 
-  /** What an interpreter shows. */
+  /** The state of an interpreter. */
   private record Pointer(ProgramState state, String program, List<KrlInterpreter.Level> levels) {}
 
   private static final Pointer NO_POINTER = new Pointer(ProgramState.FREE, " ", List.of());
@@ -127,16 +124,16 @@ final class SystemVariables {
   private volatile Pointer robotPointer = NO_POINTER;
   private volatile Pointer submitPointer = NO_POINTER;
 
-  /** Where the motion under way ends, where it began, and where an interrupt came. */
+  /** The end and the start of the current motion, and the position at an interrupt. */
   private volatile Axes target;
 
   private volatile Axes origin;
   private volatile Axes interrupted;
 
-  /** Where an interrupt has put the motions aside. */
+  /** The position where an interrupt has put the motions aside. */
   private volatile Axes left;
 
-  /** The base and the tool of the motion under way; null if there is none. */
+  /** The base and the tool of the current motion; null between motions. */
   private volatile @Nullable Frame mainBase;
 
   private volatile @Nullable Frame mainTool;
@@ -169,10 +166,10 @@ final class SystemVariables {
   // computed when they are read
 
   /**
-   * Binds them.
+   * Binds the computed variables.
    *
    * @param time ms since the start
-   * @param begin what $DATE shows at first
+   * @param begin the first value of $DATE
    */
   void bind(LongSupplier time, LocalDateTime begin) {
     long counted = (long) access.number(SystemVariableAccess.path("$ROB_TIMER"), 0);
@@ -186,7 +183,7 @@ final class SystemVariables {
     bind("$MODE_OP", () -> new KrlEnum(state.mode().constant()));
     bind("$ROB_TIMER", () -> new KrlInt((int) (counted + time.getAsLong())));
     bind("$DATE", () -> date(begin.plus(Duration.ofMillis(time.getAsLong()))));
-    // the robot interpreter is the one that the pendant shows ($INTERPRETER 1)
+    // the pendant shows the robot interpreter ($INTERPRETER 1)
     bindPointer("", () -> robotPointer);
     bindPointer("0", () -> submitPointer);
     bindPointer("1", () -> robotPointer);
@@ -215,7 +212,7 @@ final class SystemVariables {
     bind("$PRO_IP" + suffix, () -> programPointer(pointer.get()));
   }
 
-  /** Leaves out what the user has removed or declared as a SIGNAL. */
+  /** Skips a variable that the user has removed or declared as a SIGNAL. */
   private void bind(String name, Supplier<KrlValue> value) {
     if (globals.contains(name)) {
       globals.bind(name, value);
@@ -231,7 +228,7 @@ final class SystemVariables {
     return PositionValues.e6Pos(tcp, robot.status(axes), robot.turn(axes));
   }
 
-  /** In the robot's root. Without a motion it is that of the advance run (assumed). */
+  /** In the robot's root. Without a motion, the base of the advance run (assumed). */
   private Frame baseOfMainRun() {
     Frame of = mainBase;
     return of == null ? access.frame(robroot).inverse().times(access.frame(base)) : of;
@@ -242,7 +239,7 @@ final class SystemVariables {
     return of == null ? access.frame(tool) : of;
   }
 
-  /** In % of the highest speed (docs/reference/system-variables.md#position-and-motion). */
+  /** In % of the highest speed. */
   private KrlValue axisVelocity() {
     double[] percent = new double[PositionValues.ROBOT_AXES];
     for (int i = 0; i < percent.length; i++) {
@@ -287,7 +284,7 @@ final class SystemVariables {
     return "/R1/" + module + (file.endsWith(".SUB") ? ".SUB" : ".SRC");
   }
 
-  /** The main run's pointer is the advance run's: assumed, the reference has no rule. */
+  /** The pointer of the main run is that of the advance run (assumed). */
   private static KrlStruct programPointer(Pointer pointer) {
     List<KrlInterpreter.Level> levels = pointer.levels();
     String name = levels.isEmpty() ? " " : moduleName(levels.get(0));
@@ -313,7 +310,7 @@ final class SystemVariables {
     return new KrlStruct("PRO_IP", fields);
   }
 
-  // told by the core
+  // called by the core
 
   void started(Axes from, Axes to, Frame inBase, Frame withTool) {
     origin = from;
@@ -326,7 +323,7 @@ final class SystemVariables {
     left = axes;
   }
 
-  /** Puts the number of an error into $ERR. */
+  /** Sets the number of an error in $ERR. */
   void error(int number, Interpreter kind) {
     boolean ofRobot = kind == Interpreter.ROBOT;
     List<KrlInterpreter.Level> levels = (ofRobot ? robotInterpreter : submitInterpreter).levels();
@@ -383,16 +380,13 @@ final class SystemVariables {
   }
 
   private void signal(VariablePath path, boolean value) {
-    // looked at each time: a data list or Java code may have changed the output
+    // compared each time: a data list or Java code may have changed the output
     if (access.bool(path, !value) != value) {
       access.write(path, new KrlBool(value));
     }
   }
 
-  /**
-   * Within $H_POS_TOL of every axis of the home position
-   * (docs/reference/system-variables.md#position-and-motion).
-   */
+  /** Within $H_POS_TOL of every axis of the home position. */
   private boolean atHome(Axes axes) {
     Axes tolerance = access.position(H_POS_TOL, Axes.ZERO);
     Axes away = access.position(H_POS, robot.home()).minus(axes);

@@ -1,14 +1,12 @@
 package no.hials.crosscom.simulator.internal.core;
 
-/** Waits for threads of the server. */
+/** Waits for threads to end. */
 public final class ThreadJoiner {
   private ThreadJoiner() {}
 
   /**
-   * Waits until a thread has ended, without giving up: it is for one that ends soon. An interrupt
-   * is kept for afterwards. Does nothing on that thread itself, which may close the server, too.
-   *
-   * @param thread the thread
+   * Waits until a thread has ended, even if interrupted, for a thread that ends soon. The interrupt
+   * flag is restored. Returns at once if called on that thread itself.
    */
   public static void join(Thread thread) {
     boolean interrupted = false;

@@ -12,7 +12,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Counts the timers up and ends the pulses of outputs, in simulated time. */
 final class Timers {
-  /** How many timers a KR C4 has (docs/reference/system-variables.md#inputs-outputs-and-timers). */
+  /**
+   * The number of timers of a KR C4 (docs/reference/system-variables.md#inputs-outputs-and-timers).
+   */
   private static final int COUNT = 64;
 
   private record Pulse(int output, boolean level, long end) {}
@@ -23,10 +25,10 @@ final class Timers {
   private final List<VariablePath> flags = new ArrayList<>();
   private final List<Pulse> pulses = new ArrayList<>();
 
-  /** Whether a timer counts. */
+  /** Whether any timer is counting. */
   private boolean running;
 
-  /** The contents of the variables at the last look: as long as they stay nothing is to do. */
+  /** The contents of the variables at the last check; nothing to do while they stay the same. */
   private List<@Nullable Storage> seen = List.of();
 
   Timers(SystemVariableAccess access) {
@@ -42,7 +44,7 @@ final class Timers {
     List<@Nullable Storage> contents = contents();
     if (running || !contents.equals(seen)) {
       count(millis);
-      // those of before: what a client has written meanwhile is looked at the next time
+      // read before counting: a client's write since then is found in the next cycle
       seen = contents;
     }
     for (Iterator<Pulse> it = pulses.iterator(); it.hasNext(); ) {
@@ -63,13 +65,13 @@ final class Timers {
     running = false;
     for (int i = 0; i < COUNT; i++) {
       int value = (int) access.number(timers.get(i), 0);
-      // what is not known is taken for stopped, as a KR C4 has them when it starts
+      // without a value a timer is stopped, as on a KR C4 after its start
       if (access.bool(stops.get(i), true)) {
         show(i, value);
         continue;
       }
       running = true;
-      // a timer that has come to the end of its range stays there (assumed)
+      // a timer at the end of its range stays there (assumed)
       int next = (int) Math.min(Integer.MAX_VALUE, (long) value + millis);
       access.write(timers.get(i), new KrlInt(next));
       show(i, next);
@@ -83,9 +85,9 @@ final class Timers {
     }
   }
 
-  /** Sets an output until a moment; says whether there is one. */
+  /** Sets an output until a time, and returns whether the output exists. */
   boolean pulse(int output, boolean level, long end) {
-    // a new pulse takes the place of an old one at the same output (assumed)
+    // a new pulse replaces an old one at the same output (assumed)
     pulses.removeIf(pulse -> pulse.output() == output);
     boolean there = access.write(VariablePath.element("$OUT", output), new KrlBool(level));
     if (there) {

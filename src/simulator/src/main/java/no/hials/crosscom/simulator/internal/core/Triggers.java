@@ -9,23 +9,23 @@ import no.hials.crosscom.simulator.internal.motion.MotionCommand;
 import no.hials.crosscom.simulator.internal.program.TriggerOrder;
 
 /**
- * Finds the moments at which triggers fire. The place of a trigger is known to one cycle, and that
- * of a shift in time to lower values is estimated by the present speed.
+ * Fires triggers. A position on the path is exact to one cycle; the time of a negative delay is
+ * estimated from the current speed.
  */
 final class Triggers {
   private static final double MM_PER_M = 1000;
 
-  /** A trigger that waits for its motion, for its place on it, or for its time. */
+  /** A trigger that waits for its motion, its position on the path, or its time. */
   private static final class Waiting {
     private final long motion;
     private final TriggerOrder order;
     private boolean begun;
 
-    /** When it fires; negative if that is not known yet. */
+    /** The time at which it fires; negative if not yet known. */
     private long due = -1;
 
-    /** How far the robot has to go behind the end of the motion, mm. */
-    private double behind = -1;
+    /** The distance that the robot still has to go after the end of the motion, mm. */
+    private double beyondEnd = -1;
 
     Waiting(long motion, TriggerOrder order) {
       this.motion = motion;
@@ -50,7 +50,7 @@ final class Triggers {
     waiting.clear();
   }
 
-  /** Forgets all but those of some motions. */
+  /** Discards all triggers but those of some motions. */
   void retain(Set<Long> motions) {
     waiting.removeIf(trigger -> !motions.contains(trigger.motion));
   }
@@ -60,7 +60,7 @@ final class Triggers {
       if (trigger.motion == motion.id()) {
         trigger.begun = true;
         if (!trigger.order.onPath() && trigger.order.distance() == 0) {
-          // before the start there is nothing to fire in: a negative delay is none (assumed)
+          // nothing fires before the start: a negative delay counts as none (assumed)
           trigger.due = now + Math.max(0, Math.round(trigger.order.delayMillis()));
         }
       }
@@ -71,7 +71,7 @@ final class Triggers {
     for (Waiting trigger : waiting) {
       if (trigger.motion == motion.id() && trigger.due < 0) {
         if (trigger.order.onPath() && trigger.order.distance() > 0) {
-          trigger.behind = trigger.order.distance();
+          trigger.beyondEnd = trigger.order.distance();
         } else {
           trigger.due = now + Math.max(0, Math.round(trigger.order.delayMillis()));
         }
@@ -80,10 +80,10 @@ final class Triggers {
   }
 
   /**
-   * Fires what is due.
+   * Fires the triggers that are due.
    *
    * @param now simulated ms
-   * @param left mm to the end of the motion under way
+   * @param left mm to the end of the current motion
    * @param velocity m/s
    * @param cycle s since the last call
    */
@@ -91,11 +91,11 @@ final class Triggers {
     double mmPerMilli = velocity; // m/s are mm/ms
     for (Iterator<Waiting> it = waiting.iterator(); it.hasNext(); ) {
       Waiting trigger = it.next();
-      if (trigger.behind >= 0) {
-        trigger.behind -= velocity * MM_PER_M * cycle;
-        if (trigger.behind <= 0) {
+      if (trigger.beyondEnd >= 0) {
+        trigger.beyondEnd -= velocity * MM_PER_M * cycle;
+        if (trigger.beyondEnd <= 0) {
           trigger.due = now + Math.max(0, Math.round(trigger.order.delayMillis()));
-          trigger.behind = -1;
+          trigger.beyondEnd = -1;
         }
       } else if (trigger.due < 0 && trigger.begun && trigger.motion == current) {
         approach(trigger, now, left, mmPerMilli);
@@ -107,7 +107,7 @@ final class Triggers {
     }
   }
 
-  /** Looks whether the robot has come to a place ahead of the end of its motion. */
+  /** Sets the time of a trigger before the end of its motion once the robot is close enough. */
   private static void approach(Waiting trigger, long now, double left, double mmPerMilli) {
     double ahead = trigger.order.onPath() ? -trigger.order.distance() : 0;
     double early = Math.max(0, -trigger.order.delayMillis()) * mmPerMilli;

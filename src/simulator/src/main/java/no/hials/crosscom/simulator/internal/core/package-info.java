@@ -1,6 +1,6 @@
 /**
- * The simulated controller behind the network: cycles, modes, messages, programs and the robot. One
- * lock, no thread of its own but the one that lets time pass.
+ * The simulated controller without its network: cycles, modes, messages, programs and the robot.
+ * One lock; the only thread is the one that runs the cycles.
  */
 @NullMarked
 package no.hials.crosscom.simulator.internal.core;

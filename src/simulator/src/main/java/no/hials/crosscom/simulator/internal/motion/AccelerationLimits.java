@@ -5,20 +5,20 @@ import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The accelerations that a cycle keeps to.
+ * The accelerations that a cycle must not exceed.
  *
  * @param axes those of the axes, degrees/s²
- * @param path those of the TCP, if it is on a LIN or CIRC
+ * @param path those of the TCP on a LIN or CIRC, else null
  * @param tool the TCP
  */
 record AccelerationLimits(Axes axes, @Nullable PathRates path, Frame tool) {
-  /** Gives those of the segment under way, in a blend the higher of both. */
+  /** Returns the limits of the current segment; in a blend the higher of both. */
   static AccelerationLimits of(PathSegment segment, @Nullable PathSegment next) {
     AccelerationLimits limits = of(segment);
     return next == null ? limits : limits.orHigher(of(next));
   }
 
-  /** Leaves the axes what they can do at most, whatever the program has set. */
+  /** Limits the axes only by their highest accelerations, whatever the program has set. */
   AccelerationLimits withoutPath(Axes most) {
     return new AccelerationLimits(most, null, tool);
   }

@@ -1,59 +1,58 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 /**
- * Says where a motion may leave its path for the next one ({@code $APO},
- * docs/reference/system-variables.md#override-and-speed).
+ * The part of a motion in which it can leave its path for the next one ({@code $APO}).
  *
- * <p>A blend is the sum of the end of one motion, slowing down, and of the beginning of the next,
- * speeding up; it needs no longer than either takes for that, so at most half of the shorter one.
+ * <p>A blend is the sum of the end of one motion, slowing down, and of the start of the next,
+ * speeding up. It lasts no longer than either ramp, so at most half of the shorter motion.
  */
 public sealed interface ApproximationZone {
-  /** Ends exactly on the target, standing. */
+  /** Stops exactly at the target. */
   record Exact() implements ApproximationZone {}
 
   /**
-   * Leaves when no axis has further to go than a part of {@code $APO_DIS_PTP} (KRL's C_PTP).
+   * Starts when no axis has further to go than a part of {@code $APO_DIS_PTP} (KRL's C_PTP).
    *
    * @param percent the part, {@code $APO.CPTP}, 0 to 100 %
    */
   record AxisDistance(double percent) implements ApproximationZone {
-    /** Refuses a percentage outside of its range. */
+    /** Checks the range. */
     public AxisDistance {
       requirePercentage("C_PTP", percent);
     }
   }
 
   /**
-   * Leaves within a distance of the target (KRL's C_DIS).
+   * Starts within a distance of the target (KRL's C_DIS).
    *
    * @param mm the distance, {@code $APO.CDIS}
    */
   record Distance(double mm) implements ApproximationZone {
-    /** Refuses a negative distance. */
+    /** Checks the range. */
     public Distance {
       requireNotNegative("C_DIS", mm);
     }
   }
 
   /**
-   * Leaves when the speed has fallen to a part of the programmed one (KRL's C_VEL).
+   * Starts when the speed has fallen to a part of the programmed speed (KRL's C_VEL).
    *
    * @param percent the part, {@code $APO.CVEL}, 0 to 100 %
    */
   record Speed(double percent) implements ApproximationZone {
-    /** Refuses a percentage outside of its range. */
+    /** Checks the range. */
     public Speed {
       requirePercentage("C_VEL", percent);
     }
   }
 
   /**
-   * Leaves when the orientation is within an angle of the target's (KRL's C_ORI).
+   * Starts when the orientation is within an angle of the target's (KRL's C_ORI).
    *
    * @param degrees the angle, {@code $APO.CORI}
    */
   record Orientation(double degrees) implements ApproximationZone {
-    /** Refuses a negative angle. */
+    /** Checks the range. */
     public Orientation {
       requireNotNegative("C_ORI", degrees);
     }

@@ -4,19 +4,19 @@ import java.util.OptionalDouble;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.NotACircle;
 
-/** The way on a circle, about its centre from one arm to the one square to it. */
+/** A circular path, about its centre from one radius towards the radius square to it. */
 record Arc(Frame start, Frame end, Point centre, Point arm, Point square, double sweep)
     implements Curve {
-  /** Three points are on a line if the sine of the angle between them is below. Assumed. */
+  /** Three points are on a line if the sine of the angle between them is below this. Assumed. */
   private static final double ON_A_LINE = 1e-6;
 
-  /** Points are the same if they are nearer, mm. Assumed. */
+  /** Points are the same if they are closer than this, mm. Assumed. */
   private static final double SAME = 1e-3;
 
   /**
-   * Makes the way through three points.
+   * Creates the path through three points.
    *
-   * @param angle how far to go instead of to the target, degrees; negative the other way round
+   * @param angle the angle to go in place of the target, degrees; negative in the other direction
    * @param orientation the orientation at the end
    */
   static Arc through(
@@ -34,7 +34,8 @@ record Arc(Frame start, Frame end, Point centre, Point arm, Point square, double
             .plus(toTarget.cross(normal).times(toAuxiliary.dot(toAuxiliary)))
             .times(1 / (2 * normal.dot(normal)));
     Point arm = toCentre.times(-1);
-    // Seen against the normal, the circle goes from start by auxiliary point to target to the left.
+    // seen against the normal, the circle turns left from start over the auxiliary point to the
+    // target
     Point square = normal.times(1 / normal.length()).cross(arm);
     Point last = toTarget.plus(arm);
     double toEnd = Math.atan2(last.dot(square), last.dot(arm));

@@ -11,17 +11,20 @@ import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.OutOfReach;
 
 /**
- * The robot as paths need it: the inverse goes beyond the software limits, so that it can be said
- * which axis would have to go how far.
+ * The robot for path planning: the inverse ignores the software limits, so that an error can name
+ * the axis and the angle beyond its limit.
  */
 final class Arm {
   /** The number of axes. */
   static final int AXES = 6;
 
-  /** So little beyond a limit, degrees, is at the limit, as the kinematics have it. */
+  /**
+   * An axis beyond a limit by less than this counts as at the limit, degrees; the same as in the
+   * kinematics.
+   */
   private static final double TOLERANCE = 1e-4;
 
-  /** Further than any axis ever is, degrees. */
+  /** Further than any axis ever turns, degrees. */
   private static final double FAR = 1e6;
 
   private final RobotModel robot;
@@ -51,7 +54,7 @@ final class Arm {
     return tool.equals(Frame.IDENTITY) ? flange : flange.times(tool);
   }
 
-  /** Finds the axes nearest to others, inside the limits or not. */
+  /** Returns the axes nearest to others, inside the limits or not. */
   Axes inverse(Frame tcp, Frame flangeInTool, Axes near) throws NoPointException {
     boolean isFlange = flangeInTool.equals(Frame.IDENTITY);
     try {
@@ -61,7 +64,7 @@ final class Arm {
     }
   }
 
-  /** Finds the first axis that is beyond a software limit. */
+  /** Returns the first axis that is beyond a software limit. */
   Optional<AxisLimit> beyondLimit(Axes axes) {
     List<Integer> outside = robot.axesOutsideLimits(axes, -TOLERANCE);
     return outside.isEmpty() ? Optional.empty() : Optional.of(limit(outside.get(0), axes));
@@ -73,7 +76,7 @@ final class Arm {
     return new AxisLimit(axis, limit, value);
   }
 
-  /** Takes an axis that is beyond a limit to the limit. */
+  /** Moves axes that are beyond a limit to the limit. */
   Axes clamped(Axes axes) {
     double[] six = axes.toArray();
     for (int axis = 0; axis < AXES; axis++) {

@@ -3,25 +3,19 @@ package no.hials.crosscom.simulator.internal.motion;
 import no.hials.crosscom.kinematics.Axes;
 
 /**
- * Says how fast the axes may be in a PTP motion ({@code $VEL_AXIS}, {@code $ACC_AXIS}).
+ * The speeds and accelerations of the axes in a PTP motion ({@code $VEL_AXIS}, {@code $ACC_AXIS}).
  *
  * @param velocity the part of each axis' highest speed, above 0 to 100 %
  * @param acceleration the part of each axis' highest acceleration, above 0 to 100 %
  */
 public record AxisRates(Axes velocity, Axes acceleration) {
-  /** Refuses a percentage outside of its range. */
+  /** Checks the range. */
   public AxisRates {
     requirePercentages("velocity", velocity);
     requirePercentages("acceleration", acceleration);
   }
 
-  /**
-   * Makes rates that are the same for all axes.
-   *
-   * @param velocity the part of each axis' highest speed, above 0 to 100 %
-   * @param acceleration the part of each axis' highest acceleration, above 0 to 100 %
-   * @return the rates
-   */
+  /** Creates the same rates for all axes. */
   public static AxisRates of(double velocity, double acceleration) {
     return new AxisRates(all(velocity), all(acceleration));
   }

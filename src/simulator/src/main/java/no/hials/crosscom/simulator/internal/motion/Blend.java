@@ -8,20 +8,20 @@ import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Orientation
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Speed;
 
 /**
- * The sum of two segments: what is left of the one and what is done of the next add up, of the TCP
- * if both are paths of the same one, of the axes otherwise.
+ * The sum of two segments. The rest of the first and the done part of the next add up: of the TCP
+ * if both are paths of the same TCP, else of the axes.
  */
 final class Blend {
   /**
-   * {@code $APO_DIS_PTP}, degrees, of which C_PTP is a part
-   * (docs/reference/system-variables.md#override-and-speed: 90 for every axis).
+   * {@code $APO_DIS_PTP}, degrees, of which C_PTP is a part: 90 for every axis
+   * (docs/reference/system-variables.md#machine-data).
    */
   private static final double AXIS_DISTANCE = 90;
 
-  /** So exactly the time is found at which a distance is kept: halvings of the longest time. */
+  /** How exactly the time of a blend is found: halvings of the longest time. */
   private static final int HALVINGS = 20;
 
-  /** The points at which a blend is tried. */
+  /** The number of points at which a blend is checked. */
   private static final int TRIALS = 4;
 
   private final Arm arm;
@@ -30,7 +30,7 @@ final class Blend {
     this.arm = arm;
   }
 
-  /** Finds the axes where a cursor is. */
+  /** Returns the axes at a cursor. */
   Axes axes(PathCursor at) throws NoPointException {
     return arm.clamped(unlimited(at));
   }
@@ -69,7 +69,7 @@ final class Blend {
     return new Frame(0, 0, 0, frame.a(), frame.b(), frame.c());
   }
 
-  /** Finds how long a segment may blend with the one before, s; 0 if not at all. */
+  /** Returns the time that a segment can blend with the one before, s; 0 if it cannot. */
   double overlap(PathSegment segment, PathSegment next) {
     double longest = Math.min(segment.profile().rampDown(), next.profile().rampUp());
     if (segment.motion() == null || segment.problem() != null || longest == 0) {
@@ -98,7 +98,7 @@ final class Blend {
     return kept;
   }
 
-  /** Says whether a blend is near enough to the corner, where it begins and where it ends. */
+  /** Returns whether a blend is inside the zone where it starts and where it ends. */
   private boolean isKept(
       ApproximationZone approximation, PathSegment segment, PathSegment next, double overlap) {
     try {
@@ -130,7 +130,7 @@ final class Blend {
         : arm.tcp(segment.at(time), tool);
   }
 
-  /** Says whether the arm can go all the way through a blend: a corner may be out of its reach. */
+  /** Returns whether the arm can pass the whole blend: a corner may be out of its reach. */
   private boolean isPassable(PathSegment segment, PathSegment next, double overlap) {
     try {
       for (int i = 1; i < TRIALS; i++) {

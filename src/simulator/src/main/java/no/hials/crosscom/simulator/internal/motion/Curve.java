@@ -2,23 +2,23 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import no.hials.crosscom.kinematics.Frame;
 
-/** The way of the TCP: frames over a parameter that goes evenly from 0 to 1. */
+/** The path of the TCP: frames over a parameter that runs evenly from 0 to 1. */
 sealed interface Curve permits Curve.Line, Arc {
-  /** Gives the TCP in {@code $ROBROOT}. */
+  /** Returns the TCP in {@code $ROBROOT}. */
   Frame at(double parameter);
 
-  /** Gives the length of the way, mm. */
+  /** Returns the length, mm. */
   double length();
 
-  /** Gives by how much the orientation turns, degrees. */
+  /** Returns the turn of the orientation, degrees. */
   double angle();
 
-  /** Says whether one of the angles differs; if none does, there is less to reckon. */
+  /** Returns whether an angle changes; if not, there is less to compute. */
   static boolean isTurn(Frame start, Frame end) {
     return start.a() != end.a() || start.b() != end.b() || start.c() != end.c();
   }
 
-  /** The straight line. */
+  /** A straight line. */
   record Line(Frame start, Frame end) implements Curve {
     @Override
     public Frame at(double parameter) {

@@ -11,34 +11,31 @@ import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Moves the robot through the motions that are planned for it, cycle by cycle. Not safe for use by
- * several threads; the same calls give the same trajectory, bit by bit.
+ * Moves the robot through its planned motions, cycle by cycle. Not thread-safe; the same calls give
+ * the same trajectory, bit by bit.
  *
- * <p>A motion has a trapezoid profile, or a triangle, that keeps to its rates. A PTP is limited by
- * the axes alone. A LIN or CIRC is limited by path and orientation, whichever takes longer; its
- * axes are found when it is added, and where one of them would exceed its speed, or half of its
- * acceleration by a bend or a ramp, the profile is slower there: so it crawls past a singularity. A
- * motion that leads nowhere takes one cycle, and every motion that starts from standing starts with
+ * <p>A motion has a trapezoid profile, or a triangle, within its rates. A PTP is limited by the
+ * axes alone. A LIN or CIRC is limited by path and orientation, whichever takes longer. Its axes
+ * are computed when it is added. Where one of them would exceed its speed, or half of its
+ * acceleration by a bend or a ramp, the profile is slower, so the robot creeps past a singularity.
+ * A motion without a distance takes one cycle, and a motion that starts from standstill starts with
  * a cycle (both assumed).
  *
- * <p>In a blend the end of a motion and the beginning of the next add up, so an axis that goes back
- * the way it came has up to twice its acceleration. Speeds stay within their limits.
+ * <p>In a blend the end of a motion and the start of the next add up, so an axis that reverses has
+ * up to twice its acceleration. Speeds stay within their limits.
  *
  * <p>Override, hold and brakes stretch the time of the plan: the robot stays on its path. They keep
- * to the accelerations of the axes, and on a LIN or CIRC of the TCP, within 2 %; but where the plan
+ * within the accelerations of the axes, and on a LIN or CIRC of the TCP, to 2 %. Where the plan
  * slows down anyway, for a target or in a blend, it takes no less time than planned.
  */
 public final class Interpolator {
-  /**
-   * The simulated time of one cycle, s: the interpolation cycle of 12 ms
-   * (docs/reference/access-times.md#cycles).
-   */
+  /** The simulated time of one cycle, s. */
   public static final double CYCLE = 0.012;
 
-  /** Two positions of an axis are the same if they are nearer, degrees. */
+  /** Two positions of an axis are the same if they are closer than this, degrees. */
   private static final double SAME = 1e-9;
 
-  /** How often the step of a cycle is sought: the path may bend, so what is ahead depends on it. */
+  /** The attempts to find the step of a cycle: it depends on the path ahead, which may bend. */
   private static final int ATTEMPTS = 4;
 
   private enum Brake {
@@ -51,7 +48,7 @@ public final class Interpolator {
   private TrajectoryPlanner planner;
   private Blend blend;
 
-  /** Where the motions under way may go: within the limits that there were when they were added. */
+  /** The limits of the current motions: the widest since they were added. */
   private RobotModel widest;
 
   private Blend way;
@@ -66,12 +63,7 @@ public final class Interpolator {
   private double rate;
   private @Nullable SuspendedPlan returning;
 
-  /**
-   * Puts a robot somewhere, standing.
-   *
-   * @param robot the robot
-   * @param start where its axes are, degrees
-   */
+  /** Creates an interpolator for a robot at a standstill. */
   public Interpolator(RobotModel robot, Axes start) {
     widest = robot;
     arm = new Arm(robot);
@@ -83,11 +75,7 @@ public final class Interpolator {
     now = start;
   }
 
-  /**
-   * Changes the software limits, for motions that are added from now on.
-   *
-   * @param limited the same robot with other limits
-   */
+  /** Changes the software limits for motions that are added from now on. */
   public void robot(RobotModel limited) {
     arm = new Arm(limited);
     planner = new TrajectoryPlanner(arm);
@@ -103,11 +91,11 @@ public final class Interpolator {
   }
 
   /**
-   * Adds a motion after those that are planned. It blends with the one before only if that has not
-   * yet come to where the blend would begin, as the advance run of KSS then is too late.
+   * Adds a motion after the planned ones. It blends with the one before unless the robot has
+   * already passed the start of the blend, as on a real controller whose advance run is too late.
    *
-   * @param motion the motion, with its target resolved
-   * @throws MotionRefusedException if an axis target is outside the limits, or there is no circle
+   * @throws MotionRefusedException if an axis target is outside the limits, or the points define no
+   *     circle
    */
   public void add(MotionCommand motion) throws MotionRefusedException {
     if (cancelled) {
@@ -122,38 +110,30 @@ public final class Interpolator {
     plannedEnd = segment.path().end();
   }
 
-  /**
-   * Counts the motions that are added and have not begun.
-   *
-   * @return the number, which {@code $ADVANCE} limits
-   */
+  /** Returns the number of motions that have not started, which {@code $ADVANCE} limits. */
   public int planned() {
     return planned.size();
   }
 
   /**
-   * Gives where the planned motions end: where the next one that is added will start.
-   *
-   * @return the axes; of a path that leaves the limits, its last point within
+   * Returns the end of the planned motions, where the next one will start; of a path that leaves
+   * the limits, its last point within them.
    */
   public Axes plannedEnd() {
     return plannedEnd;
   }
 
   /**
-   * Gives the motion that the main run is on. From the middle of a blend it is the next one. On the
-   * way back to a path it is the motion that was interrupted.
-   *
-   * @return the motion, or none between motions
+   * Returns the motion of the main run; empty between motions. From the middle of a blend it is the
+   * next one, on the way back to a path the interrupted one.
    */
   public Optional<MotionCommand> current() {
     return Optional.ofNullable(currentSegment()).map(PathSegment::motion);
   }
 
   /**
-   * Gives where the motion of the main run starts ({@code $AXIS_BACK}).
-   *
-   * @return the axes; those of now between motions
+   * Returns the start of the main run's motion ({@code $AXIS_BACK}); between motions the current
+   * axes.
    */
   public Axes currentStart() {
     PathSegment segment = currentSegment();
@@ -161,52 +141,38 @@ public final class Interpolator {
   }
 
   /**
-   * Gives where the motion of the main run ends ({@code $AXIS_FOR}).
-   *
-   * @return the axes; those of now between motions
+   * Returns the end of the main run's motion ({@code $AXIS_FOR}); between motions the current axes.
    */
   public Axes currentEnd() {
     PathSegment segment = currentSegment();
     return segment == null ? now : segment.path().end();
   }
 
-  /**
-   * Says whether nothing is left to do.
-   *
-   * @return whether nothing is planned and the robot stands at the end of the last motion
-   */
+  /** Returns whether nothing is planned and the robot stands at the end of the last motion. */
   public boolean finished() {
     return cursor.segment() == null && planned.isEmpty() && returning == null;
   }
 
   /**
-   * Says whether the robot stands: held on its path, or at the end of a motion that it has just
-   * reached.
-   *
-   * @return whether it stands at the end of the last cycle
+   * Returns whether the robot stands after the last cycle: held on its path, or at the end of a
+   * motion that it has just reached.
    */
   public boolean standing() {
     return cursor.segment() == null || rate == 0;
   }
 
-  /**
-   * Runs for a cycle.
-   *
-   * @param override the speed that is wanted, 0 to 1; at 0 the robot holds
-   * @param released whether the robot may move; if not, it slows down on its path and holds
-   * @return what happened, in order
-   */
+  /** Runs a cycle without a speed limit. */
   public List<MotionEvent> cycle(double override, boolean released) {
     return cycle(override, released, SpeedLimit.NONE);
   }
 
   /**
-   * Runs for a cycle in which the robot must not be too fast.
+   * Runs a cycle.
    *
-   * @param override the speed that is wanted, 0 to 1; at 0 the robot holds
+   * @param override the wanted speed, 0 to 1; at 0 the robot holds
    * @param released whether the robot may move; if not, it slows down on its path and holds
-   * @param speedLimit how fast it may be
-   * @return what happened, in order
+   * @param speedLimit the highest speed
+   * @return the events of the cycle, in order
    */
   public List<MotionEvent> cycle(double override, boolean released, SpeedLimit speedLimit) {
     if (!(override >= 0 && override <= 1)) {
@@ -230,23 +196,22 @@ public final class Interpolator {
   }
 
   /**
-   * Slows down on the path and holds, whatever the cycle says, until {@link #goOn()} or {@link
-   * #suspend()} (KRL's BRAKE).
+   * Slows down on the path and holds until {@link #goOn()} or {@link #suspend()} (KRL's BRAKE).
    *
-   * @param maximum whether each axis brakes as fast as it can, not as programmed (BRAKE F)
+   * @param maximum whether each axis brakes as hard as it can, not as programmed (BRAKE F)
    */
   public void brake(boolean maximum) {
     brake = maximum ? Brake.MAXIMUM : Brake.PROGRAMMED;
   }
 
-  /** Ends {@link #brake(boolean)}: the next cycle goes on. */
+  /** Ends {@link #brake(boolean)}: the next cycle continues. */
   public void goOn() {
     brake = Brake.NONE;
   }
 
   /**
-   * Forgets the motion under way and all that are planned, at once if the robot stands, and
-   * otherwise when it has slowed down on its path.
+   * Discards the current and all planned motions: immediately if the robot stands, else when it has
+   * slowed down on its path.
    */
   public void cancel() {
     cancelled = true;
@@ -258,7 +223,7 @@ public final class Interpolator {
   /**
    * Puts the plan aside, so that an interrupt can move the robot; ends {@link #brake(boolean)}.
    *
-   * @return what {@link #resume(SuspendedPlan, AxisRates)} needs
+   * @return the plan for {@link #resume(SuspendedPlan, AxisRates)}
    * @throws IllegalStateException if the robot does not stand
    */
   public SuspendedPlan suspend() {
@@ -271,11 +236,10 @@ public final class Interpolator {
   }
 
   /**
-   * Takes up a plan again. A robot that has moved in between goes back by PTP to where it left its
-   * path (assumed), and then on.
+   * Resumes a plan. A robot that has moved in the meantime first returns by PTP to where it left
+   * its path (assumed).
    *
-   * @param suspended the plan
-   * @param rates how fast it goes back
+   * @param rates the speed of the return
    * @throws IllegalStateException if the motions of the interrupt have not ended
    */
   public void resume(SuspendedPlan suspended, AxisRates rates) {
@@ -294,29 +258,17 @@ public final class Interpolator {
     }
   }
 
-  /**
-   * Gives where the axes are.
-   *
-   * @return the axes, degrees
-   */
+  /** Returns the current axes, degrees. */
   public Axes axes() {
     return now;
   }
 
-  /**
-   * Gives where the flange is.
-   *
-   * @return the flange in {@code $ROBROOT}
-   */
+  /** Returns the flange in {@code $ROBROOT}. */
   public Frame flange() {
     return arm.forward(now);
   }
 
-  /**
-   * Gives how fast the axes were on average in the last cycle.
-   *
-   * @return the speeds, degrees/s; 0 if the robot stands
-   */
+  /** Returns the mean speeds of the axes in the last cycle, degrees/s; 0 if the robot stands. */
   public Axes axisVelocity() {
     if (standing()) {
       return Axes.ZERO;
@@ -328,20 +280,15 @@ public final class Interpolator {
     return Axes.of(speeds);
   }
 
-  /**
-   * Gives how fast the TCP was on average in the last cycle.
-   *
-   * @return the speed, m/s; 0 if the robot stands
-   */
+  /** Returns the mean speed of the TCP in the last cycle, m/s; 0 if the robot stands. */
   public double pathVelocity() {
     return standing() ? 0 : arm.tcp(now, tool).distance(arm.tcp(last, tool)) / CYCLE / 1000;
   }
 
   /**
-   * Gives how far the TCP is from the end of the motion of the main run ({@code $DIST_NEXT}): along
-   * the path of a LIN or CIRC, as the crow flies for a PTP, in a blend and off the path (assumed).
-   *
-   * @return the distance, mm; 0 between motions
+   * Returns the distance of the TCP from the end of the main run's motion ({@code $DIST_NEXT}), mm;
+   * 0 between motions. It is measured along the path of a LIN or CIRC, and in a straight line for a
+   * PTP, in a blend and off the path (assumed).
    */
   @SuppressWarnings("ReferenceEquality") // two segments can be alike
   public double distanceToEnd() {
@@ -418,7 +365,7 @@ public final class Interpolator {
     }
   }
 
-  /** Has the robot stand where it is, with nothing planned. */
+  /** Stops the robot where it is, with nothing planned. */
   private void forget() {
     cursor = PathCursor.NOWHERE;
     planned.clear();

@@ -3,22 +3,24 @@ package no.hials.crosscom.simulator.internal.motion;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
-/** Where a motion leads: axes over a parameter from 0 to 1, or to where the path has to end. */
+/**
+ * The axes along a motion, over a parameter from 0 to 1 or to the point where the path has to end.
+ */
 sealed interface JointPath permits JointPath.OfAxes, JointPath.OfTcp {
-  /** Finds the axes at a parameter. */
+  /** Returns the axes at a parameter. */
   Axes at(double parameter) throws NoPointException;
 
-  /** Gives axes that are so near to those at a parameter that an inverse can start from them. */
+  /** Returns axes near enough to those at a parameter to start an inverse from. */
   Axes near(double parameter);
 
   Axes start();
 
   Axes end();
 
-  /** Gives the accelerations that brakes and a change of override keep to, degrees/s². */
+  /** Returns the accelerations for brakes and changes of the override, degrees/s². */
   Axes accelerations();
 
-  /** The straight line from axes to axes, of a PTP. */
+  /** A straight line in the axes, of a PTP. */
   record OfAxes(Axes start, Axes end, Axes accelerations) implements JointPath {
     @Override
     public Axes at(double parameter) {

@@ -5,12 +5,12 @@ import no.hials.crosscom.kinematics.Frame;
 /**
  * Moves the TCP on a straight line, as KRL's LIN.
  *
- * @param id the number by which the core knows the motion
- * @param target where the TCP ends, in {@code $ROBROOT}
+ * @param id the number of the motion
+ * @param target the end of the TCP, in {@code $ROBROOT}
  * @param tool the TCP in the flange
- * @param rates how fast the TCP may be
- * @param orientation what the orientation does on the way
- * @param approximation where the blend into the next motion may begin
+ * @param rates the speed of the TCP
+ * @param orientation the orientation on the path
+ * @param approximation where the blend into the next motion can start
  */
 public record Linear(
     long id,

@@ -2,26 +2,14 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import no.hials.crosscom.kinematics.Frame;
 
-/** Asks for one motion of a program, with all that the advance run has resolved. */
+/** One motion of a program, as the advance run has resolved it. */
 public sealed interface MotionCommand permits PointToPoint, Linear, Circular {
-  /**
-   * Gives the number by which the core knows the motion in events.
-   *
-   * @return any number
-   */
+  /** Returns the number of the motion, by which events name it. */
   long id();
 
-  /**
-   * Gives the tool that is moved.
-   *
-   * @return the TCP in the flange ({@code $TOOL})
-   */
+  /** Returns the TCP in the flange ({@code $TOOL}). */
   Frame tool();
 
-  /**
-   * Says whether the end may be cut short into the next motion.
-   *
-   * @return where the blend may begin
-   */
+  /** Returns where the blend into the next motion can start. */
   ApproximationZone approximation();
 }

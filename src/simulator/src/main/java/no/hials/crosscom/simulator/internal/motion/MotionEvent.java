@@ -2,35 +2,20 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import no.hials.crosscom.kinematics.Axes;
 
-/** Tells what became of a motion in a cycle. */
+/** An event of a motion in a cycle. */
 public sealed interface MotionEvent {
-  /**
-   * Names the motion.
-   *
-   * @return the motion as it was added
-   */
   MotionCommand motion();
 
-  /**
-   * Tells that the robot has set off, or that the blend into the motion has begun.
-   *
-   * @param motion the motion
-   */
+  /** The robot has started the motion, or the blend into it. */
   record Started(MotionCommand motion) implements MotionEvent {}
 
-  /**
-   * Tells that the robot is at the end of the motion, or in the middle of the blend into the next.
-   *
-   * @param motion the motion
-   */
+  /** The robot is at the end of the motion, or in the middle of the blend into the next. */
   record Passed(MotionCommand motion) implements MotionEvent {}
 
   /**
-   * Tells that the motion cannot go on: the robot stands, and everything planned is forgotten.
+   * The motion cannot continue: the robot stands, and all planned motions are discarded.
    *
-   * @param motion the motion
-   * @param problem why
-   * @param axes where the robot stands: the last point of the path that is within the limits
+   * @param axes the position of the robot: the last point of the path within the limits
    */
   record Faulted(MotionCommand motion, MotionProblem problem, Axes axes) implements MotionEvent {}
 }

@@ -3,21 +3,17 @@ package no.hials.crosscom.simulator.internal.motion;
 import java.io.Serializable;
 import java.util.Locale;
 
-/** Says why the robot cannot make a motion, or the rest of it. */
+/** The reason why the robot cannot make a motion, or the rest of it. */
 public sealed interface MotionProblem extends Serializable {
-  /**
-   * Says it in a sentence.
-   *
-   * @return the rule that is broken, with the numbers
-   */
+  /** Returns the rule that the motion breaks, with the numbers. */
   String message();
 
   /**
-   * Tells of an axis that would have to pass its software limit.
+   * An axis would exceed its software limit.
    *
    * @param axis 0 for A1 to 5 for A6
    * @param limit the limit, degrees
-   * @param value the angle that the motion asks for: of a path, the one furthest beyond
+   * @param value the angle that the motion needs: on a path the one furthest beyond the limit
    */
   record AxisLimit(int axis, double limit, double value) implements MotionProblem {
     @Override
@@ -33,17 +29,17 @@ public sealed interface MotionProblem extends Serializable {
   }
 
   /**
-   * Tells of a point that the wrist cannot get to.
+   * The wrist cannot reach a point.
    *
-   * @param message what the kinematics say
+   * @param message the message of the kinematics
    */
   record OutOfReach(String message) implements MotionProblem {}
 
   /**
-   * Tells of a point where an axis would have to turn in no time for the path to go on.
+   * An axis would have to jump for the path to continue.
    *
    * @param axis 0 for A1 to 5 for A6
-   * @param angle by how much the axis would have to turn, degrees
+   * @param angle the jump, degrees
    */
   record Singularity(int axis, double angle) implements MotionProblem {
     @Override
@@ -53,7 +49,7 @@ public sealed interface MotionProblem extends Serializable {
     }
   }
 
-  /** Tells of three points through which no circle goes. */
+  /** Three points do not define a circle. */
   record NotACircle() implements MotionProblem {
     @Override
     public String message() {

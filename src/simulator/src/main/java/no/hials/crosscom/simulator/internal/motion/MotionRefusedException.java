@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-/** Says why a motion was not taken into the plan. */
+/** Thrown when a motion cannot be added to the plan. */
 public final class MotionRefusedException extends Exception {
   private static final long serialVersionUID = 1;
 
@@ -11,11 +11,6 @@ public final class MotionRefusedException extends Exception {
     this.problem = problem;
   }
 
-  /**
-   * Gives the cause.
-   *
-   * @return the rule that the motion breaks, and the numbers
-   */
   public MotionProblem problem() {
     return problem;
   }

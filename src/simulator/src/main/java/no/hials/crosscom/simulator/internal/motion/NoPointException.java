@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-/** Says why there are no axes for a point of a path. */
+/** Thrown when no axes exist for a point of a path. */
 final class NoPointException extends Exception {
   private static final long serialVersionUID = 1;
 

@@ -1,9 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-/**
- * Says what the orientation does on the way of a LIN or CIRC ({@code $ORI_TYPE},
- * docs/reference/system-variables.md#override-and-speed).
- */
+/** The orientation on the path of a LIN or CIRC ({@code $ORI_TYPE}). */
 public enum OrientationControl {
   /** Turns about one axis to the orientation of the target, at a rate that matches the path. */
   VAR,
@@ -11,7 +8,7 @@ public enum OrientationControl {
   CONSTANT,
   /**
    * Turns A4 to A6 evenly, each from its angle at the start to that at the target; the others keep
-   * the TCP on the path. No wrist singularity can be in the way.
+   * the TCP on the path. There is no wrist singularity.
    */
   JOINT
 }

@@ -9,22 +9,22 @@ import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the robot is in its plan, in time at 100 % override.
+ * The position of the robot in its plan, in time at 100 % override.
  *
- * @param segment the segment under way; none between motions
- * @param time how long it is under way, s
- * @param next the segment that has begun in the meantime
- * @param nextTime how long that is under way, s
+ * @param segment the current segment; null between motions
+ * @param time the time since its start, s
+ * @param next the segment that is being blended in, else null
+ * @param nextTime the time since its start, s
  */
 record PathCursor(
     @Nullable PathSegment segment, double time, @Nullable PathSegment next, double nextTime) {
   static final PathCursor NOWHERE = new PathCursor(null, 0, null, 0);
 
   /**
-   * Where a cursor comes to.
+   * The result of a step.
    *
-   * @param taken how many of the planned segments have begun
-   * @param ended the segment at whose end the robot stands, if it does
+   * @param taken the number of planned segments that have started
+   * @param ended the segment at whose end the robot stands, else null
    */
   record Step(
       PathCursor cursor, int taken, @Nullable PathSegment ended, List<MotionEvent> events) {}
@@ -33,32 +33,31 @@ record PathCursor(
     return new PathCursor(segment, 0, null, 0);
   }
 
-  /** Gives the segment under way where there is one. */
   PathSegment requireSegment() {
     return Objects.requireNonNull(segment);
   }
 
-  /** Gives the segment that the main run is on: from the middle of a blend, the next one. */
+  /** Returns the segment of the main run: from the middle of a blend, the next one. */
   @Nullable PathSegment current() {
     return next != null && nextTime >= next.overlap() / 2 ? next : segment;
   }
 
-  /** Gives the segment after which those that are still to come follow. */
+  /** Returns the segment after which the planned ones follow. */
   @Nullable PathSegment last() {
     return next == null ? segment : next;
   }
 
-  /** Says whether it is too late for a segment that is added now to blend into the last one. */
+  /** Returns whether it is too late to blend a new segment into the last one. */
   boolean isBeyond(double fromEnd) {
     PathSegment last = last();
     return last == null || (next == null ? time : nextTime) > last.duration() - fromEnd;
   }
 
   /**
-   * Goes on, at most to where a segment ends without a blend: the rest of the time is then lost,
-   * since a motion starts with a cycle (assumed).
+   * Advances, at most to the end of a segment without a blend: the rest of the time is then lost,
+   * because a motion starts with a cycle (assumed).
    *
-   * @param planned the segments that are still to come
+   * @param planned the segments that have not started
    */
   @SuppressWarnings("ReferenceEquality") // two segments can be alike
   Step advance(double seconds, List<PathSegment> planned) {

@@ -1,7 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 /**
- * Says how fast the TCP may be on a LIN or CIRC ({@code $VEL}, {@code $ACC}).
+ * The speeds and accelerations of the TCP on a LIN or CIRC ({@code $VEL}, {@code $ACC}).
  *
  * @param velocity the speed of the TCP, m/s
  * @param acceleration the acceleration of the TCP along the path, m/s²
@@ -10,7 +10,7 @@ package no.hials.crosscom.simulator.internal.motion;
  */
 public record PathRates(
     double velocity, double acceleration, double turnVelocity, double turnAcceleration) {
-  /** Refuses a rate that is not above 0. */
+  /** Checks that each rate is above 0. */
   public PathRates {
     requireRate("velocity", velocity);
     requireRate("acceleration", acceleration);

@@ -9,20 +9,20 @@ import no.hials.crosscom.simulator.internal.motion.MotionProblem.Singularity;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The axes along a path, found before the robot moves: so close together that from one point to the
- * next the inverse is sure, as far as the path can be followed.
+ * The axes along a path, computed before the robot moves: the points are close enough for the
+ * inverse to follow from one to the next, as far as the robot can follow the path.
  */
 final class PathSampler {
-  /** The points beyond a limit that are looked at. */
+  /** The number of points beyond a limit that are computed. */
   private static final int BEYOND = 8;
 
-  /** From one point to the next no axis turns further, degrees. */
+  /** The most that an axis turns between two points, degrees. */
   private static final double STEP = 2;
 
-  /** Points are no closer together, in parts of the path. */
+  /** The smallest distance between two points, in parts of the path. */
   private static final double CLOSEST = 1e-6;
 
-  /** Turning further between the closest points, degrees, is a jump. */
+  /** A larger turn between the closest points, degrees, is a jump. */
   private static final double JUMP = 5;
 
   private final Arm arm;
@@ -41,7 +41,7 @@ final class PathSampler {
   /**
    * Follows a path from the axes at its start.
    *
-   * @param fewest the points that are found even if the axes hardly turn
+   * @param fewest the number of points even if the axes hardly turn
    */
   static PathSampler of(Arm arm, Solver solver, Axes start, int fewest) {
     PathSampler sampler = new PathSampler(arm, solver);
@@ -57,17 +57,17 @@ final class PathSampler {
     return sampler;
   }
 
-  /** Gives the parameters of the points, ascending from 0; to 1 if there is no problem. */
+  /** Returns the parameters of the points, ascending from 0; to 1 if there is no problem. */
   double[] parameters() {
     return parameters.clone();
   }
 
-  /** Gives the axes at the points. */
+  /** Returns the axes at the points. */
   List<Axes> axes() {
     return axes;
   }
 
-  /** Says why the path cannot be followed beyond the last point. */
+  /** Returns the reason why the robot cannot follow the path beyond the last point. */
   @Nullable MotionProblem problem() {
     return problem;
   }
@@ -80,12 +80,12 @@ final class PathSampler {
     return foundAxes.get(foundAxes.size() - 1);
   }
 
-  /** Finds the axes anywhere between the first and the last point. */
+  /** Returns the axes between the first and the last point. */
   Axes at(double parameter) throws NoPointException {
     return arm.clamped(solver.axes(parameter, near(parameter)));
   }
 
-  /** Gives the axes at the last point before a parameter. */
+  /** Returns the axes at the last point before a parameter. */
   Axes near(double parameter) {
     int index = Arrays.binarySearch(parameters, parameter);
     return axes.get(index >= 0 ? index : -index - 2);
@@ -96,7 +96,7 @@ final class PathSampler {
     foundAxes.add(arm.clamped(at));
   }
 
-  /** Adds points up to a parameter, or up to where there are none, and says why not. */
+  /** Adds points up to a parameter, or to the first that fails; returns the reason. */
   private @Nullable MotionProblem extend(double to) {
     double from = found.get(found.size() - 1);
     MotionProblem inTheWay;
@@ -130,7 +130,7 @@ final class PathSampler {
     return arm.beyondLimit(there).orElse(null);
   }
 
-  /** Goes on without regard to limits, to say how far the axis would have to go. */
+  /** Continues without limits, to find the furthest angle of the axis. */
   private AxisLimit furthest(AxisLimit limit) {
     AxisLimit furthest = limit;
     Axes last = lastAxes();

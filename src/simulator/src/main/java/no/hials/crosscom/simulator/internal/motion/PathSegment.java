@@ -6,13 +6,13 @@ import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A motion as it is planned.
+ * A planned motion.
  *
- * @param motion the motion; none if the robot goes back to a path that it has left
- * @param path where it leads
- * @param profile how far it is on the path, over time
- * @param problem why it ends before its target
- * @param overlap how long it blends with the segment before, s; 0 to start from standing
+ * @param motion the motion; null if the robot returns to a path that it has left
+ * @param path the axes along it
+ * @param profile the position on the path, over time
+ * @param problem the reason why it ends before its target, else null
+ * @param overlap the time of the blend with the segment before, s; 0 to start from standstill
  */
 record PathSegment(
     @Nullable MotionCommand motion,
@@ -24,7 +24,6 @@ record PathSegment(
     return new PathSegment(motion, path, profile, problem, seconds);
   }
 
-  /** Gives the motion of a segment that has one. */
   MotionCommand requireMotion() {
     return Objects.requireNonNull(motion);
   }

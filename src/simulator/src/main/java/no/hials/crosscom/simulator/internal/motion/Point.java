@@ -33,7 +33,7 @@ record Point(double x, double y, double z) {
     return Math.sqrt(dot(this));
   }
 
-  /** Gives a frame here, turned as another one. */
+  /** Returns a frame at this point with the orientation of another. */
   Frame turnedAs(Frame other) {
     return new Frame(x, y, z, other.a(), other.b(), other.c());
   }

@@ -6,11 +6,11 @@ import no.hials.crosscom.kinematics.Frame;
 /**
  * Moves all axes so that they start and end together, as KRL's PTP; the slowest sets the time.
  *
- * @param id the number by which the core knows the motion
- * @param target where the axes end, degrees
- * @param rates how fast the axes may be
+ * @param id the number of the motion
+ * @param target the end of the axes, degrees
+ * @param rates the speeds of the axes
  * @param tool the TCP in the flange
- * @param approximation where the blend into the next motion may begin
+ * @param approximation where the blend into the next motion can start
  */
 public record PointToPoint(
     long id, Axes target, AxisRates rates, Frame tool, ApproximationZone approximation)

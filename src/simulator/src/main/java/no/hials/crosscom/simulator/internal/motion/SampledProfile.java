@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import java.util.Arrays;
 
 /**
- * Goes as fast as limits allow that change along the path: between two of its points the
+ * The fastest profile within limits that change along the path: between two of its points the
  * acceleration is constant.
  */
 final class SampledProfile implements Profile {
@@ -18,8 +18,7 @@ final class SampledProfile implements Profile {
   }
 
   /**
-   * Makes the fastest profile: from standing, speeding up and slowing down no more than allowed,
-   * nowhere faster than allowed, to standing.
+   * Creates the fastest profile from standstill to standstill, at no point above the limits.
    *
    * @param positions at least three points of the path, ascending
    * @param speeds the highest speed at each point
@@ -45,7 +44,7 @@ final class SampledProfile implements Profile {
         .stretchedTo(2 * Trapezoid.SHORTEST_RAMP);
   }
 
-  /** Gives the highest speed at one point that follows from the speed at the one beside it. */
+  /** Returns the highest speed at a point that follows from the speed at its neighbour. */
   private static double after(
       int from, int to, double[] positions, double[] reached, double[] accelerations) {
     double distance = Math.abs(positions[to] - positions[from]);

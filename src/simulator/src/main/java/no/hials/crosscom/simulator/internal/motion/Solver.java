@@ -4,16 +4,16 @@ import java.util.Locale;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
-/** Finds the axes, inside their limits or not, for a parameter of a path. */
+/** Computes the axes, inside their limits or not, for a parameter of a path. */
 sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
   /**
-   * Finds those that are nearest to others.
+   * Returns the axes nearest to others.
    *
-   * @throws NoPointException if there are none
+   * @throws NoPointException if none exist
    */
   Axes axes(double parameter, Axes near) throws NoPointException;
 
-  /** Has the TCP where the curve is, and turned as the curve. */
+  /** Keeps the TCP and its orientation on the curve. */
   record ByPose(Arm arm, Curve curve, Frame flangeInTool) implements Solver {
     @Override
     public Axes axes(double parameter, Axes near) throws NoPointException {
@@ -22,8 +22,8 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
   }
 
   /**
-   * Has A4 to A6 on their even way from start to end, and the TCP where the curve is: A1 to A3 are
-   * found by Newton's method.
+   * Turns A4 to A6 evenly from start to end, and keeps the TCP on the curve: A1 to A3 are found by
+   * Newton's method.
    */
   record ByWrist(Arm arm, Curve curve, Frame tool, Axes start, Axes end) implements Solver {
     private static final int ITERATIONS = 20;
@@ -31,10 +31,10 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
     /** The step for the derivatives, degrees. */
     private static final double STEP = 1e-4;
 
-    /** The position is found when it is this near, mm. */
+    /** The position is found when the TCP is this close, mm. */
     private static final double EXACT = 1e-7;
 
-    /** No iteration turns an axis further, degrees. */
+    /** The most that an axis turns in an iteration, degrees. */
     private static final double LONGEST = 20;
 
     @Override
@@ -53,7 +53,7 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
       throw unreachable(wanted);
     }
 
-    /** Solves for the small turns of A1 to A3 that move the TCP by what is missing. */
+    /** Solves for the small turns of A1 to A3 that move the TCP by the missing distance. */
     private Axes step(Axes from, Point here, Point missing) throws NoPointException {
       Point[] columns = new Point[3];
       for (int axis = 0; axis < columns.length; axis++) {

@@ -5,19 +5,21 @@ import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Chooses how much of the planned time a cycle takes, so that the robot gets to the override that
- * is wanted as fast as accelerations allow and never leaves the path.
+ * Chooses the part of the planned time that a cycle takes, so that the robot reaches the wanted
+ * override as fast as accelerations allow and never leaves the path.
  *
- * <p>What the next cycle may do is the part of the plan's next step for which each axis, and the
- * TCP if it is on a path of its own, changes its speed by no more than its acceleration. Where the
- * plan itself asks for more, as two motions that add up in a blend can, the plan is followed; but
- * no axis exceeds its speed.
+ * <p>In that part of the plan's next step each axis, and the TCP on a LIN or CIRC, changes its
+ * speed by no more than its acceleration. Where the plan itself needs more, as two motions that add
+ * up in a blend can, the plan wins; but no axis exceeds its speed.
  */
 final class SpeedGovernor {
   /** The shortest look ahead, in parts of a cycle. */
   static final double SHORTEST = 0.001;
 
-  /** By so much accelerations may be exceeded, so that rounding does not slow a motion down. */
+  /**
+   * The factor by which accelerations may be exceeded, so that rounding does not slow a motion
+   * down.
+   */
   private static final double TOLERANCE = 1.02;
 
   private final Arm arm;
@@ -33,11 +35,11 @@ final class SpeedGovernor {
   private double most;
 
   /**
-   * Looks at a cycle.
+   * Creates the governor of one cycle.
    *
-   * @param last where the axes were a cycle ago
-   * @param now where they are
-   * @param speedLimit how fast the robot may be
+   * @param last the axes a cycle ago
+   * @param now the current axes
+   * @param speedLimit the highest speed of the robot
    */
   SpeedGovernor(
       Arm arm,
@@ -65,12 +67,12 @@ final class SpeedGovernor {
   }
 
   /**
-   * Chooses the part of the cycle.
+   * Returns the part of the cycle.
    *
-   * @param wanted the override that is wanted, 0 to 1
-   * @param before the part that the cycle before took
-   * @param horizon how far to look ahead, in parts of a cycle
-   * @param ahead where the axes will be after the horizon
+   * @param wanted the wanted override, 0 to 1
+   * @param before the part of the cycle before
+   * @param horizon the look ahead, in parts of a cycle
+   * @param ahead the axes after the horizon
    */
   double rate(double wanted, double before, double horizon, Axes ahead) {
     least = 0;
@@ -97,7 +99,7 @@ final class SpeedGovernor {
     return arm.maxSpeed(axis) * speedLimit.axes().get(axis) / 100;
   }
 
-  /** Gives how far the TCP or the flange is away, whichever goes further, mm. */
+  /** Returns the distance of the TCP or the flange, whichever moves further, mm. */
   private double furthest(Axes ahead) {
     double tool = arm.tcp(now, limits.tool()).distance(arm.tcp(ahead, limits.tool()));
     return Math.max(tool, arm.forward(now).distance(arm.forward(ahead)));

@@ -3,13 +3,13 @@ package no.hials.crosscom.simulator.internal.motion;
 import no.hials.crosscom.kinematics.Axes;
 
 /**
- * Says how fast the robot may be in a cycle, whatever is planned: slower in mode T1.
+ * The highest speed of the robot in a cycle, whatever is planned: lower in mode T1.
  *
  * @param path the highest speed of TCP and flange, m/s
  * @param axes the part of each axis' highest speed, %
  */
 public record SpeedLimit(double path, Axes axes) {
-  /** No more than what the axes can do. */
+  /** No limit but the speeds of the axes. */
   public static final SpeedLimit NONE =
       new SpeedLimit(Double.POSITIVE_INFINITY, new Axes(100, 100, 100, 100, 100, 100));
 }

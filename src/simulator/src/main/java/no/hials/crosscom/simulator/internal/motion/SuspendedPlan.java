@@ -4,7 +4,7 @@ import java.util.List;
 import no.hials.crosscom.kinematics.Axes;
 import org.jspecify.annotations.Nullable;
 
-/** Keeps the plan that an interrupt has put aside, and where the robot left its path. */
+/** A plan that an interrupt has put aside, and the position where the robot left its path. */
 public final class SuspendedPlan {
   private final Axes axes;
   private final PathCursor cursor;
@@ -25,11 +25,7 @@ public final class SuspendedPlan {
     this.before = before;
   }
 
-  /**
-   * Gives where the robot left its path ({@code $AXIS_RET}).
-   *
-   * @return the axes
-   */
+  /** Returns the axes where the robot left its path ({@code $AXIS_RET}). */
   public Axes axes() {
     return axes;
   }
@@ -46,7 +42,7 @@ public final class SuspendedPlan {
     return plannedEnd;
   }
 
-  /** Gives the plan to which the robot was going back when it was interrupted again. */
+  /** Returns the plan to which the robot was returning when it was interrupted again. */
   @Nullable SuspendedPlan before() {
     return before;
   }

@@ -9,22 +9,18 @@ import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
 import org.jspecify.annotations.Nullable;
 
-/**
- * Makes segments of motions: checks targets, finds the axes along paths and the fastest profile.
- */
+/** Plans motions: checks targets, computes the axes along paths and the fastest profile. */
 final class TrajectoryPlanner {
-  /** A path is looked at about this often, mm or degrees, however little the axes turn on it. */
+  /** The distance of two points of a path, mm or degrees, however little the axes turn on it. */
   private static final double POINT_DISTANCE = 5;
 
   private static final int FEWEST = 3;
   private static final int MOST = 10;
 
-  /** A motion that leads no further, mm or degrees, leads nowhere. */
+  /** A motion that is no longer than this, mm or degrees, has no distance. */
   private static final double NOWHERE = 1e-9;
 
-  /**
-   * The part of an axis' acceleration that a path may ask for by its bends, and again by its ramps.
-   */
+  /** The part of an axis' acceleration that the bends of a path may use, and again its ramps. */
   private static final double SHARE = 0.5;
 
   private final Arm arm;
@@ -37,12 +33,12 @@ final class TrajectoryPlanner {
     this.accelerations = Axes.of(six);
   }
 
-  /** Gives the highest accelerations of the axes, degrees/s². */
+  /** Returns the highest accelerations of the axes, degrees/s². */
   Axes accelerations() {
     return accelerations;
   }
 
-  /** Plans a motion that starts where the one before ends. */
+  /** Plans a motion that starts at the end of the one before. */
   PathSegment plan(MotionCommand motion, Axes start) throws MotionRefusedException {
     try {
       if (motion instanceof PointToPoint ptp) {
@@ -56,9 +52,9 @@ final class TrajectoryPlanner {
     }
   }
 
-  /** Plans the way back to where a path was left. */
+  /** Plans the return to where the robot left a path. */
   PathSegment back(Axes start, Axes target, AxisRates rates) {
-    // the limits may have changed since then
+    // the limits may have changed since
     return segment(null, target, rates, start);
   }
 
@@ -137,7 +133,7 @@ final class TrajectoryPlanner {
       Axes end = arm.inverse(curve.at(1), flangeInTool, start);
       return new Solver.ByWrist(arm, curve, tool, start, end);
     } catch (NoPointException e) {
-      // Out of reach. Like this the robot goes as far as it can.
+      // out of reach: with this solver the robot moves as far as it can
       return byPose;
     }
   }
@@ -155,7 +151,7 @@ final class TrajectoryPlanner {
     }
     double[] speeds = new double[parameters.length];
     double[] ramps = new double[parameters.length];
-    // What is never reached need not be lowered.
+    // a speed that is never reached need not be lowered
     Arrays.fill(speeds, Math.min(speed, Math.sqrt(length * acceleration)));
     Arrays.fill(ramps, acceleration);
     boolean slower = limit(parameters, sampler.axes(), speeds, ramps);
@@ -163,10 +159,10 @@ final class TrajectoryPlanner {
   }
 
   /**
-   * Lowers speeds and accelerations so far that no axis exceeds its own: half of an axis'
-   * acceleration is for the bends of the path, half for the ramps.
+   * Lowers speeds and accelerations so that no axis exceeds its own: half of an axis' acceleration
+   * is for the bends of the path, half for the ramps.
    *
-   * @return whether anything was lowered
+   * @return whether any was lowered
    */
   private boolean limit(double[] parameters, List<Axes> points, double[] speeds, double[] ramps) {
     boolean lower = false;

@@ -1,17 +1,20 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-/** Speeds up evenly, goes on at one speed, and slows down as it sped up; or without the middle. */
+/**
+ * Speeds up evenly, keeps one speed, and slows down as it sped up; a short motion leaves out the
+ * middle.
+ */
 record Trapezoid(double length, double speed, double ramp, double duration) implements Profile {
   /**
-   * No ramp is shorter, s: it is above a cycle, so that a chain of the smallest motions leaves the
-   * core a cycle to plan each one. Assumed.
+   * The shortest ramp, s: longer than a cycle, so that in a chain of the smallest motions the core
+   * has a cycle to plan each one. Assumed.
    */
   static final double SHORTEST_RAMP = 0.015;
 
   /**
-   * Makes the profile of a path.
+   * Creates the profile of a path.
    *
-   * @param length the length of the path; the profile of none has no duration
+   * @param length the length of the path; without a length the profile has no duration
    * @param speed the highest speed, in lengths/s
    * @param acceleration the highest acceleration, in lengths/s²
    */

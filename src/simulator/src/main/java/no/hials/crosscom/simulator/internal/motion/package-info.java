@@ -1,10 +1,10 @@
 /**
- * The motion of the simulated robot: what a main run makes of the motions that a program plans.
+ * The motion of the simulated robot, as the main run executes the motions that a program plans.
  *
- * <p>{@link no.hials.crosscom.simulator.internal.motion.Interpolator} is all that the core calls;
- * it has no clock and no thread, and each call of its cycle stands for 12 ms. A motion is planned
- * when it is added (path, limits, profile of speed) and only then run through, so that override,
- * holds and brakes change when the robot is somewhere, and never where.
+ * <p>The core calls only {@link no.hials.crosscom.simulator.internal.motion.Interpolator}; it has
+ * no clock and no thread, and each call of its cycle stands for 12 ms. A motion is planned when it
+ * is added (path, limits, profile of speed) and then executed, so override, holds and brakes change
+ * the time of the robot's positions, never the positions.
  */
 @NullMarked
 package no.hials.crosscom.simulator.internal.motion;

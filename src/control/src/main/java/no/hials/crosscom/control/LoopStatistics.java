@@ -34,7 +34,7 @@ public record LoopStatistics(
     Times own,
     List<TrackingError> errors) {
 
-  /** Makes the list unmodifiable. */
+  /** Copies the list. */
   public LoopStatistics {
     errors = List.copyOf(errors);
   }

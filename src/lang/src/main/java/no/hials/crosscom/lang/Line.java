@@ -26,7 +26,7 @@ record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
       Set.of("INT", "REAL", "BOOL", "CHAR", "FRAME", "POS", "E6POS", "AXIS", "E6AXIS");
 
   /** The tokens that can follow the first name of an assignment, a call or a label. */
-  static final Set<Integer> BEHIND_A_NAME =
+  static final Set<Integer> AFTER_A_NAME =
       Set.of(
           KrlGrammarParser.ASSIGN,
           KrlGrammarParser.COLON,
@@ -58,7 +58,7 @@ record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
   /** Returns whether the line starts with a name and is neither a statement nor a declaration. */
   boolean isUnknown() {
     return ErrorWords.isName(first())
-        && !BEHIND_A_NAME.contains(second().getType())
+        && !AFTER_A_NAME.contains(second().getType())
         && !BASE_TYPES.contains(first().getText().toUpperCase(Locale.ROOT));
   }
 

@@ -46,10 +46,10 @@ final class UnsupportedStatements {
 
   /** Returns whether the keyword is the name of a variable, subprogram or label here. */
   private static boolean isName(Line line) {
-    int behind = line.second().getType();
+    int next = line.second().getType();
     return line.keyword() == line.first()
-        && Line.BEHIND_A_NAME.contains(behind)
-        && (behind != KrlGrammarParser.COLON || line.tokens().size() == 3);
+        && Line.AFTER_A_NAME.contains(next)
+        && (next != KrlGrammarParser.COLON || line.tokens().size() == 3);
   }
 
   /** Returns whether a line starts a spline block. */

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -19,8 +20,14 @@ import org.junit.jupiter.api.io.TempDir;
 class CitationsTest {
   private static final Set<String> NOT_OURS = Set.of("target", ".git", ".idea", "node_modules");
   private static final Set<String> KINDS =
-      Set.of("java", "g4", "properties", "md", "xml", "sh", "py", "yml", "src", "sub", "dat");
+      Set.of(
+          "java", "g4", "properties", "md", "tsv", "xml", "sh", "py", "yml", "src", "sub", "dat");
   private static final Pattern CITATION = Pattern.compile("\\bdocs/[\\w./-]+\\.md(#[\\w-]*)?");
+
+  /** A page or a table that a text names, such as {@code docs/index.md}. */
+  private static final Pattern NAMED = Pattern.compile("(?<![\\w/$.*<>-])[\\w./-]+\\.(md|tsv)\\b");
+
+  private static final Pattern COMMENT = Pattern.compile("^\\s*(/?\\*|#|//|\"\"\").*|.*\\s//\\s.*");
 
   @Test
   void everyCitedPageAndHeadingIsThere() throws IOException {
@@ -30,6 +37,37 @@ class CitationsTest {
     }
 
     assertThat(wrong).isEmpty();
+  }
+
+  @Test
+  void everyPageAndTableThatAFileNamesIsInTheRepository() throws IOException {
+    List<Path> files = files(MarkdownPages.ROOT);
+    Set<String> tables =
+        Set.copyOf(files.stream().map(f -> f.getFileName().toString()).filter(isA("tsv")).toList());
+    List<String> wrong = new ArrayList<>();
+    for (Path file : files) {
+      wrong.addAll(missing(MarkdownPages.ROOT, file, tables));
+    }
+
+    assertThat(wrong).isEmpty();
+  }
+
+  @Test
+  void aFileThatIsNotInTheRepositoryIsFound(@TempDir Path root) throws IOException {
+    Files.writeString(root.resolve("README.md"), "# Read me");
+    Path java = root.resolve("Some.java");
+    Files.writeString(
+        java,
+        """
+        // README.md, a.tsv; but not krl.md, docs/other.md, b.tsv
+        String page = "page.md";
+        """);
+    Path page = root.resolve("page.md");
+    Files.writeString(page, "page.md, README.md and [x](krl.md)");
+
+    assertThat(missing(root, java, Set.of("a.tsv")))
+        .containsExactly("Some.java:1: krl.md", "Some.java:1: docs/other.md", "Some.java:1: b.tsv");
+    assertThat(missing(root, page, Set.of())).containsExactly("page.md:1: krl.md");
   }
 
   @Test
@@ -63,6 +101,29 @@ class CitationsTest {
       }
     }
     return wrong;
+  }
+
+  private static List<String> missing(Path root, Path file, Set<String> tables) throws IOException {
+    boolean page = isA("md").test(file.toString());
+    List<String> missing = new ArrayList<>();
+    int number = 0;
+    for (String line : Files.readAllLines(file, StandardCharsets.ISO_8859_1)) {
+      number++;
+      Matcher named = NAMED.matcher(page || COMMENT.matcher(line).matches() ? line : "");
+      while (named.find()) {
+        String name = named.group();
+        if (!tables.contains(name)
+            && !Files.exists(root.resolve(name))
+            && !Files.exists(file.resolveSibling(name))) {
+          missing.add(root.relativize(file) + ":" + number + ": " + name);
+        }
+      }
+    }
+    return missing;
+  }
+
+  private static Predicate<String> isA(String kind) {
+    return name -> name.endsWith("." + kind);
   }
 
   private static boolean isThere(Path root, String citation) throws IOException {

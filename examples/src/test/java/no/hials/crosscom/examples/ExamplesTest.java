@@ -312,7 +312,8 @@ class ExamplesTest {
     assertThat(run(() -> PlayAPath.main(new String[0])).lines())
         .containsExactly(
             "came to [0.0, -90.0, 90.0, 0.0, 50.0, 0.0] degrees",
-            "nothing was moved: A1 must be -165 to 165 degrees (limits minus a margin of 5), would be 169");
+            "nothing was moved: A1 must be -165 to 165 degrees (limits minus a margin of 5), would"
+                + " be 169");
   }
 
   @Test

@@ -16,8 +16,8 @@ class SystemVariablesPageTest {
   private static final String BEGIN = "<!-- from the data lists -->\n";
   private static final String END = "<!-- end of the data lists -->";
   private static final String RENEW =
-      "mvn -B test -pl examples -am -Dtest=SystemVariablesPageTest"
-          + " -Dtests.required=false -Dsurefire.failIfNoSpecifiedTests=false -Drenew.reference=true";
+      "mvn -B test -pl examples -am -Dtest=SystemVariablesPageTest -Dtests.required=false"
+          + " -Dsurefire.failIfNoSpecifiedTests=false -Drenew.reference=true";
 
   @Test
   void theTableIsWhatTheDataListsSay() throws IOException {

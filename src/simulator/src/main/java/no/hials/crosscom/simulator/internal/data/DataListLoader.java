@@ -21,11 +21,11 @@ import org.jspecify.annotations.Nullable;
 /**
  * Declares what a data list declares, and gives it its initial values.
  *
- * <p>In a system data list, whose name begins with {@code $}, everything is global (krl.md 4). A
- * declaration takes the place of an earlier one in the same scope; the access right of a system
- * variable and the source of a bound one stay. One form is our own: behind the declaration of an
- * array whose name begins with {@code $} one value may stand for every element, {@code BOOL
- * $IN[4096]=FALSE}, since no data list of KSS declares those.
+ * <p>In a system data list, whose name begins with {@code $}, everything is global
+ * (docs/reference/krl-language.md#modules). A declaration takes the place of an earlier one in the
+ * same scope; the access right of a system variable and the source of a bound one stay. One form is
+ * our own: behind the declaration of an array whose name begins with {@code $} one value may stand
+ * for every element, {@code BOOL $IN[4096]=FALSE}, since no data list of KSS declares those.
  *
  * <p>{@code EXT} and {@code EXTFCT} declare nothing here. {@code IMPORT} does not either: what it
  * names must be global already, under the same name.

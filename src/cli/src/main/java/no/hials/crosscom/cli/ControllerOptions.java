@@ -79,11 +79,6 @@ final class ControllerOptions {
     return result.toArray(String[]::new);
   }
 
-  /** Says whether {@code @NAME} can be written for it. */
-  static boolean isRobotName(String name) {
-    return ROBOT.matcher("@" + name).matches();
-  }
-
   /**
    * Gives the controllers that the user chose, at least one: by these options, else by the
    * environment, else the default robot of the configuration file. The file is read for a robot of
@@ -140,22 +135,22 @@ final class ControllerOptions {
       int itsPort = environment.port() == null ? ClientConfig.DEFAULT_PORT : environment.port();
       return List.of(new Target("", environment.host(), itsPort, null, false, simulated));
     }
-    Profiles profiles = Profiles.read(command.console(), simulated);
+    Profiles profiles = Profiles.read(command.console()::environment, simulated);
     if (profiles == null || profiles.defaultRobot() == null) {
       throw command.wrongUsage(
           "which controller? give --host HOST, or --mock for a simulated one, or @NAME for one of "
-              + Profiles.path(command.console()));
+              + Profiles.path(command.console()::environment));
     }
     return List.of(profiles.robot(profiles.defaultRobot()));
   }
 
   private List<Target> named(ConsoleCommand command, ServerType simulated) throws FileException {
-    Profiles profiles = Profiles.read(command.console(), simulated);
+    Profiles profiles = Profiles.read(command.console()::environment, simulated);
     List<Target> result = new ArrayList<>();
     for (String name : robots) {
       if (profiles == null) {
         throw new FileException(
-            "no robot is named " + name + ": there is no " + Profiles.path(command.console()));
+            "no robot is named " + name + ": there is no " + Profiles.path(command.console()::environment));
       }
       Target robot = profiles.robot(name);
       if (result.contains(robot)) {

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import no.hials.crosscom.protocol.ServerType;
@@ -17,23 +18,20 @@ import picocli.CommandLine.TypeConversionException;
 final class Converters {
   private Converters() {}
 
-  private static int number(String text, int min, int max) {
+  /** Converts a text, and reports what is wrong with it as picocli does. */
+  static <T> T converted(Function<String, T> parser, String text) {
     try {
-      int number = Integer.parseInt(text);
-      if (number >= min && number <= max) {
-        return number;
-      }
-    } catch (NumberFormatException e) {
-      // said below
+      return parser.apply(text);
+    } catch (IllegalArgumentException e) {
+      throw new TypeConversionException(String.valueOf(e.getMessage()));
     }
-    throw new TypeConversionException("must be " + min + " to " + max + ", is " + text);
   }
 
   /** A port to connect to. */
   static final class Port implements ITypeConverter<Integer> {
     @Override
     public Integer convert(String text) {
-      return number(text, 1, 65_535);
+      return converted(SettingText::port, text);
     }
   }
 
@@ -41,19 +39,7 @@ final class Converters {
   static final class ListeningPort implements ITypeConverter<Integer> {
     @Override
     public Integer convert(String text) {
-      return number(text, 0, 65_535);
-    }
-  }
-
-  /** Yes or no, of the environment. */
-  static final class Flag implements ITypeConverter<Boolean> {
-    @Override
-    public Boolean convert(String text) {
-      return switch (text.toLowerCase(Locale.ROOT)) {
-        case "true", "1" -> true;
-        case "false", "0" -> false;
-        default -> throw new TypeConversionException("must be true or false, is " + text);
-      };
+      return converted(port -> SettingText.number(port, 0, 65_535), text);
     }
   }
 
@@ -66,11 +52,7 @@ final class Converters {
 
     @Override
     public ServerType convert(String text) {
-      return switch (text.toLowerCase(Locale.ROOT)) {
-        case "kukavarproxy" -> ServerType.KUKAVARPROXY;
-        case "c3" -> ServerType.C3_BRIDGE;
-        default -> throw new TypeConversionException("must be kukavarproxy or c3, is " + text);
-      };
+      return converted(SettingText::server, text);
     }
   }
 
@@ -118,26 +100,9 @@ final class Converters {
 
   /** A time of at least 1 ms: {@code 500}, {@code 500ms}, {@code 1.5s}, {@code 1m}. */
   static final class Time implements ITypeConverter<Duration> {
-    private static final Pattern FORM =
-        Pattern.compile("(\\d{1,10}(?:\\.\\d{1,9})?)\\s?(ms|s|m|min|)", Pattern.CASE_INSENSITIVE);
-
     @Override
     public Duration convert(String text) {
-      Matcher matcher = FORM.matcher(text);
-      if (!matcher.matches()) {
-        throw new TypeConversionException("must be like 500, 500ms, 3s or 1m, is " + text);
-      }
-      int unit =
-          switch (matcher.group(2).toLowerCase(Locale.ROOT)) {
-            case "s" -> 1000;
-            case "m", "min" -> 60_000;
-            default -> 1;
-          };
-      long millis = new BigDecimal(matcher.group(1)).multiply(BigDecimal.valueOf(unit)).longValue();
-      if (millis < 1 || millis > Integer.MAX_VALUE) {
-        throw new TypeConversionException("must be 1ms to " + Integer.MAX_VALUE + "ms, is " + text);
-      }
-      return Duration.ofMillis(millis);
+      return converted(SettingText::time, text);
     }
   }
 }

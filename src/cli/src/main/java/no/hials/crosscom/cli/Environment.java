@@ -3,7 +3,6 @@ package no.hials.crosscom.cli;
 import java.time.Duration;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import picocli.CommandLine.TypeConversionException;
 
 /**
  * What the environment says about the controller.
@@ -21,16 +20,16 @@ record Environment(
   /** Reads it for a command, whose wrong usage a wrong value is. */
   static Environment of(ConsoleCommand command) {
     String host = command.console().environment(HOST);
-    Integer port = converted(command, PORT, new Converters.Port()::convert);
+    Integer port = converted(command, PORT, SettingText::port);
     if (host == null && port != null) {
       throw command.wrongUsage(PORT + " goes with " + HOST);
     }
     return new Environment(
         host,
         port,
-        converted(command, "JOPENSHOWVAR_TIMEOUT", new Converters.Time()::convert),
+        converted(command, "JOPENSHOWVAR_TIMEOUT", SettingText::time),
         Boolean.TRUE.equals(
-            converted(command, "JOPENSHOWVAR_READ_ONLY", new Converters.Flag()::convert)));
+            converted(command, "JOPENSHOWVAR_READ_ONLY", SettingText::flag)));
   }
 
   private static <T> @Nullable T converted(
@@ -41,7 +40,7 @@ record Environment(
     }
     try {
       return converter.apply(text);
-    } catch (TypeConversionException e) {
+    } catch (IllegalArgumentException e) {
       throw command.wrongUsage(name + " " + e.getMessage());
     }
   }

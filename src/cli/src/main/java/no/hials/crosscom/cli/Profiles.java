@@ -7,6 +7,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.TreeMap;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.protocol.ServerType;
@@ -27,24 +28,24 @@ record Profiles(Path file, @Nullable String defaultRobot, Map<String, Target> ro
   private static final String ROBOTS = "robots";
 
   /** Gives the path of the file, which need not be there. */
-  static Path path(Console console) {
-    String own = console.environment(FILE_VARIABLE);
+  static Path path(Function<String, @Nullable String> environment) {
+    String own = environment.apply(FILE_VARIABLE);
     return own == null
-        ? configFolder(console).resolve("jopenshowvar").resolve("config.toml")
+        ? configFolder(environment).resolve("jopenshowvar").resolve("config.toml")
         : Path.of(own);
   }
 
-  private static Path configFolder(Console console) {
-    String appData = console.environment("APPDATA");
+  private static Path configFolder(Function<String, @Nullable String> environment) {
+    String appData = environment.apply("APPDATA");
     if (appData != null && System.getProperty("os.name").startsWith("Windows")) {
       return Path.of(appData);
     }
-    String xdg = console.environment("XDG_CONFIG_HOME");
+    String xdg = environment.apply("XDG_CONFIG_HOME");
     // a relative one is to be ignored (XDG Base Directory Specification)
     if (xdg != null && Path.of(xdg).isAbsolute()) {
       return Path.of(xdg);
     }
-    String home = console.environment("HOME");
+    String home = environment.apply("HOME");
     return Path.of(home == null ? System.getProperty("user.home") : home, ".config");
   }
 
@@ -55,12 +56,13 @@ record Profiles(Path file, @Nullable String defaultRobot, Map<String, Target> ro
    * @return null if there is no file, and none was asked for by {@code JOPENSHOWVAR_CONFIG}
    * @throws FileException if it cannot be read or has an error
    */
-  static @Nullable Profiles read(Console console, ServerType simulated) throws FileException {
-    Path file = path(console);
+  static @Nullable Profiles read(
+      Function<String, @Nullable String> environment, ServerType simulated) throws FileException {
+    Path file = path(environment);
     try {
       return of(TomlTable.parse(file, Files.readString(file)), file, simulated);
     } catch (NoSuchFileException e) {
-      if (console.environment(FILE_VARIABLE) == null) {
+      if (environment.apply(FILE_VARIABLE) == null) {
         return null;
       }
       throw new FileException(
@@ -88,17 +90,17 @@ record Profiles(Path file, @Nullable String defaultRobot, Map<String, Target> ro
   }
 
   private static Target robot(TomlTable table, ServerType simulated) throws FileException {
-    if (!ControllerOptions.isRobotName(table.name())) {
+    if (!SettingText.isRobotName(table.name())) {
       throw table.error("a robot's name must be letters, digits, _, - and ., for @NAME");
     }
     table.allow("host", "port", "timeout", "read-only", "mock", "server");
     boolean mock = table.flag("mock");
     boolean readOnly = table.flag("read-only");
     String host = table.text("host");
-    Integer port = table.converted("port", new Converters.Port()::convert, Number.class);
+    Integer port = table.converted("port", SettingText::port, Number.class);
     Duration timeout =
-        table.converted("timeout", new Converters.Time()::convert, String.class, Number.class);
-    ServerType server = table.converted("server", new Converters.Server()::convert, String.class);
+        table.converted("timeout", SettingText::time, String.class, Number.class);
+    ServerType server = table.converted("server", SettingText::server, String.class);
     if (mock && (host != null || port != null)) {
       throw table.error("mock excludes host and port");
     }

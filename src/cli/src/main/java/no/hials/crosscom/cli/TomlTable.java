@@ -13,7 +13,6 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import picocli.CommandLine.TypeConversionException;
 
 /**
  * A table of a TOML file, which says of a value that is wrong where it stands: file, line and key.
@@ -134,7 +133,7 @@ final class TomlTable {
     }
     try {
       return converter.apply(value.toString());
-    } catch (TypeConversionException e) {
+    } catch (IllegalArgumentException e) {
       throw error(key, String.valueOf(e.getMessage()));
     }
   }

@@ -166,12 +166,12 @@ final class BenchCommand extends ConsoleCommand {
   @Override
   ExitCode run() throws IOException {
     checkOptions();
-    Target target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
     if (!written.isEmpty()) {
       writeOptions.checkAllowed(target, "write " + String.join(", ", written));
     }
     if (latency == null) {
-      try (Controller controller = target.open(Target.ONE_SHOT)) {
+      try (RobotConnection controller = target.open(Robot.ONE_SHOT)) {
         return measure(controller);
       }
     }
@@ -184,7 +184,7 @@ final class BenchCommand extends ConsoleCommand {
                 InetAddress.getLoopbackAddress(),
                 0,
                 cfg -> cfg.server(target.server()).latency(times));
-        Controller controller = on(simulation, target).open(Target.ONE_SHOT)) {
+        RobotConnection controller = on(simulation, target).open(Robot.ONE_SHOT)) {
       return measure(controller);
     }
   }
@@ -224,8 +224,8 @@ final class BenchCommand extends ConsoleCommand {
     }
   }
 
-  private static Target on(MockServer simulation, Target target) {
-    return new Target(
+  private static Robot on(MockServer simulation, Robot target) {
+    return new Robot(
         target.name(),
         simulation.host(),
         simulation.port(),
@@ -241,7 +241,7 @@ final class BenchCommand extends ConsoleCommand {
     return wanted;
   }
 
-  private ExitCode measure(Controller controller) throws IOException {
+  private ExitCode measure(RobotConnection controller) throws IOException {
     if (!written.isEmpty()) {
       writeOptions.check(this, controller, "write " + String.join(", ", written));
     }
@@ -276,7 +276,7 @@ final class BenchCommand extends ConsoleCommand {
   }
 
   private ExitCode measure(
-      Controller controller, List<BenchAccess> accesses, Map<String, Double> serverMillis)
+      RobotConnection controller, List<BenchAccess> accesses, Map<String, Double> serverMillis)
       throws IOException {
     Long rounds = length == null ? Long.valueOf(count == null ? USUAL_ROUNDS : count) : null;
     try (BenchCsv csv = out == null ? null : new BenchCsv(out)) {
@@ -301,7 +301,7 @@ final class BenchCommand extends ConsoleCommand {
   }
 
   private void report(
-      Controller controller, Bench.Plan plan, Bench.Result result, BenchReport report)
+      RobotConnection controller, Bench.Plan plan, Bench.Result result, BenchReport report)
       throws IOException {
     try {
       print(report);
@@ -326,7 +326,7 @@ final class BenchCommand extends ConsoleCommand {
     }
   }
 
-  private String title(Controller controller) {
+  private String title(RobotConnection controller) {
     String host = controller.target().host();
     boolean simulated = host == null || latency != null;
     String where =

@@ -26,15 +26,15 @@ abstract class BridgeCommand extends ConsoleCommand {
     return json;
   }
 
-  final Target target() throws FileException {
+  final Robot target() throws FileException {
     return controllerOptions.target(this, ServerType.C3_BRIDGE);
   }
 
   /**
-   * Asks before a change as {@link WriteOptions#check(ConsoleCommand, Controller, String)} does;
-   * not if the server cannot do it, as the client says when it is to be sent.
+   * Asks before a change as {@link WriteOptions#check(ConsoleCommand, RobotConnection, String)}
+   * does; not if the server cannot do it, as the client says when it is to be sent.
    */
-  final void ask(WriteOptions options, Controller controller, String what, MessageType needed)
+  final void ask(WriteOptions options, RobotConnection controller, String what, MessageType needed)
       throws IOException {
     if (controller.client().getServer().knows(needed)) {
       options.check(this, controller, what);

@@ -31,9 +31,9 @@ final class ConfirmCommand extends BridgeCommand {
 
   @Override
   ExitCode run() throws IOException {
-    Target target = target();
+    Robot target = target();
     writeOptions.checkAllowed(target, WHAT);
-    try (Controller controller = target.open(writeOptions.connection())) {
+    try (RobotConnection controller = target.open(writeOptions.connection())) {
       ask(writeOptions, controller, WHAT, MessageType.CONFIRM_ALL);
       controller.client().information().confirmAll();
     } catch (CrossComRefusedException e) {

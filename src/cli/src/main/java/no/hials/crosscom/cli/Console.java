@@ -158,7 +158,7 @@ final class Console {
   /**
    * Does the same for one of several robots.
    *
-   * @param label says which, as {@link Target#label}
+   * @param label says which, as {@link Robot#label}
    */
   void failure(String label, Throwable e, boolean verbose) {
     error(label + e.getMessage());

@@ -11,7 +11,7 @@ import picocli.CommandLine.Spec;
 /** What every command has: the standard options, the exit codes, and a console. */
 @Command(
     mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
+    versionProvider = VersionProvider.class,
     sortOptions = false,
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {

@@ -88,11 +88,11 @@ final class ControllerOptions {
    * @param simulated the server that a simulated controller has if the user does not say
    * @throws FileException if the configuration file has an error, or not such a robot
    */
-  List<Target> targets(ConsoleCommand command, ServerType simulated) throws FileException {
-    Environment environment = Environment.of(command);
+  List<Robot> targets(ConsoleCommand command, ServerType simulated) throws FileException {
+    EnvironmentSettings environment = EnvironmentSettings.of(command);
     boolean named = !robots.isEmpty();
-    List<Target> result = new ArrayList<>();
-    for (Target target : chosen(command, environment, simulated)) {
+    List<Robot> result = new ArrayList<>();
+    for (Robot target : chosen(command, environment, simulated)) {
       Duration own = target.timeout();
       // the default robot is what is left where nothing else says anything
       Duration lesser = named ? or(own, environment.timeout()) : or(environment.timeout(), own);
@@ -102,15 +102,16 @@ final class ControllerOptions {
   }
 
   /** Gives the one controller that the user chose, as {@link #targets}; several are wrong usage. */
-  Target target(ConsoleCommand command, ServerType simulated) throws FileException {
-    List<Target> targets = targets(command, simulated);
+  Robot target(ConsoleCommand command, ServerType simulated) throws FileException {
+    List<Robot> targets = targets(command, simulated);
     if (targets.size() != 1) {
       throw command.wrongUsage("one robot at a time, " + targets.size() + " are given");
     }
     return targets.get(0);
   }
 
-  private List<Target> chosen(ConsoleCommand command, Environment environment, ServerType simulated)
+  private List<Robot> chosen(
+      ConsoleCommand command, EnvironmentSettings environment, ServerType simulated)
       throws FileException {
     if (host != null && mock) {
       throw command.wrongUsage("--host and --mock exclude each other");
@@ -123,17 +124,17 @@ final class ControllerOptions {
       return named(command, simulated);
     }
     if (mock) {
-      return List.of(new Target("", null, 0, null, false, simulated));
+      return List.of(new Robot("", null, 0, null, false, simulated));
     }
     if (host != null) {
       if (host.isBlank()) {
         throw command.wrongUsage("--host must not be blank");
       }
-      return List.of(new Target("", host, ClientConfig.DEFAULT_PORT, null, false, simulated));
+      return List.of(new Robot("", host, ClientConfig.DEFAULT_PORT, null, false, simulated));
     }
     if (environment.host() != null) {
       int itsPort = environment.port() == null ? ClientConfig.DEFAULT_PORT : environment.port();
-      return List.of(new Target("", environment.host(), itsPort, null, false, simulated));
+      return List.of(new Robot("", environment.host(), itsPort, null, false, simulated));
     }
     Profiles profiles = Profiles.read(command.console()::environment, simulated);
     if (profiles == null || profiles.defaultRobot() == null) {
@@ -144,15 +145,18 @@ final class ControllerOptions {
     return List.of(profiles.robot(profiles.defaultRobot()));
   }
 
-  private List<Target> named(ConsoleCommand command, ServerType simulated) throws FileException {
+  private List<Robot> named(ConsoleCommand command, ServerType simulated) throws FileException {
     Profiles profiles = Profiles.read(command.console()::environment, simulated);
-    List<Target> result = new ArrayList<>();
+    List<Robot> result = new ArrayList<>();
     for (String name : robots) {
       if (profiles == null) {
         throw new FileException(
-            "no robot is named " + name + ": there is no " + Profiles.path(command.console()::environment));
+            "no robot is named "
+                + name
+                + ": there is no "
+                + Profiles.path(command.console()::environment));
       }
-      Target robot = profiles.robot(name);
+      Robot robot = profiles.robot(name);
       if (result.contains(robot)) {
         throw command.wrongUsage("@" + name + " is given twice");
       }
@@ -161,15 +165,15 @@ final class ControllerOptions {
     return result;
   }
 
-  private Target withOptions(
-      ConsoleCommand command, Target target, @Nullable Duration limit, boolean readOnly) {
+  private Robot withOptions(
+      ConsoleCommand command, Robot target, @Nullable Duration limit, boolean readOnly) {
     if (target.host() == null && port != null) {
       throw command.wrongUsage("--port goes with --host; a simulated controller takes a free port");
     }
     if (target.host() != null && server != null) {
       throw command.wrongUsage("--server goes with --mock");
     }
-    return new Target(
+    return new Robot(
         target.name(),
         target.host(),
         port == null ? target.port() : port,

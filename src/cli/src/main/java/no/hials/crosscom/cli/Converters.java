@@ -1,13 +1,10 @@
 package no.hials.crosscom.cli;
 
-import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.SimulationClock;

@@ -187,11 +187,11 @@ final class DriveCommand extends ConsoleCommand {
     if (record != null) {
       NewFile.check(record, writeOptions.isYes());
     }
-    Target target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
     String what = "drive the robot by " + space.variable;
     writeOptions.checkAllowed(target, what);
     try (StopSignal stop = new StopSignal();
-        Controller controller = target.open(cfg -> cfg.reconnect(false))) {
+        RobotConnection controller = target.open(cfg -> cfg.reconnect(false))) {
       if (controller.simulation() != null) {
         KrlPrograms.start(controller.simulation().controller(), KrlPrograms.START, space.program);
       }
@@ -280,7 +280,7 @@ final class DriveCommand extends ConsoleCommand {
   }
 
   /** Gives the mode at the start; another one later is to end it. */
-  private static OperatingMode mode(Controller controller) throws IOException {
+  private static OperatingMode mode(RobotConnection controller) throws IOException {
     String mode = controller.client().readText("$MODE_OP").strip();
     for (OperatingMode known : OperatingMode.values()) {
       if (mode.equalsIgnoreCase("#" + known.constant())) {
@@ -315,7 +315,7 @@ final class DriveCommand extends ConsoleCommand {
   // the loop
 
   private ExitCode drive(
-      Controller controller,
+      RobotConnection controller,
       LoopConfig config,
       DriveSpace space,
       double full,
@@ -417,7 +417,7 @@ final class DriveCommand extends ConsoleCommand {
     }
   }
 
-  private ExitCode ended(StopReason reason, Controller controller, DriveSpace space) {
+  private ExitCode ended(StopReason reason, RobotConnection controller, DriveSpace space) {
     ExitCode code = DriveEnd.code(reason);
     if (code == ExitCode.DONE) {
       console().print("stopped: " + reason.message());
@@ -429,12 +429,12 @@ final class DriveCommand extends ConsoleCommand {
   }
 
   /** Gives the name of the robot's program, for a message; empty if it is not to be had. */
-  private static String selected(Controller controller) {
+  private static String selected(RobotConnection controller) {
     return read(controller, "$PRO_NAME1[]").replace("\"", "").strip();
   }
 
   /** Reads what a message is about; gives nothing if it cannot be had. */
-  private static String read(Controller controller, String name) {
+  private static String read(RobotConnection controller, String name) {
     try {
       return controller.client().readText(name);
     } catch (IOException e) {

@@ -7,7 +7,7 @@ import picocli.CommandLine.Command;
 @Command(
     name = "file",
     mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
+    versionProvider = VersionProvider.class,
     synopsisSubcommandLabel = "COMMAND",
     description = {
       "Lists, uploads, downloads and deletes the files of the controller, through C3 Bridge."

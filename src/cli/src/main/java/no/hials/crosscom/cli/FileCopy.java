@@ -51,9 +51,9 @@ abstract class FileCopy extends FileSubcommand {
     checked("SOURCE", source);
     checked("TARGET", destination);
     String what = verb + " " + source + " to " + destination;
-    Target target = target();
+    Robot target = target();
     writeOptions.checkAllowed(target, what);
-    try (Controller controller = target.open(writeOptions.connection())) {
+    try (RobotConnection controller = target.open(writeOptions.connection())) {
       ControllerFiles files = controller.client().files();
       String name =
           isFolder(files, destination)

@@ -76,8 +76,9 @@ final class FileGet extends FileSubcommand {
     checkBothGiven("REMOTE and LOCAL", arguments);
     List<String> names = checked("REMOTE", arguments.subList(0, arguments.size() - 1));
     Path place = place(names.size());
-    Target target = target();
-    try (Controller controller = target.open(yes ? Target.ONE_SHOT : cfg -> cfg.reconnect(false))) {
+    Robot target = target();
+    try (RobotConnection controller =
+        target.open(yes ? Robot.ONE_SHOT : cfg -> cfg.reconnect(false))) {
       ControllerFiles files = controller.client().files();
       List<Job> jobs = jobs(files, names, place);
       ask(target, jobs);
@@ -122,7 +123,7 @@ final class FileGet extends FileSubcommand {
     return jobs;
   }
 
-  private void ask(Target target, List<Job> jobs) throws NotSentException {
+  private void ask(Robot target, List<Job> jobs) throws NotSentException {
     String there =
         jobs.stream()
             .filter(Job::isThere)

@@ -106,9 +106,9 @@ final class FilePut extends FileSubcommand {
             + sources.stream()
                 .map(each -> each.local().toString())
                 .collect(Collectors.joining(", "));
-    Target target = target();
+    Robot target = target();
     writeOptions.checkAllowed(target, what);
-    try (Controller controller = target.open(writeOptions.connection())) {
+    try (RobotConnection controller = target.open(writeOptions.connection())) {
       ControllerFiles files = controller.client().files();
       List<Job> jobs = jobs(files, sources, remote);
       List<String> reasons =
@@ -191,7 +191,7 @@ final class FilePut extends FileSubcommand {
     LocalFiles.print(this, "put", job.local(), job.name());
   }
 
-  private ExitCode select(Controller controller, Job job) throws IOException {
+  private ExitCode select(RobotConnection controller, Job job) throws IOException {
     String program = RemoteName.withoutEnding(krcName(controller.client().files(), job.name()));
     try {
       controller.client().programs().select(program);
@@ -201,7 +201,7 @@ final class FilePut extends FileSubcommand {
       hintOfErrors(job.local());
       return code;
     }
-    ProgramState state = ProgramState.read(controller.client(), Interpreter.ROBOT);
+    ProgramStatus state = ProgramStatus.read(controller.client(), Interpreter.ROBOT);
     console().print(isJson() ? state.json("select") : state.line());
     return ExitCode.DONE;
   }

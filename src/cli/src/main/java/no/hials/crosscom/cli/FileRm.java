@@ -50,9 +50,9 @@ final class FileRm extends FileSubcommand {
   @Override
   ExitCode work() throws IOException {
     String what = "delete " + String.join(", ", checked("NAME", names));
-    Target target = target();
+    Robot target = target();
     writeOptions.checkAllowed(target, what);
-    try (Controller controller = target.open(writeOptions.connection())) {
+    try (RobotConnection controller = target.open(writeOptions.connection())) {
       ControllerFiles files = controller.client().files();
       Set<String> folders = folders(files);
       writeOptions.check(this, controller, what, reasons(folders));

@@ -6,7 +6,7 @@ import picocli.CommandLine.Command;
 @Command(
     name = "jopenshowvar",
     mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
+    versionProvider = VersionProvider.class,
     synopsisSubcommandLabel = "COMMAND",
     commandListHeading = "",
     description = {

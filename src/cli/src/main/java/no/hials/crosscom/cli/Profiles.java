@@ -7,8 +7,8 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
-import java.util.function.Function;
 import java.util.TreeMap;
+import java.util.function.Function;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  * @param defaultRobot the robot that is meant if none is named; null if there is no such
  * @param robots the robots by their names
  */
-record Profiles(Path file, @Nullable String defaultRobot, Map<String, Target> robots) {
+record Profiles(Path file, @Nullable String defaultRobot, Map<String, Robot> robots) {
   /** The variable that names another file. */
   static final String FILE_VARIABLE = "JOPENSHOWVAR_CONFIG";
 
@@ -78,7 +78,7 @@ record Profiles(Path file, @Nullable String defaultRobot, Map<String, Target> ro
 
   private static Profiles of(TomlTable root, Path file, ServerType simulated) throws FileException {
     root.allow(DEFAULT, ROBOTS);
-    Map<String, Target> robots = new TreeMap<>();
+    Map<String, Robot> robots = new TreeMap<>();
     for (TomlTable robot : root.tables(ROBOTS)) {
       robots.put(robot.name(), robot(robot, simulated));
     }
@@ -89,7 +89,7 @@ record Profiles(Path file, @Nullable String defaultRobot, Map<String, Target> ro
     return new Profiles(file, name, robots);
   }
 
-  private static Target robot(TomlTable table, ServerType simulated) throws FileException {
+  private static Robot robot(TomlTable table, ServerType simulated) throws FileException {
     if (!SettingText.isRobotName(table.name())) {
       throw table.error("a robot's name must be letters, digits, _, - and ., for @NAME");
     }
@@ -98,8 +98,7 @@ record Profiles(Path file, @Nullable String defaultRobot, Map<String, Target> ro
     boolean readOnly = table.flag("read-only");
     String host = table.text("host");
     Integer port = table.converted("port", SettingText::port, Number.class);
-    Duration timeout =
-        table.converted("timeout", SettingText::time, String.class, Number.class);
+    Duration timeout = table.converted("timeout", SettingText::time, String.class, Number.class);
     ServerType server = table.converted("server", SettingText::server, String.class);
     if (mock && (host != null || port != null)) {
       throw table.error("mock excludes host and port");
@@ -110,7 +109,7 @@ record Profiles(Path file, @Nullable String defaultRobot, Map<String, Target> ro
     if (!mock && (host == null || host.isBlank())) {
       throw table.error("a robot needs a host, or mock = true");
     }
-    return new Target(
+    return new Robot(
         table.name(),
         host,
         port == null ? ClientConfig.DEFAULT_PORT : port,
@@ -124,15 +123,15 @@ record Profiles(Path file, @Nullable String defaultRobot, Map<String, Target> ro
    *
    * @throws FileException if there is none of this name
    */
-  Target robot(String name) throws FileException {
-    Target robot = robots.get(name);
+  Robot robot(String name) throws FileException {
+    Robot robot = robots.get(name);
     if (robot == null) {
       throw new FileException(file + ": " + noRobot(name, robots));
     }
     return robot;
   }
 
-  private static String noRobot(String name, Map<String, Target> robots) {
+  private static String noRobot(String name, Map<String, Robot> robots) {
     String known =
         robots.isEmpty() ? "there are none" : "known: " + String.join(", ", robots.keySet());
     return "no robot is named " + name + "; " + known;

@@ -72,12 +72,12 @@ abstract class ProgramChoice extends BridgeCommand {
     String name = checked("PROGRAM", program);
     String arguments = checkedLength("--parameters", parameters);
     String what = verb + " " + name;
-    Target target = target();
+    Robot target = target();
     writeOptions.checkAllowed(target, what);
-    try (Controller controller = target.open(writeOptions.connection())) {
+    try (RobotConnection controller = target.open(writeOptions.connection())) {
       ask(writeOptions, controller, what, MessageType.PROGRAM_CONTROL);
       send(controller.client().programs(), name, arguments, force);
-      ProgramState state = ProgramState.read(controller.client(), Interpreter.ROBOT);
+      ProgramStatus state = ProgramStatus.read(controller.client(), Interpreter.ROBOT);
       console().print(isJson() ? state.json(verb) : state.line());
       return ExitCode.DONE;
     } catch (CrossComRefusedException e) {

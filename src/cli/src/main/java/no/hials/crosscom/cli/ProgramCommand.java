@@ -7,7 +7,7 @@ import picocli.CommandLine.Command;
 @Command(
     name = "program",
     mixinStandardHelpOptions = true,
-    versionProvider = Version.class,
+    versionProvider = VersionProvider.class,
     synopsisSubcommandLabel = "COMMAND",
     description = {
       "Selects, starts and stops programs, through C3 Bridge. Starting a program moves the robot."

@@ -56,14 +56,14 @@ abstract class ProgramOrder extends BridgeCommand {
   final ExitCode run() throws IOException {
     Interpreter interpreter = submit ? Interpreter.SUBMIT : Interpreter.ROBOT;
     String what = verb + " the program of the " + (submit ? "submit" : "robot") + " interpreter";
-    Target target = target();
+    Robot target = target();
     writeOptions.checkAllowed(target, what);
-    try (Controller controller = target.open(writeOptions.connection())) {
+    try (RobotConnection controller = target.open(writeOptions.connection())) {
       if (!isStop()) {
         ask(writeOptions, controller, what, MessageType.PROGRAM_CONTROL);
       }
       send(controller.client().programs(), interpreter);
-      ProgramState state = ProgramState.read(controller.client(), interpreter);
+      ProgramStatus state = ProgramStatus.read(controller.client(), interpreter);
       console().print(isJson() ? state.json(verb) : state.line());
       return ExitCode.DONE;
     } catch (CrossComRefusedException e) {

@@ -78,23 +78,23 @@ final class ReadCommand extends ConsoleCommand {
         throw wrongUsage("a name is blank; in a shell, names with $ need single quotes: '$OV_PRO'");
       }
     }
-    List<Target> targets = controllerOptions.targets(this, ServerType.KUKAVARPROXY);
+    List<Robot> targets = controllerOptions.targets(this, ServerType.KUKAVARPROXY);
     return targets.size() == 1 ? readAll(targets.get(0)) : readFromEach(targets);
   }
 
   /** Reads from one controller, and prints each variable as it comes. */
-  private ExitCode readAll(Target target) throws IOException {
-    try (Controller controller = target.open(Target.ONE_SHOT)) {
+  private ExitCode readAll(Robot target) throws IOException {
+    try (RobotConnection controller = target.open(Robot.ONE_SHOT)) {
       return new Reading(console(), "", "").of(controller.client());
     }
   }
 
   /** Reads from several controllers at once, and prints what came in the order of them. */
-  private ExitCode readFromEach(List<Target> targets) {
+  private ExitCode readFromEach(List<Robot> targets) {
     ExecutorService threads = Executors.newFixedThreadPool(targets.size());
     try {
       List<CompletableFuture<Printed>> printed = new ArrayList<>();
-      for (Target target : targets) {
+      for (Robot target : targets) {
         printed.add(CompletableFuture.supplyAsync(() -> readLabelled(target), threads));
       }
       ExitCode result = ExitCode.DONE;
@@ -113,12 +113,12 @@ final class ReadCommand extends ConsoleCommand {
   /** What one of several controllers gave. */
   private record Printed(StringWriter out, StringWriter err, ExitCode result) {}
 
-  private Printed readLabelled(Target target) {
+  private Printed readLabelled(Robot target) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
     Console console = new Console(out, err, Map.of());
     ExitCode result;
-    try (Controller controller = target.open(Target.ONE_SHOT)) {
+    try (RobotConnection controller = target.open(Robot.ONE_SHOT)) {
       result = new Reading(console, target.name(), target.label()).of(controller.client());
     } catch (CrossComException e) {
       console.failure(target.label(), e, isVerbose());

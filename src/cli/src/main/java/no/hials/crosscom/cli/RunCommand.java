@@ -67,13 +67,13 @@ final class RunCommand extends ConsoleCommand {
       steps.forEach(step -> console().print(step.place() + step.line()));
       return ExitCode.DONE;
     }
-    Target target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
     for (Step step : steps) {
       if (step.line() instanceof ShellLine.Write) {
         writeOptions.checkAskable(console(), target, step.line().toString());
       }
     }
-    try (Controller controller = target.open(Target.LASTING)) {
+    try (RobotConnection controller = target.open(Robot.LASTING)) {
       ShellSymbols symbols = new ShellSymbols(controller);
       return run(steps, new ShellSession(console(), controller, writeOptions, symbols));
     }

@@ -22,9 +22,9 @@ import org.jspecify.annotations.Nullable;
 
 /** One of the controllers that a {@link Sampling} reads, and what it counts of it. */
 final class SampledRobot implements Closeable {
-  private final Target target;
+  private final Robot target;
   private final Sampling.Queue queue;
-  private final Controller controller;
+  private final RobotConnection controller;
   private final Map<String, KrlValue> first = new LinkedHashMap<>();
 
   private @Nullable Watch watch;
@@ -41,7 +41,7 @@ final class SampledRobot implements Closeable {
   private @Nullable ConnectionEvent lost;
 
   /** Connects to a controller. */
-  SampledRobot(Target target, Sampling.Queue queue) throws IOException {
+  SampledRobot(Robot target, Sampling.Queue queue) throws IOException {
     this.target = target;
     this.queue = queue;
     this.controller =

@@ -128,7 +128,7 @@ final class Sampling implements Closeable {
     options.check(command);
     Sampling sampling = new Sampling(command, options);
     try {
-      for (Target target : controllerOptions.targets(command, ServerType.KUKAVARPROXY)) {
+      for (Robot target : controllerOptions.targets(command, ServerType.KUKAVARPROXY)) {
         sampling.connect(target);
       }
       return sampling;
@@ -138,7 +138,7 @@ final class Sampling implements Closeable {
     }
   }
 
-  private void connect(Target target) throws IOException {
+  private void connect(Robot target) throws IOException {
     try {
       robots.add(new SampledRobot(target, queue));
     } catch (CrossComException e) {

@@ -45,8 +45,8 @@ final class ShellCommand extends ConsoleCommand {
 
   @Override
   ExitCode run() throws IOException {
-    Target target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
-    try (Controller controller = target.open(Target.LASTING)) {
+    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    try (RobotConnection controller = target.open(Robot.LASTING)) {
       ShellSymbols symbols = new ShellSymbols(controller);
       if (console().isInteractive()) {
         return converse(controller, symbols);
@@ -90,7 +90,7 @@ final class ShellCommand extends ConsoleCommand {
     }
   }
 
-  private ExitCode converse(Controller controller, ShellSymbols symbols) throws IOException {
+  private ExitCode converse(RobotConnection controller, ShellSymbols symbols) throws IOException {
     symbols.preload();
     try (ShellTerminal terminal = terminal(symbols)) {
       Console asking = console().asking(terminal::ask);

@@ -63,7 +63,7 @@ final class ShellCommands {
    * @throws ShellSyntaxException if it names another controller
    */
   static ExitCode run(
-      Console console, List<String> words, Controller controller, WriteOptions writeOptions)
+      Console console, List<String> words, RobotConnection controller, WriteOptions writeOptions)
       throws ShellSyntaxException {
     checkController(words);
     String[] args = words.toArray(String[]::new);
@@ -90,7 +90,7 @@ final class ShellCommands {
   }
 
   private static List<String> options(
-      CommandSpec command, Controller controller, WriteOptions writeOptions) {
+      CommandSpec command, RobotConnection controller, WriteOptions writeOptions) {
     List<String> options = new ArrayList<>();
     if (command.findOption("--host") != null) {
       ClientConfig config = controller.client().getConfig();

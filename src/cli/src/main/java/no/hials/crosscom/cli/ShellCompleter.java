@@ -124,12 +124,12 @@ final class ShellCompleter implements Completer {
     if (bracket > dot && begun.indexOf(']', bracket) < 0) {
       return indices(begun.substring(0, bracket));
     }
-    Symbols known = symbols.everything();
+    Catalogue known = symbols.everything();
     List<Candidate> all = new ArrayList<>();
     if (dot >= 0) {
       String struct = begun.substring(0, dot);
-      List<Symbol> fields = known.find(struct).map(known::fields).orElse(List.of());
-      for (Symbol field : fields) {
+      List<CatalogueEntry> fields = known.find(struct).map(known::fields).orElse(List.of());
+      for (CatalogueEntry field : fields) {
         all.add(name(struct + "." + field.name(), field, known, all.size()));
       }
       return all;
@@ -143,7 +143,7 @@ final class ShellCompleter implements Completer {
     return all;
   }
 
-  private static Candidate name(String path, Symbol symbol, Symbols known, int sort) {
+  private static Candidate name(String path, CatalogueEntry symbol, Catalogue known, int sort) {
     if (symbol.isText() && symbol.dimensions().size() == 1) {
       return candidate(path + "[]", symbol.summary(), true, sort);
     }
@@ -172,7 +172,7 @@ final class ShellCompleter implements Completer {
   }
 
   private List<Candidate> values(String path) {
-    Symbols known = symbols.everything();
+    Catalogue known = symbols.everything();
     List<Candidate> all = new ArrayList<>();
     known
         .find(path)

@@ -22,7 +22,7 @@ final class ShellHelp {
   }
 
   /** Tells what is known of a variable. */
-  static List<String> of(String path, Symbol symbol, Symbols symbols) {
+  static List<String> of(String path, CatalogueEntry symbol, Catalogue symbols) {
     List<String> lines = new ArrayList<>();
     String name = path.toUpperCase(Locale.ROOT);
     lines.add(name.equalsIgnoreCase(symbol.name()) ? symbol.declarator() : name);
@@ -39,7 +39,7 @@ final class ShellHelp {
     if (!symbol.origin().isEmpty()) {
       lines.add("  from    " + symbol.origin());
     }
-    List<Symbol> fields = symbols.fields(symbol);
+    List<CatalogueEntry> fields = symbols.fields(symbol);
     if (!fields.isEmpty()) {
       lines.add(
           "  fields  "

@@ -7,13 +7,13 @@ final class ShellPrompt {
   private static final String MODE = "$MODE_OP";
   private static final String SAFE_MODE = "#T1";
 
-  private final Controller controller;
+  private final RobotConnection controller;
   private final String name;
   private boolean connected = true;
 
-  ShellPrompt(Controller controller) {
+  ShellPrompt(RobotConnection controller) {
     this.controller = controller;
-    Target target = controller.target();
+    Robot target = controller.target();
     String host = target.host();
     name = !target.name().isEmpty() ? target.name() : host == null ? "mock" : host;
   }

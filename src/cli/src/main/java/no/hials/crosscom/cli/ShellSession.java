@@ -8,12 +8,15 @@ import no.hials.crosscom.CrossComException;
 /** Does what the lines of the shell language say, on one controller. */
 final class ShellSession {
   private final Console console;
-  private final Controller controller;
+  private final RobotConnection controller;
   private final WriteOptions writeOptions;
   private final ShellSymbols symbols;
 
   ShellSession(
-      Console console, Controller controller, WriteOptions writeOptions, ShellSymbols symbols) {
+      Console console,
+      RobotConnection controller,
+      WriteOptions writeOptions,
+      ShellSymbols symbols) {
     this.console = console;
     this.controller = controller;
     this.writeOptions = writeOptions;
@@ -100,7 +103,7 @@ final class ShellSession {
     } else if (ShellCommands.isCommand(lower)) {
       Main.run(new String[] {lower, "--help"}, console);
     } else {
-      Optional<Symbol> symbol = symbols.find(topic);
+      Optional<CatalogueEntry> symbol = symbols.find(topic);
       if (symbol.isEmpty()) {
         throw new ShellSyntaxException(
             topic + " is no command, and no variable that is known here; try vars WORD");

@@ -37,12 +37,12 @@ final class ShellSymbols {
   /** How long a person waits for names before there is an answer without them. */
   private static final long MAX_SECONDS_TO_WAIT = 2;
 
-  private final Controller controller;
+  private final RobotConnection controller;
   private final Set<String> used = new LinkedHashSet<>();
-  private @Nullable CompletableFuture<Symbols> system;
-  private @Nullable CompletableFuture<Symbols> all;
+  private @Nullable CompletableFuture<Catalogue> system;
+  private @Nullable CompletableFuture<Catalogue> all;
 
-  ShellSymbols(Controller controller) {
+  ShellSymbols(RobotConnection controller) {
     this.controller = controller;
   }
 
@@ -61,23 +61,23 @@ final class ShellSymbols {
     Objects.requireNonNull(load());
   }
 
-  private synchronized CompletableFuture<Symbols> load() {
+  private synchronized CompletableFuture<Catalogue> load() {
     if (system == null) {
       system = inBackground(this::system);
     }
     return system;
   }
 
-  private Symbols system() {
+  private Catalogue system() {
     MockServer simulation = controller.simulation();
     return simulation == null
-        ? Symbols.system()
-        : Symbols.of(simulation.variables(), variable -> true);
+        ? Catalogue.system()
+        : Catalogue.of(simulation.variables(), variable -> true);
   }
 
   /** Gives what is known without asking the controller. */
-  Symbols known() {
-    CompletableFuture<Symbols> everything;
+  Catalogue known() {
+    CompletableFuture<Catalogue> everything;
     synchronized (this) {
       everything = all;
     }
@@ -85,8 +85,8 @@ final class ShellSymbols {
   }
 
   /** Finds what a path names. */
-  Optional<Symbol> find(String path) {
-    Optional<Symbol> found = known().find(path);
+  Optional<CatalogueEntry> find(String path) {
+    Optional<CatalogueEntry> found = known().find(path);
     return found.isPresent() ? found : everything().find(path);
   }
 
@@ -94,7 +94,7 @@ final class ShellSymbols {
    * Gives everything; without what the controller declares if that takes too long, which is there
    * the next time then.
    */
-  Symbols everything() {
+  Catalogue everything() {
     try {
       return declared().get(MAX_SECONDS_TO_WAIT, TimeUnit.SECONDS);
     } catch (TimeoutException | ExecutionException e) {
@@ -105,15 +105,15 @@ final class ShellSymbols {
     }
   }
 
-  private synchronized CompletableFuture<Symbols> declared() {
+  private synchronized CompletableFuture<Catalogue> declared() {
     if (all == null) {
       all = load().thenCompose(base -> inBackground(() -> base.plus(dataLists())));
     }
     return all;
   }
 
-  private static CompletableFuture<Symbols> inBackground(
-      java.util.function.Supplier<Symbols> work) {
+  private static CompletableFuture<Catalogue> inBackground(
+      java.util.function.Supplier<Catalogue> work) {
     return CompletableFuture.supplyAsync(
         work,
         task -> {

@@ -69,10 +69,10 @@ final class VarsCommand extends ConsoleCommand {
   }
 
   private ExitCode system() {
-    List<Symbol> found =
+    List<CatalogueEntry> found =
         VariableTable.krc4().describeAll().stream()
-            .filter(Symbols::isSystemVariable)
-            .map(Symbol::of)
+            .filter(Catalogue::isSystemVariable)
+            .map(CatalogueEntry::of)
             .filter(
                 symbol ->
                     matches(symbol.declarator(), symbol.type(), symbol.unit(), symbol.meaning()))
@@ -155,7 +155,7 @@ final class VarsCommand extends ConsoleCommand {
     }
   }
 
-  private static String json(Symbol symbol) {
+  private static String json(CatalogueEntry symbol) {
     return JsonLine.object(
         line -> {
           line.writeStringField("name", symbol.name());

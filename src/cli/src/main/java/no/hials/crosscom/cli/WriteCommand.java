@@ -82,9 +82,9 @@ final class WriteCommand extends ConsoleCommand {
       throw wrongUsage("VALUE is blank; an empty text is '\"\"'");
     }
     String line = json ? JsonLine.of(name, parse()) : name + " = " + value;
-    Target target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
     writeOptions.checkAllowed(target, "write " + name);
-    try (Controller controller = target.open(writeOptions.connection())) {
+    try (RobotConnection controller = target.open(writeOptions.connection())) {
       controller.client().checkText(name, value);
       writeOptions.check(this, controller, "write " + name);
       controller.client().writeText(name, value);

@@ -33,10 +33,10 @@ final class WriteOptions {
   /** Gives the settings of a connection on which one thing is changed. */
   Consumer<ClientConfig.Builder> connection() {
     // a server closes an idle connection, and the user may think about the answer for long
-    return yes ? Target.ONE_SHOT : cfg -> cfg.reconnect(false);
+    return yes ? Robot.ONE_SHOT : cfg -> cfg.reconnect(false);
   }
 
-  boolean isReadOnly(Target target) {
+  boolean isReadOnly(Robot target) {
     return readOnly || target.readOnly();
   }
 
@@ -47,7 +47,7 @@ final class WriteOptions {
    * @param what says what would be done, as {@code write $OV_PRO}
    * @throws NotSentException if the controller is for reading only
    */
-  void checkAllowed(Target target, String what) throws NotSentException {
+  void checkAllowed(Robot target, String what) throws NotSentException {
     if (isReadOnly(target)) {
       String reason =
           readOnly
@@ -65,17 +65,17 @@ final class WriteOptions {
    * @throws NotSentException if it is not to be done
    * @throws CrossComException if the connection broke
    */
-  void check(ConsoleCommand command, Controller controller, String what) throws IOException {
+  void check(ConsoleCommand command, RobotConnection controller, String what) throws IOException {
     check(command, controller, what, List.of());
   }
 
   /**
-   * Does what {@link #check(ConsoleCommand, Controller, String)} does, and asks whatever the mode
-   * is if there is another reason to.
+   * Does what {@link #check(ConsoleCommand, RobotConnection, String)} does, and asks whatever the
+   * mode is if there is another reason to.
    *
    * @param reasons why it takes a person's word, as {@code X.SRC is there already}
    */
-  void check(ConsoleCommand command, Controller controller, String what, List<String> reasons)
+  void check(ConsoleCommand command, RobotConnection controller, String what, List<String> reasons)
       throws IOException {
     checkAllowed(controller.target(), what);
     if (yes) {
@@ -96,7 +96,7 @@ final class WriteOptions {
   /**
    * Asks for a person's word.
    *
-   * @param label what to print before, see {@link Target#label}
+   * @param label what to print before, see {@link Robot#label}
    * @throws NotSentException if there is nobody to ask, or the answer is no
    */
   static void confirm(ConsoleCommand command, String label, String what, String reason)
@@ -116,7 +116,7 @@ final class WriteOptions {
    * @param what says what would be done, as {@code write $OV_PRO = 50}
    * @throws NotSentException if it is not to be done
    */
-  void checkAskable(Console console, Target target, String what) throws NotSentException {
+  void checkAskable(Console console, Robot target, String what) throws NotSentException {
     checkAllowed(target, what);
     if (!yes && !console.isInteractive()) {
       throw new NotSentException(target.label() + "did not " + what + ": it needs --yes");
@@ -131,7 +131,7 @@ final class WriteOptions {
    * @throws NotSentException if it is not to be done
    * @throws CrossComException if the connection broke
    */
-  void checkEach(Console console, Controller controller, String what) throws IOException {
+  void checkEach(Console console, RobotConnection controller, String what) throws IOException {
     checkAskable(console, controller.target(), what);
     if (yes) {
       return;
@@ -145,7 +145,7 @@ final class WriteOptions {
     }
   }
 
-  private static String mode(Controller controller) throws IOException {
+  private static String mode(RobotConnection controller) throws IOException {
     try {
       return controller.client().readText(MODE).strip();
     } catch (CrossComAccessException e) {

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 
 class ShellCompleterTest {
   private MockServer server;
-  private Controller controller;
+  private RobotConnection controller;
   private ShellSymbols symbols;
   private ShellCompleter completer;
 
@@ -34,9 +34,9 @@ class ShellCompleterTest {
             DECL GLOBAL CRATE CRATES[3]
             ENDDAT
             """);
-    Target target =
-        new Target("", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
-    controller = target.open(Target.LASTING);
+    Robot target =
+        new Robot("", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
+    controller = target.open(Robot.LASTING);
     symbols = new ShellSymbols(controller);
     completer =
         new ShellCompleter(new Console(new StringWriter(), new StringWriter(), Map.of()), symbols);

@@ -28,8 +28,8 @@ class WatchTableTest {
   @BeforeEach
   void start() throws IOException {
     server = MockServer.start();
-    Target target =
-        new Target("", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
+    Robot target =
+        new Robot("", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
     robot = new SampledRobot(target, new Sampling.Queue());
     robot.readFirst(List.of("MYINT", "MYFRAME"));
     table = new WatchTable(List.of(robot));
@@ -161,8 +161,8 @@ class WatchTableTest {
 
   @Test
   void labelsTheRowsOfARobotThatHasAName() throws IOException {
-    Target target =
-        new Target("cell1", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
+    Robot target =
+        new Robot("cell1", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
     try (SampledRobot unnamed = robot;
         SampledRobot named = new SampledRobot(target, new Sampling.Queue())) {
       table = new WatchTable(List.of(unnamed, named));

@@ -15,12 +15,12 @@ import org.jspecify.annotations.Nullable;
  * @param program the name of the selected program, blank if none is; null if it could not be read
  * @param state such as {@code #P_ACTIVE}; null if it could not be read
  */
-record ProgramState(Interpreter interpreter, @Nullable String program, @Nullable String state) {
+record ProgramStatus(Interpreter interpreter, @Nullable String program, @Nullable String state) {
 
   /** Asks for it. What cannot be read is left out: this is only told beside what was done. */
-  static ProgramState read(CrossComClient client, Interpreter interpreter) throws IOException {
+  static ProgramStatus read(CrossComClient client, Interpreter interpreter) throws IOException {
     int number = interpreter.code();
-    return new ProgramState(
+    return new ProgramStatus(
         interpreter,
         text(client, "$PRO_NAME" + number + "[]"),
         text(client, "$PRO_STATE" + number));

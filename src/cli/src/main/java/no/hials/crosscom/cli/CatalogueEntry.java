@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param meaning what it stands for; empty if not known
  * @param origin the file on the controller that declares it; empty for a system variable
  */
-record Symbol(
+record CatalogueEntry(
     String name,
     String type,
     List<Integer> dimensions,
@@ -25,8 +25,8 @@ record Symbol(
     String meaning,
     String origin) {
 
-  static Symbol of(VariableInfo info) {
-    return new Symbol(
+  static CatalogueEntry of(VariableInfo info) {
+    return new CatalogueEntry(
         info.name(),
         info.type(),
         info.dimensions(),

@@ -20,11 +20,11 @@ import org.jspecify.annotations.Nullable;
  * Names that the shell knows: variables, and what their types are made of. Names are found in any
  * case. Not changed after it was made.
  */
-final class Symbols {
+final class Catalogue {
   private static final String ASSUMED = "assumed";
 
-  private final Map<String, Symbol> variables = new TreeMap<>();
-  private final Map<String, List<Symbol>> structures = new TreeMap<>();
+  private final Map<String, CatalogueEntry> variables = new TreeMap<>();
+  private final Map<String, List<CatalogueEntry>> structures = new TreeMap<>();
   private final Map<String, List<String>> enumerations = new TreeMap<>();
 
   /** Says whether a variable of the simulated controller is one that controllers have. */
@@ -33,13 +33,13 @@ final class Symbols {
   }
 
   /** Gives the system variables of a controller, with their types. Takes some 100 ms. */
-  static Symbols system() {
-    return of(VariableTable.krc4(), Symbols::isSystemVariable);
+  static Catalogue system() {
+    return of(VariableTable.krc4(), Catalogue::isSystemVariable);
   }
 
   /** Gives the variables of a simulated controller. */
-  static Symbols of(VariableTable table, Predicate<VariableInfo> shown) {
-    Symbols symbols = new Symbols();
+  static Catalogue of(VariableTable table, Predicate<VariableInfo> shown) {
+    Catalogue symbols = new Catalogue();
     // the table tells the types in the form of a data list only
     KrlParser.parse("$TYPES.DAT", table.toDataList("$TYPES"))
         .file()
@@ -47,7 +47,7 @@ final class Symbols {
         .ifPresent(list -> symbols.add((DataList) list, "", false));
     table.describeAll().stream()
         .filter(shown)
-        .forEach(info -> symbols.variables.put(key(info.name()), Symbol.of(info)));
+        .forEach(info -> symbols.variables.put(key(info.name()), CatalogueEntry.of(info)));
     return symbols;
   }
 
@@ -57,8 +57,8 @@ final class Symbols {
    *
    * @param lists by the files that they are from
    */
-  Symbols plus(Map<String, DataList> lists) {
-    Symbols all = new Symbols();
+  Catalogue plus(Map<String, DataList> lists) {
+    Catalogue all = new Catalogue();
     all.variables.putAll(variables);
     all.structures.putAll(structures);
     all.enumerations.putAll(enumerations);
@@ -89,17 +89,18 @@ final class Symbols {
     }
   }
 
-  private static Symbol symbol(
+  private static CatalogueEntry symbol(
       String type, Declaration.Declarator declarator, String meaning, String origin) {
     List<Integer> dimensions = new ArrayList<>();
     for (Expression length : declarator.dimensions()) {
       dimensions.add(length instanceof Expression.IntLiteral number ? number.value() : 0);
     }
     String upper = type.toUpperCase(Locale.ROOT);
-    return new Symbol(declarator.name(), upper, List.copyOf(dimensions), null, "", meaning, origin);
+    return new CatalogueEntry(
+        declarator.name(), upper, List.copyOf(dimensions), null, "", meaning, origin);
   }
 
-  Collection<Symbol> variables() {
+  Collection<CatalogueEntry> variables() {
     return variables.values();
   }
 
@@ -108,8 +109,8 @@ final class Symbols {
    *
    * @param path such as {@code LOAD_DATA[1].CM.X}
    */
-  Optional<Symbol> find(String path) {
-    Symbol found = null;
+  Optional<CatalogueEntry> find(String path) {
+    CatalogueEntry found = null;
     String begun = "";
     for (String step : path.split("\\.", -1)) {
       int bracket = step.indexOf('[');
@@ -128,7 +129,8 @@ final class Symbols {
     return Optional.ofNullable(found);
   }
 
-  private @Nullable Symbol field(@Nullable Symbol struct, String name, String begun) {
+  private @Nullable CatalogueEntry field(
+      @Nullable CatalogueEntry struct, String name, String begun) {
     if (struct == null) {
       return null;
     }
@@ -139,9 +141,9 @@ final class Symbols {
         .orElse(null);
   }
 
-  private static Symbol inside(Symbol struct, Symbol field, String begun) {
+  private static CatalogueEntry inside(CatalogueEntry struct, CatalogueEntry field, String begun) {
     String meaning = "field of " + begun + (struct.meaning().isEmpty() ? "" : ": ");
-    return new Symbol(
+    return new CatalogueEntry(
         field.name(),
         field.type(),
         field.dimensions(),
@@ -151,9 +153,9 @@ final class Symbols {
         struct.origin());
   }
 
-  private static Symbol element(Symbol array, String brackets) {
+  private static CatalogueEntry element(CatalogueEntry array, String brackets) {
     boolean whole = brackets.startsWith("[]");
-    return new Symbol(
+    return new CatalogueEntry(
         array.name(),
         array.type(),
         whole ? array.dimensions() : List.of(),
@@ -164,12 +166,12 @@ final class Symbols {
   }
 
   /** Gives the fields of a structure, none of what is no structure. */
-  List<Symbol> fields(Symbol symbol) {
+  List<CatalogueEntry> fields(CatalogueEntry symbol) {
     return structures.getOrDefault(key(symbol.type()), List.of());
   }
 
   /** Gives the constants of an enumeration without {@code #}, none of what is none. */
-  List<String> constants(Symbol symbol) {
+  List<String> constants(CatalogueEntry symbol) {
     return symbol.type().equals("BOOL")
         ? List.of()
         : enumerations.getOrDefault(key(symbol.type()), List.of());

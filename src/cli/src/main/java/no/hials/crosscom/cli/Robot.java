@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param readOnly whether writes are refused here
  * @param server which server a simulated controller has
  */
-record Target(
+record Robot(
     String name,
     @Nullable String host,
     int port,
@@ -48,14 +48,14 @@ record Target(
    * @throws CrossComException if no connection could be made
    * @throws CannotListenException if the mock server could not be started
    */
-  Controller open(Consumer<ClientConfig.Builder> settings) throws IOException {
+  RobotConnection open(Consumer<ClientConfig.Builder> settings) throws IOException {
     if (host != null) {
-      return new Controller(this, connect(host, port, settings), null);
+      return new RobotConnection(this, connect(host, port, settings), null);
     }
     MockServer simulation =
         MockCommand.listen(InetAddress.getLoopbackAddress(), 0, cfg -> cfg.server(server));
     try {
-      return new Controller(
+      return new RobotConnection(
           this, connect(simulation.host(), simulation.port(), settings), simulation);
     } catch (IOException | RuntimeException e) {
       simulation.close();

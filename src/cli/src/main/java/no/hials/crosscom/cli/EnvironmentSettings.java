@@ -12,24 +12,23 @@ import org.jspecify.annotations.Nullable;
  * @param timeout {@code JOPENSHOWVAR_TIMEOUT}
  * @param readOnly {@code JOPENSHOWVAR_READ_ONLY}, for whatever controller
  */
-record Environment(
+record EnvironmentSettings(
     @Nullable String host, @Nullable Integer port, @Nullable Duration timeout, boolean readOnly) {
   private static final String HOST = "JOPENSHOWVAR_HOST";
   private static final String PORT = "JOPENSHOWVAR_PORT";
 
   /** Reads it for a command, whose wrong usage a wrong value is. */
-  static Environment of(ConsoleCommand command) {
+  static EnvironmentSettings of(ConsoleCommand command) {
     String host = command.console().environment(HOST);
     Integer port = converted(command, PORT, SettingText::port);
     if (host == null && port != null) {
       throw command.wrongUsage(PORT + " goes with " + HOST);
     }
-    return new Environment(
+    return new EnvironmentSettings(
         host,
         port,
         converted(command, "JOPENSHOWVAR_TIMEOUT", SettingText::time),
-        Boolean.TRUE.equals(
-            converted(command, "JOPENSHOWVAR_READ_ONLY", SettingText::flag)));
+        Boolean.TRUE.equals(converted(command, "JOPENSHOWVAR_READ_ONLY", SettingText::flag)));
   }
 
   private static <T> @Nullable T converted(

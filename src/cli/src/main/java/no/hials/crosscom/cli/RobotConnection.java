@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param client talks to it
  * @param simulation the controller itself if it is a simulated one
  */
-record Controller(Target target, CrossComClient client, @Nullable MockServer simulation)
+record RobotConnection(Robot target, CrossComClient client, @Nullable MockServer simulation)
     implements Closeable {
   @Override
   public void close() throws IOException {

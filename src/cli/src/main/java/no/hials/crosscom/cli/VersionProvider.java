@@ -3,10 +3,10 @@ package no.hials.crosscom.cli;
 import picocli.CommandLine.IVersionProvider;
 
 /** Gives the version that the build writes into the jar's manifest. */
-final class Version implements IVersionProvider {
+final class VersionProvider implements IVersionProvider {
   @Override
   public String[] getVersion() {
-    String version = Version.class.getPackage().getImplementationVersion();
+    String version = VersionProvider.class.getPackage().getImplementationVersion();
     return new String[] {"jopenshowvar " + (version == null ? "(not from a jar)" : version)};
   }
 }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.cli;
 
 import java.io.IOException;
-import java.net.InetAddress;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -16,7 +15,6 @@ import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.c3.BenchmarkResult;
 import no.hials.crosscom.cli.plot.Chart;
 import no.hials.crosscom.mock.Latency;
-import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -168,10 +166,12 @@ final class BenchCommand extends ConsoleCommand {
     checkOptions();
     Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
     if (!written.isEmpty()) {
-      writeOptions.checkAllowed(target, "write " + String.join(", ", written));
+      writeOptions
+          .permission(console())
+          .checkAllowed(target, "write " + String.join(", ", written));
     }
     if (latency == null) {
-      try (RobotConnection controller = target.open(Robot.ONE_SHOT)) {
+      try (RobotConnection controller = Robots.open(target, Robot.ONE_SHOT)) {
         return measure(controller);
       }
     }
@@ -179,12 +179,8 @@ final class BenchCommand extends ConsoleCommand {
       throw wrongUsage("--latency goes with --mock");
     }
     Latency times = latencyOf(latency);
-    try (MockServer simulation =
-            MockCommand.listen(
-                InetAddress.getLoopbackAddress(),
-                0,
-                cfg -> cfg.server(target.server()).latency(times));
-        RobotConnection controller = on(simulation, target).open(Robot.ONE_SHOT)) {
+    try (RobotConnection controller =
+        Robots.open(target, Robot.ONE_SHOT, cfg -> cfg.latency(times))) {
       return measure(controller);
     }
   }
@@ -224,16 +220,6 @@ final class BenchCommand extends ConsoleCommand {
     }
   }
 
-  private static Robot on(MockServer simulation, Robot target) {
-    return new Robot(
-        target.name(),
-        simulation.host(),
-        simulation.port(),
-        target.timeout(),
-        target.readOnly(),
-        target.server());
-  }
-
   /** Gives what the user named, each name once. */
   private Set<String> wanted() {
     Set<String> wanted = new LinkedHashSet<>(names);
@@ -243,7 +229,7 @@ final class BenchCommand extends ConsoleCommand {
 
   private ExitCode measure(RobotConnection controller) throws IOException {
     if (!written.isEmpty()) {
-      writeOptions.check(this, controller, "write " + String.join(", ", written));
+      writeOptions.permission(console()).check(controller, "write " + String.join(", ", written));
     }
     ExitCode tried = ExitCode.DONE;
     List<BenchAccess> accesses = new ArrayList<>();
@@ -327,12 +313,12 @@ final class BenchCommand extends ConsoleCommand {
   }
 
   private String title(RobotConnection controller) {
-    String host = controller.target().host();
+    String host = controller.robot().host();
     boolean simulated = host == null || latency != null;
     String where =
         simulated
             ? "simulated controller" + (latency == null ? "" : ", latency " + latency)
-            : controller.target().name().isEmpty() ? host : controller.target().name();
+            : controller.robot().name().isEmpty() ? host : controller.robot().name();
     return "Access times of " + where + ", " + Printable.count(clients, "client");
   }
 

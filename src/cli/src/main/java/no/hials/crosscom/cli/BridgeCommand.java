@@ -31,13 +31,13 @@ abstract class BridgeCommand extends ConsoleCommand {
   }
 
   /**
-   * Asks before a change as {@link WriteOptions#check(ConsoleCommand, RobotConnection, String)}
-   * does; not if the server cannot do it, as the client says when it is to be sent.
+   * Asks before a change as {@link WritePermission#check(RobotConnection, String)} does; not if the
+   * server cannot do it, as the client says when it is to be sent.
    */
   final void ask(WriteOptions options, RobotConnection controller, String what, MessageType needed)
       throws IOException {
     if (controller.client().getServer().knows(needed)) {
-      options.check(this, controller, what);
+      options.permission(console()).check(controller, what);
     }
   }
 

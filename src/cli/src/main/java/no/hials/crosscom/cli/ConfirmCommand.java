@@ -32,8 +32,8 @@ final class ConfirmCommand extends BridgeCommand {
   @Override
   ExitCode run() throws IOException {
     Robot target = target();
-    writeOptions.checkAllowed(target, WHAT);
-    try (RobotConnection controller = target.open(writeOptions.connection())) {
+    writeOptions.permission(console()).checkAllowed(target, WHAT);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
       ask(writeOptions, controller, WHAT, MessageType.CONFIRM_ALL);
       controller.client().information().confirmAll();
     } catch (CrossComRefusedException e) {

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * Where a command prints: data to one stream, messages to another. Both are flushed line by line,
  * so that their lines come in order where both end up on one terminal.
  */
-final class Console {
+final class Console implements WritePermission.Questions {
   private static final String PROGRAM = "jopenshowvar";
 
   private final Writer data;
@@ -98,12 +98,14 @@ final class Console {
   }
 
   /** Says whether a person can be asked. */
-  boolean isInteractive() {
+  @Override
+  public boolean isInteractive() {
     return questions != null || Terminal.isTerminal();
   }
 
   /** Asks a question; only y and yes are a yes, and only if they are typed after it. */
-  boolean confirm(String question) {
+  @Override
+  public boolean confirm(String question) {
     String answer = answer(Printable.of(question) + " [y/N] ");
     return answer != null && answer.strip().matches("(?i)y(es)?");
   }

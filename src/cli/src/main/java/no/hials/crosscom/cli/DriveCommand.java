@@ -18,6 +18,7 @@ import no.hials.crosscom.control.LoopStatistics;
 import no.hials.crosscom.control.Safety;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Trace;
+import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import org.jspecify.annotations.Nullable;
@@ -189,16 +190,17 @@ final class DriveCommand extends ConsoleCommand {
     }
     Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
     String what = "drive the robot by " + space.variable;
-    writeOptions.checkAllowed(target, what);
+    writeOptions.permission(console()).checkAllowed(target, what);
     try (StopSignal stop = new StopSignal();
-        RobotConnection controller = target.open(cfg -> cfg.reconnect(false))) {
-      if (controller.simulation() != null) {
-        KrlPrograms.start(controller.simulation().controller(), KrlPrograms.START, space.program);
+        RobotConnection controller = Robots.open(target, cfg -> cfg.reconnect(false))) {
+      MockServer simulation = Robots.simulation(controller);
+      if (simulation != null) {
+        KrlPrograms.start(simulation.controller(), KrlPrograms.START, space.program);
       }
       // before the question, so that a change since then is not allowed
       OperatingMode mode = mode(controller);
-      if (controller.simulation() == null) {
-        writeOptions.check(this, controller, what);
+      if (simulation == null) {
+        writeOptions.permission(console()).check(controller, what);
       }
       try (DriveDevice opened = open(choice, zone, stop)) {
         Safety safety = safety(space, fullSpeed, fullTurn, mode);

@@ -52,16 +52,17 @@ abstract class FileCopy extends FileSubcommand {
     checked("TARGET", destination);
     String what = verb + " " + source + " to " + destination;
     Robot target = target();
-    writeOptions.checkAllowed(target, what);
-    try (RobotConnection controller = target.open(writeOptions.connection())) {
+    writeOptions.permission(console()).checkAllowed(target, what);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
       ControllerFiles files = controller.client().files();
       String name =
           isFolder(files, destination)
               ? RemoteName.in(destination, RemoteName.last(source))
               : destination;
       boolean there = files.exists(name);
-      writeOptions.check(
-          this, controller, what, there ? List.of(name + " is there already") : List.of());
+      writeOptions
+          .permission(console())
+          .check(controller, what, there ? List.of(name + " is there already") : List.of());
       send(files, source, name, there ? new CopyFlag[] {CopyFlag.OVERWRITE} : new CopyFlag[0]);
       print(name);
     }

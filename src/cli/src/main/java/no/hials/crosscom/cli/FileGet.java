@@ -78,7 +78,7 @@ final class FileGet extends FileSubcommand {
     Path place = place(names.size());
     Robot target = target();
     try (RobotConnection controller =
-        target.open(yes ? Robot.ONE_SHOT : cfg -> cfg.reconnect(false))) {
+        Robots.open(target, yes ? Robot.ONE_SHOT : cfg -> cfg.reconnect(false))) {
       ControllerFiles files = controller.client().files();
       List<Job> jobs = jobs(files, names, place);
       ask(target, jobs);
@@ -130,7 +130,7 @@ final class FileGet extends FileSubcommand {
             .map(job -> job.local() + " is there already")
             .collect(Collectors.joining(", "));
     if (!yes && !there.isEmpty()) {
-      WriteOptions.confirm(this, target.label(), "overwrite it", there);
+      new WritePermission(false, false, console()).confirm(target.label(), "overwrite it", there);
     }
   }
 

@@ -86,7 +86,7 @@ final class FileLs extends FileSubcommand {
   @Override
   ExitCode work() throws IOException {
     checked("FOLDER", folder);
-    try (RobotConnection controller = target().open(Robot.ONE_SHOT)) {
+    try (RobotConnection controller = Robots.open(target(), Robot.ONE_SHOT)) {
       ControllerFiles files = controller.client().files();
       List<Item> items = new ArrayList<>();
       for (FileEntry entry : list(files)) {

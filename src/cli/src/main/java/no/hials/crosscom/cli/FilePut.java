@@ -107,13 +107,13 @@ final class FilePut extends FileSubcommand {
                 .map(each -> each.local().toString())
                 .collect(Collectors.joining(", "));
     Robot target = target();
-    writeOptions.checkAllowed(target, what);
-    try (RobotConnection controller = target.open(writeOptions.connection())) {
+    writeOptions.permission(console()).checkAllowed(target, what);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
       ControllerFiles files = controller.client().files();
       List<Job> jobs = jobs(files, sources, remote);
       List<String> reasons =
           jobs.stream().filter(Job::there).map(job -> job.name() + " is there already").toList();
-      writeOptions.check(this, controller, what, reasons);
+      writeOptions.permission(console()).check(controller, what, reasons);
       ExitCode code =
           transfer("uploaded", jobs, Job::name, (job, stop) -> upload(files, job, stop));
       if (code != ExitCode.DONE) {

@@ -51,11 +51,11 @@ final class FileRm extends FileSubcommand {
   ExitCode work() throws IOException {
     String what = "delete " + String.join(", ", checked("NAME", names));
     Robot target = target();
-    writeOptions.checkAllowed(target, what);
-    try (RobotConnection controller = target.open(writeOptions.connection())) {
+    writeOptions.permission(console()).checkAllowed(target, what);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
       ControllerFiles files = controller.client().files();
       Set<String> folders = folders(files);
-      writeOptions.check(this, controller, what, reasons(folders));
+      writeOptions.permission(console()).check(controller, what, reasons(folders));
       for (int i = 0; i < names.size(); i++) {
         try {
           files.delete(names.get(i), force || folders.contains(names.get(i)));

@@ -49,7 +49,7 @@ final class FileStat extends FileSubcommand {
   ExitCode work() throws IOException {
     checked("NAME", names);
     ExitCode result = ExitCode.DONE;
-    try (RobotConnection controller = target().open(Robot.ONE_SHOT)) {
+    try (RobotConnection controller = Robots.open(target(), Robot.ONE_SHOT)) {
       ControllerFiles files = controller.client().files();
       boolean first = true;
       for (String name : names) {

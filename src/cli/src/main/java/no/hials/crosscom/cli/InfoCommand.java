@@ -46,7 +46,7 @@ final class InfoCommand extends BridgeCommand {
 
   @Override
   ExitCode run() throws IOException {
-    try (RobotConnection controller = target().open(Robot.ONE_SHOT)) {
+    try (RobotConnection controller = Robots.open(target(), Robot.ONE_SHOT)) {
       CrossComClient client = controller.client();
       Server server = client.getServer();
       List<Item> items = new ArrayList<>();

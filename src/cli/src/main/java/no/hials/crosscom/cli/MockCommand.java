@@ -216,7 +216,8 @@ final class MockCommand extends ConsoleCommand {
     // in this order: a signal behind the first line finds both there
     try (StopSignal stop = new StopSignal();
         MockServer server =
-            listen(address, port, with(address).andThen(cfg -> cfg.clock(speed).latency(times)))) {
+            Robots.listen(
+                address, port, with(address).andThen(cfg -> cfg.clock(speed).latency(times)))) {
       rules.forEach(server::faults);
       List<String> lines = setup.apply(server.controller());
       if (serverType == ServerType.C3_BRIDGE) {
@@ -341,17 +342,6 @@ final class MockCommand extends ConsoleCommand {
       console().print(what + " on " + shown(host) + ":" + port.getAsInt());
     } else if (!noDiscovery) {
       console().error("no " + what + ": UDP port " + usual + " is in use");
-    }
-  }
-
-  /** Starts a mock server that does not keep requests, since nobody asks it for them. */
-  static MockServer listen(InetAddress address, int port, Consumer<MockServerConfig.Builder> more)
-      throws CannotListenException {
-    try {
-      return MockServer.start(
-          cfg -> more.accept(cfg.bindAddress(address).port(port).recordedRequests(0)));
-    } catch (IOException e) {
-      throw new CannotListenException(String.valueOf(e.getMessage()), e);
     }
   }
 }

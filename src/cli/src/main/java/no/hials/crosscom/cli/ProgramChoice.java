@@ -73,8 +73,8 @@ abstract class ProgramChoice extends BridgeCommand {
     String arguments = checkedLength("--parameters", parameters);
     String what = verb + " " + name;
     Robot target = target();
-    writeOptions.checkAllowed(target, what);
-    try (RobotConnection controller = target.open(writeOptions.connection())) {
+    writeOptions.permission(console()).checkAllowed(target, what);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
       ask(writeOptions, controller, what, MessageType.PROGRAM_CONTROL);
       send(controller.client().programs(), name, arguments, force);
       ProgramStatus state = ProgramStatus.read(controller.client(), Interpreter.ROBOT);

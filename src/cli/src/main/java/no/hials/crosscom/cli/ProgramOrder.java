@@ -57,8 +57,8 @@ abstract class ProgramOrder extends BridgeCommand {
     Interpreter interpreter = submit ? Interpreter.SUBMIT : Interpreter.ROBOT;
     String what = verb + " the program of the " + (submit ? "submit" : "robot") + " interpreter";
     Robot target = target();
-    writeOptions.checkAllowed(target, what);
-    try (RobotConnection controller = target.open(writeOptions.connection())) {
+    writeOptions.permission(console()).checkAllowed(target, what);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
       if (!isStop()) {
         ask(writeOptions, controller, what, MessageType.PROGRAM_CONTROL);
       }

@@ -84,7 +84,7 @@ final class ReadCommand extends ConsoleCommand {
 
   /** Reads from one controller, and prints each variable as it comes. */
   private ExitCode readAll(Robot target) throws IOException {
-    try (RobotConnection controller = target.open(Robot.ONE_SHOT)) {
+    try (RobotConnection controller = Robots.open(target, Robot.ONE_SHOT)) {
       return new Reading(console(), "", "").of(controller.client());
     }
   }
@@ -118,7 +118,7 @@ final class ReadCommand extends ConsoleCommand {
     StringWriter err = new StringWriter();
     Console console = new Console(out, err, Map.of());
     ExitCode result;
-    try (RobotConnection controller = target.open(Robot.ONE_SHOT)) {
+    try (RobotConnection controller = Robots.open(target, Robot.ONE_SHOT)) {
       result = new Reading(console, target.name(), target.label()).of(controller.client());
     } catch (CrossComException e) {
       console.failure(target.label(), e, isVerbose());

@@ -113,15 +113,16 @@ final class RecordCommand extends ConsoleCommand {
       NewFile.check(LocalFiles.path(this, out), yes);
     }
     try (StopSignal stop = new StopSignal();
-        Sampling sampling = Sampling.open(this, controllerOptions, samplingOptions)) {
-      ExitCode first = sampling.readFirst();
+        Sampling sampling = samplingOptions.open(this, controllerOptions)) {
+      ExitCode first = SamplingOptions.readFirst(this, sampling);
       if (first != ExitCode.DONE) {
         return first;
       }
       try (Recording recording = open(chosen, sampling);
           LiveLine line = new LiveLine(console().err(), !isVerbose() && Terminal.showsProgress())) {
         recording.begin();
-        ExitCode result = sampling.run(false, stop, new Recorder(sampling, recording, line));
+        ExitCode result =
+            SamplingOptions.run(sampling, false, stop, new Recorder(sampling, recording, line));
         recording.end(sampling);
         line.clear();
         console().hint(summary(sampling));

@@ -70,10 +70,10 @@ final class RunCommand extends ConsoleCommand {
     Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
     for (Step step : steps) {
       if (step.line() instanceof ShellLine.Write) {
-        writeOptions.checkAskable(console(), target, step.line().toString());
+        writeOptions.permission(console()).checkAskable(target, step.line().toString());
       }
     }
-    try (RobotConnection controller = target.open(Robot.LASTING)) {
+    try (RobotConnection controller = Robots.open(target, Robot.LASTING)) {
       ShellSymbols symbols = new ShellSymbols(controller);
       return run(steps, new ShellSession(console(), controller, writeOptions, symbols));
     }

@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 
 /** One of the controllers that a {@link Sampling} reads, and what it counts of it. */
 final class SampledRobot implements Closeable {
-  private final Robot target;
+  private final Robot robot;
   private final Sampling.Queue queue;
   private final RobotConnection controller;
   private final Map<String, KrlValue> first = new LinkedHashMap<>();
@@ -41,22 +41,24 @@ final class SampledRobot implements Closeable {
   private @Nullable ConnectionEvent lost;
 
   /** Connects to a controller. */
-  SampledRobot(Robot target, Sampling.Queue queue) throws IOException {
-    this.target = target;
+  SampledRobot(Robot robot, RobotConnection.Opener opener, Sampling.Queue queue)
+      throws IOException {
+    this.robot = robot;
     this.queue = queue;
     this.controller =
-        target.open(
+        opener.open(
+            robot,
             cfg -> cfg.listener(event -> queue.add(new Sampling.ConnectionChanged(this, event))));
   }
 
   /** Gives its name, empty if it has none. */
   String name() {
-    return target.name();
+    return robot.name();
   }
 
   /** Gives what to print before a message about it. */
   String label() {
-    return target.label();
+    return robot.label();
   }
 
   /** Gives what a variable of it is called beside those of others, as {@code cell1:$OV_PRO}. */

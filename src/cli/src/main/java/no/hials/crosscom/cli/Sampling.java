@@ -10,11 +10,11 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Flow;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.WatchConfig;
-import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,14 +29,35 @@ final class Sampling implements Closeable {
   /** How long a reading under way may take when it ends; longer only if the connection is lost. */
   private static final long MAX_MILLIS_TO_END = 3_000;
 
-  private final ConsoleCommand command;
-  private final SamplingOptions options;
+  private final Plan plan;
   private final Queue queue = new Queue();
   private final List<SampledRobot> robots = new ArrayList<>();
   private @Nullable Instant start;
 
-  /** The gravest failure to connect. */
-  private ExitCode connected = ExitCode.DONE;
+  private final List<Failure> failedToConnect = new ArrayList<>();
+
+  /**
+   * The variables to read, how often, and for how long.
+   *
+   * @param names the variables, each once
+   * @param period from one reading to the next
+   * @param length the greatest time; null if there is no limit
+   * @param count the greatest number of samples of each robot
+   */
+  public record Plan(List<String> names, Duration period, @Nullable Duration length, long count) {}
+
+  /**
+   * A robot that could not be reached, or a variable that could not be read.
+   *
+   * @param label the text to print before the message
+   * @param cause the reason
+   */
+  public record Failure(String label, CrossComException cause) {
+    /** Returns the message for the user. */
+    public String message() {
+      return label + cause.getMessage();
+    }
+  }
 
   /** Takes what is read. */
   interface Listener {
@@ -116,20 +137,17 @@ final class Sampling implements Closeable {
     }
   }
 
-  private Sampling(ConsoleCommand command, SamplingOptions options) {
-    this.command = command;
-    this.options = options;
+  private Sampling(Plan plan) {
+    this.plan = plan;
   }
 
-  /** Connects to all controllers that the user chose; one that cannot be reached is printed. */
-  static Sampling open(
-      ConsoleCommand command, ControllerOptions controllerOptions, SamplingOptions options)
+  /** Connects to robots; {@link #readFirst} returns those that cannot be reached. */
+  public static Sampling open(Plan plan, List<Robot> robots, RobotConnection.Opener opener)
       throws IOException {
-    options.check(command);
-    Sampling sampling = new Sampling(command, options);
+    Sampling sampling = new Sampling(plan);
     try {
-      for (Robot target : controllerOptions.targets(command, ServerType.KUKAVARPROXY)) {
-        sampling.connect(target);
+      for (Robot robot : robots) {
+        sampling.connect(robot, opener);
       }
       return sampling;
     } catch (IOException | RuntimeException e) {
@@ -138,13 +156,17 @@ final class Sampling implements Closeable {
     }
   }
 
-  private void connect(Robot target) throws IOException {
+  private void connect(Robot robot, RobotConnection.Opener opener) throws IOException {
     try {
-      robots.add(new SampledRobot(target, queue));
+      robots.add(new SampledRobot(robot, opener, queue));
     } catch (CrossComException e) {
-      command.console().failure(target.label(), e, command.isVerbose());
-      connected = connected.orGraver(ExitCode.ofFailedRead(e));
+      failedToConnect.add(new Failure(robot.label(), e));
     }
+  }
+
+  /** Returns the robots that could not be reached. */
+  public List<Failure> failedToConnect() {
+    return failedToConnect;
   }
 
   List<SampledRobot> robots() {
@@ -152,7 +174,7 @@ final class Sampling implements Closeable {
   }
 
   Duration period() {
-    return options.period();
+    return plan.period();
   }
 
   /** Gives how much time has passed between the first sample of all and a time. */
@@ -161,43 +183,35 @@ final class Sampling implements Closeable {
   }
 
   /**
-   * Reads all variables once, so that a name that is wrong is told before anything begins.
+   * Reads all variables once, so that a wrong name is reported before anything begins.
    *
-   * @return the gravest failure, also to connect; all are printed
+   * @return the variables that could not be read
+   * @throws IllegalArgumentException if a name cannot be sent
    */
-  ExitCode readFirst() {
-    ExitCode result = connected;
+  public List<Failure> readFirst() {
+    List<Failure> failures = new ArrayList<>();
     for (SampledRobot robot : robots) {
-      List<CrossComException> failures;
-      try {
-        failures = robot.readFirst(options.names());
-      } catch (IllegalArgumentException e) {
-        // a name that cannot be sent
-        throw command.wrongUsage(String.valueOf(e.getMessage()));
+      for (CrossComException failure : robot.readFirst(plan.names())) {
+        failures.add(new Failure(robot.label(), failure));
       }
-      for (CrossComException failure : failures) {
-        result = result.orGraver(ExitCode.ofFailedRead(failure));
-      }
-      failures.stream()
-          .map(failure -> robot.label() + failure.getMessage())
-          .distinct()
-          .forEach(command.console()::error);
     }
-    return result;
+    return failures;
   }
 
   /**
    * Reads until it is stopped, or has enough.
    *
    * @param changesOnly whether the listener gets only samples in which something changed
-   * @return {@link ExitCode#LOST} if it ended by itself while a connection was lost
+   * @param isStopped returns whether the user wants no more
+   * @return whether it ended by itself while a connection was lost
    */
-  ExitCode run(boolean changesOnly, StopSignal stop, Listener listener) throws IOException {
+  public boolean run(boolean changesOnly, BooleanSupplier isStopped, Listener listener)
+      throws IOException {
     WatchConfig config =
         WatchConfig.create(
-            options.names(),
-            cfg -> cfg.period(options.period()).changesOnly(changesOnly).bufferSize(65_536));
-    Duration length = options.length();
+            plan.names(),
+            cfg -> cfg.period(plan.period()).changesOnly(changesOnly).bufferSize(65_536));
+    Duration length = plan.length();
     long end = length == null ? Long.MAX_VALUE : length.toNanos();
     long begin = System.nanoTime();
     robots.forEach(robot -> robot.start(config));
@@ -205,7 +219,7 @@ final class Sampling implements Closeable {
     try {
       while (isActive() && !byUser && System.nanoTime() - begin < end) {
         take(queue.next(TICK_MILLIS), listener);
-        byUser = !listener.tick() || stop.isStopped();
+        byUser = !listener.tick() || isStopped.getAsBoolean();
       }
       finish(listener);
     } catch (InterruptedException e) {
@@ -213,7 +227,7 @@ final class Sampling implements Closeable {
       finishInterrupted(listener);
     }
     boolean lost = robots.stream().anyMatch(SampledRobot::isLost);
-    return lost && !byUser ? ExitCode.LOST : ExitCode.DONE;
+    return lost && !byUser;
   }
 
   private boolean isActive() {
@@ -264,14 +278,14 @@ final class Sampling implements Closeable {
     if (start == null) {
       start = sample.time();
     }
-    Duration length = options.length();
+    Duration length = plan.length();
     if (length != null && since(sample.time()).compareTo(length) >= 0) {
       robot.stopWithEnough();
       return;
     }
     robot.count(sample);
     listener.sampled(robot, sample);
-    if (robot.samples() >= options.count()) {
+    if (robot.samples() >= plan.count()) {
       robot.stopWithEnough();
     }
   }

@@ -1,7 +1,9 @@
 package no.hials.crosscom.cli;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
+import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -41,8 +43,49 @@ final class SamplingOptions {
       description = "Stop after this many samples, of each robot if there are several.")
   private @Nullable Long count;
 
+  /** Connects to all robots that the user chose. */
+  Sampling open(ConsoleCommand command, ControllerOptions controllerOptions) throws IOException {
+    check(command);
+    return Sampling.open(
+        new Sampling.Plan(
+            names.stream().distinct().toList(),
+            period,
+            length,
+            count == null ? Long.MAX_VALUE : count),
+        controllerOptions.targets(command, ServerType.KUKAVARPROXY),
+        Robots::open);
+  }
+
+  /** Reads all variables once, prints the failures, and returns the worst of them. */
+  static ExitCode readFirst(ConsoleCommand command, Sampling sampling) {
+    ExitCode result = ExitCode.DONE;
+    for (Sampling.Failure failure : sampling.failedToConnect()) {
+      command.console().failure(failure.label(), failure.cause(), command.isVerbose());
+      result = result.orGraver(ExitCode.ofFailedRead(failure.cause()));
+    }
+    List<Sampling.Failure> failures;
+    try {
+      failures = sampling.readFirst();
+    } catch (IllegalArgumentException e) {
+      // a name that cannot be sent
+      throw command.wrongUsage(String.valueOf(e.getMessage()));
+    }
+    for (Sampling.Failure failure : failures) {
+      result = result.orGraver(ExitCode.ofFailedRead(failure.cause()));
+    }
+    failures.stream().map(Sampling.Failure::message).distinct().forEach(command.console()::error);
+    return result;
+  }
+
+  /** Samples until it ends, and returns {@link ExitCode#LOST} if it ended without a connection. */
+  static ExitCode run(
+      Sampling sampling, boolean changesOnly, StopSignal stop, Sampling.Listener listener)
+      throws IOException {
+    return sampling.run(changesOnly, stop::isStopped, listener) ? ExitCode.LOST : ExitCode.DONE;
+  }
+
   /** Checks what picocli does not. */
-  void check(ConsoleCommand command) {
+  private void check(ConsoleCommand command) {
     for (String name : names) {
       if (name.isBlank()) {
         throw command.wrongUsage(
@@ -55,24 +98,5 @@ final class SamplingOptions {
     if (count != null && count < 1) {
       throw command.wrongUsage("--count must be 1 or more, is " + count);
     }
-  }
-
-  /** Gives the variables, each once. */
-  List<String> names() {
-    return names.stream().distinct().toList();
-  }
-
-  Duration period() {
-    return period;
-  }
-
-  /** Gives the greatest time; null if there is none. */
-  @Nullable Duration length() {
-    return length;
-  }
-
-  /** Gives the greatest number of samples. */
-  long count() {
-    return count == null ? Long.MAX_VALUE : count;
   }
 }

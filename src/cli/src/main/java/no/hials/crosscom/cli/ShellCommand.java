@@ -46,7 +46,7 @@ final class ShellCommand extends ConsoleCommand {
   @Override
   ExitCode run() throws IOException {
     Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
-    try (RobotConnection controller = target.open(Robot.LASTING)) {
+    try (RobotConnection controller = Robots.open(target, Robot.LASTING)) {
       ShellSymbols symbols = new ShellSymbols(controller);
       if (console().isInteractive()) {
         return converse(controller, symbols);

@@ -74,7 +74,7 @@ final class ShellCommands {
       place++;
     }
     List<String> all = new ArrayList<>(words);
-    all.addAll(place, options(command.getCommandSpec(), controller, writeOptions));
+    all.addAll(place, options(console, command.getCommandSpec(), controller, writeOptions));
     return ExitCode.of(Main.run(all.toArray(String[]::new), console));
   }
 
@@ -90,18 +90,19 @@ final class ShellCommands {
   }
 
   private static List<String> options(
-      CommandSpec command, RobotConnection controller, WriteOptions writeOptions) {
+      Console console, CommandSpec command, RobotConnection controller, WriteOptions writeOptions) {
+    boolean readOnly = writeOptions.permission(console).isReadOnly(controller.robot());
     List<String> options = new ArrayList<>();
     if (command.findOption("--host") != null) {
       ClientConfig config = controller.client().getConfig();
       options.add("--host=" + config.host());
       options.add("--port=" + config.port());
-      Duration timeout = controller.target().timeout();
+      Duration timeout = controller.robot().timeout();
       if (timeout != null) {
         options.add("--timeout=" + timeout.toMillis());
       }
     }
-    if (writeOptions.isReadOnly(controller.target()) && command.findOption("--read-only") != null) {
+    if (readOnly && command.findOption("--read-only") != null) {
       options.add("--read-only");
     }
     if (writeOptions.isYes() && command.findOption("--yes") != null) {

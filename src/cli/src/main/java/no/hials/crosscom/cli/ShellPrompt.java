@@ -13,7 +13,7 @@ final class ShellPrompt {
 
   ShellPrompt(RobotConnection controller) {
     this.controller = controller;
-    Robot target = controller.target();
+    Robot target = controller.robot();
     String host = target.host();
     name = !target.name().isEmpty() ? target.name() : host == null ? "mock" : host;
   }

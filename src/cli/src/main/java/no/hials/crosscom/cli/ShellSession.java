@@ -79,7 +79,7 @@ final class ShellSession {
 
   private void write(ShellLine.Write write) throws IOException {
     controller.client().checkText(write.name(), write.value());
-    writeOptions.checkEach(console, controller, write.toString());
+    writeOptions.permission(console).checkEach(controller, write.toString());
     controller.client().writeText(write.name(), write.value());
     console.print(write.name() + " = " + write.value());
     symbols.used(write.name());

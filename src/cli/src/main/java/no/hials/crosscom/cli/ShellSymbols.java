@@ -69,7 +69,7 @@ final class ShellSymbols {
   }
 
   private Catalogue system() {
-    MockServer simulation = controller.simulation();
+    MockServer simulation = Robots.simulation(controller);
     return simulation == null
         ? Catalogue.system()
         : Catalogue.of(simulation.variables(), variable -> true);

@@ -66,15 +66,15 @@ final class WatchCommand extends ConsoleCommand {
   @Override
   ExitCode run() throws IOException {
     try (StopSignal stop = new StopSignal();
-        Sampling sampling = Sampling.open(this, controllerOptions, samplingOptions)) {
-      ExitCode first = sampling.readFirst();
+        Sampling sampling = samplingOptions.open(this, controllerOptions)) {
+      ExitCode first = SamplingOptions.readFirst(this, sampling);
       if (first != ExitCode.DONE) {
         return first;
       }
       boolean table = !json && !isVerbose() && Terminal.isInteractive() && Terminal.isForeground();
       Screen screen = table ? Screen.open(console()) : null;
       return screen == null
-          ? sampling.run(changes, stop, json ? new Json(sampling) : new Lines())
+          ? SamplingOptions.run(sampling, changes, stop, json ? new Json(sampling) : new Lines())
           : show(screen, sampling, stop);
     }
   }
@@ -83,7 +83,7 @@ final class WatchCommand extends ConsoleCommand {
     WatchTable table = new WatchTable(sampling.robots());
     ExitCode result;
     try (screen) {
-      result = sampling.run(changes, stop, new OnScreen(table, screen));
+      result = SamplingOptions.run(sampling, changes, stop, new OnScreen(table, screen));
     }
     // the screen is as it was before; what it showed last stays
     table.text().forEach(console()::print);

@@ -83,10 +83,10 @@ final class WriteCommand extends ConsoleCommand {
     }
     String line = json ? JsonLine.of(name, parse()) : name + " = " + value;
     Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
-    writeOptions.checkAllowed(target, "write " + name);
-    try (RobotConnection controller = target.open(writeOptions.connection())) {
+    writeOptions.permission(console()).checkAllowed(target, "write " + name);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
       controller.client().checkText(name, value);
-      writeOptions.check(this, controller, "write " + name);
+      writeOptions.permission(console()).check(controller, "write " + name);
       controller.client().writeText(name, value);
     } catch (CrossComException e) {
       console().failure(e, isVerbose());

@@ -36,7 +36,7 @@ class ShellCompleterTest {
             """);
     Robot target =
         new Robot("", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
-    controller = target.open(Robot.LASTING);
+    controller = Robots.open(target, Robot.LASTING);
     symbols = new ShellSymbols(controller);
     completer =
         new ShellCompleter(new Console(new StringWriter(), new StringWriter(), Map.of()), symbols);

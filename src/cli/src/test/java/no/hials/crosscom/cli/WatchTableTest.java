@@ -30,7 +30,7 @@ class WatchTableTest {
     server = MockServer.start();
     Robot target =
         new Robot("", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
-    robot = new SampledRobot(target, new Sampling.Queue());
+    robot = new SampledRobot(target, Robots::open, new Sampling.Queue());
     robot.readFirst(List.of("MYINT", "MYFRAME"));
     table = new WatchTable(List.of(robot));
   }
@@ -164,7 +164,7 @@ class WatchTableTest {
     Robot target =
         new Robot("cell1", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
     try (SampledRobot unnamed = robot;
-        SampledRobot named = new SampledRobot(target, new Sampling.Queue())) {
+        SampledRobot named = new SampledRobot(target, Robots::open, new Sampling.Queue())) {
       table = new WatchTable(List.of(unnamed, named));
       robot = named;
       add("5", "{X 1.5}");

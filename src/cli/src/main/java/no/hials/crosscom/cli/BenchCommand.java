@@ -328,7 +328,10 @@ final class BenchCommand extends ConsoleCommand {
     }
     Set<String> kinds = new LinkedHashSet<>();
     result.tallies().forEach(tally -> kinds.addAll(tally.failures().keySet()));
-    return BenchTally.exitCode(kinds);
+    if (kinds.isEmpty()) {
+      return ExitCode.DONE;
+    }
+    return BenchTally.isRefused(kinds) ? ExitCode.REFUSED : ExitCode.LOST;
   }
 
   // what C3 Bridge measures

@@ -67,12 +67,9 @@ final class BenchTally {
     return "wrong answer";
   }
 
-  /** Gives the exit code for the kinds of failures that there were. */
-  static ExitCode exitCode(Set<String> kinds) {
-    if (kinds.isEmpty()) {
-      return ExitCode.DONE;
-    }
-    return kinds.stream().allMatch(kind -> kind.equals(REFUSED)) ? ExitCode.REFUSED : ExitCode.LOST;
+  /** Returns whether failures of these kinds are refusals of the controller only. */
+  static boolean isRefused(Set<String> kinds) {
+    return kinds.stream().allMatch(kind -> kind.equals(REFUSED));
   }
 
   /** Says whether the connection is as good as before. */

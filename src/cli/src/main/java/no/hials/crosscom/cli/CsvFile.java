@@ -50,7 +50,7 @@ final class CsvFile {
     String reason =
         file.toString().endsWith(".jsonl")
             ? "it must be CSV, not JSON Lines"
-            : Main.lowerFirst(String.valueOf(e.getMessage()));
+            : Printable.lowerFirst(String.valueOf(e.getMessage()));
     return new FileException("cannot read " + file + ": " + reason, e);
   }
 

@@ -101,16 +101,7 @@ public final class Main {
           ? "there is an argument too many, " + argument + "; one with blanks needs quotes"
           : "unknown command: " + argument;
     }
-    return lowerFirst(String.valueOf(e.getMessage()));
-  }
-
-  /**
-   * Makes a sentence of picocli fit to stand behind the program's name; not one with NAME first.
-   */
-  static String lowerFirst(String message) {
-    return message.length() > 1 && Character.isLowerCase(message.charAt(1))
-        ? Character.toLowerCase(message.charAt(0)) + message.substring(1)
-        : message;
+    return Printable.lowerFirst(String.valueOf(e.getMessage()));
   }
 
   private static ExitCode failure(Console console, Exception e, boolean verbose) {

@@ -33,4 +33,11 @@ final class Printable {
   static String count(long number, String thing) {
     return number + " " + thing + (number == 1 ? "" : "s");
   }
+
+  /** Returns a message with a small first letter, unless it begins with a NAME. */
+  static String lowerFirst(String message) {
+    return message.length() > 1 && Character.isLowerCase(message.charAt(1))
+        ? Character.toLowerCase(message.charAt(0)) + message.substring(1)
+        : message;
+  }
 }

@@ -2,6 +2,25 @@ package no.hials.crosscom.cli;
 
 import java.util.Arrays;
 import java.util.List;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.bridge.ConfirmCommand;
+import no.hials.crosscom.cli.bridge.DiscoverCommand;
+import no.hials.crosscom.cli.bridge.FileCommand;
+import no.hials.crosscom.cli.bridge.InfoCommand;
+import no.hials.crosscom.cli.bridge.ProgramCommand;
+import no.hials.crosscom.cli.drive.DriveCommand;
+import no.hials.crosscom.cli.lab.BenchCommand;
+import no.hials.crosscom.cli.lab.ExperimentCommand;
+import no.hials.crosscom.cli.lab.PlotCommand;
+import no.hials.crosscom.cli.mock.MockCommand;
+import no.hials.crosscom.cli.shell.RunCommand;
+import no.hials.crosscom.cli.shell.ShellCommand;
+import no.hials.crosscom.cli.variables.ReadCommand;
+import no.hials.crosscom.cli.variables.RecordCommand;
+import no.hials.crosscom.cli.variables.VarsCommand;
+import no.hials.crosscom.cli.variables.WatchCommand;
+import no.hials.crosscom.cli.variables.WriteCommand;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Help.Column;
@@ -12,7 +31,7 @@ import picocli.CommandLine.Model.UsageMessageSpec;
  * The commands by what they are for, in the order of the help. A command is added in two places
  * here: its name to a group, and to {@link #make}.
  */
-enum Commands {
+public enum Commands {
   VARIABLES("Variables:", "read", "write", "vars", "shell", "run"),
   PROGRAMS("Programs and files:", "info", "discover", "program", "file", "confirm"),
   CONTROL("Control:", "drive"),
@@ -63,7 +82,7 @@ enum Commands {
   }
 
   /** Gives the names of the group. */
-  List<String> names() {
+  public List<String> names() {
     return names;
   }
 
@@ -108,7 +127,7 @@ enum Commands {
     return list.toString();
   }
 
-  static String firstSentence(String... description) {
+  public static String firstSentence(String... description) {
     String text = String.join(" ", description);
     int end = text.indexOf(". ");
     return end < 0 ? text : text.substring(0, end + 1);

@@ -8,6 +8,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Map;
+import no.hials.crosscom.cli.base.Console;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 

@@ -5,6 +5,17 @@ import java.io.FileOutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
 import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.NotSentException;
+import no.hials.crosscom.cell.OutputException;
+import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.cli.base.CannotListenException;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.cli.base.StoppedException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -37,11 +48,11 @@ public final class Main {
    * @param err gets everything else
    * @return the exit code
    */
-  static int run(String[] args, Writer out, Writer err) {
+  public static int run(String[] args, Writer out, Writer err) {
     return run(args, new Console(out, err, System.getenv()));
   }
 
-  static int run(String[] args, Console console) {
+  public static int run(String[] args, Console console) {
     try {
       return commandLine(console, args).execute(ControllerOptions.withNamesAsOptions(args));
     } catch (Error e) {
@@ -50,7 +61,7 @@ public final class Main {
   }
 
   /** Makes the tree of commands: all of it, or only what the arguments need. */
-  static CommandLine commandLine(Console console, String... args) {
+  public static CommandLine commandLine(Console console, String... args) {
     CommandLine main = new CommandLine(new MainCommand());
     Commands.addTo(main, console, args);
     Handlers handlers = new Handlers(console);
@@ -94,7 +105,7 @@ public final class Main {
   }
 
   /** Says what is wrong with the arguments. */
-  static String message(ParameterException e) {
+  public static String message(ParameterException e) {
     if (e instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
       String argument = "'" + unmatched.getUnmatched().get(0) + "'";
       return e.getCommandLine().getSubcommands().isEmpty()

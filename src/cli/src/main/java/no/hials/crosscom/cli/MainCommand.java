@@ -1,5 +1,6 @@
 package no.hials.crosscom.cli;
 
+import no.hials.crosscom.cli.base.VersionProvider;
 import picocli.CommandLine.Command;
 
 /** The program without a command, which only has help. */

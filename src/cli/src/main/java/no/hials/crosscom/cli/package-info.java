@@ -2,8 +2,8 @@
  * The command line: a thin shell around the client, one class a command.
  *
  * <p>Data goes to stdout, everything else to stderr, and how it ended is told by {@link
- * no.hials.crosscom.cli.ExitCode}. {@link no.hials.crosscom.cli.Main} puts the commands together;
- * the streams are handed down to them in a {@link no.hials.crosscom.cli.Console}.
+ * no.hials.crosscom.cli.base.ExitCode}. {@link no.hials.crosscom.cli.Main} puts the commands
+ * together; the streams are handed down to them in a {@link no.hials.crosscom.cli.base.Console}.
  */
 @NullMarked
 package no.hials.crosscom.cli;

@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;

@@ -2,6 +2,7 @@ package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import no.hials.crosscom.cli.base.Cli;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

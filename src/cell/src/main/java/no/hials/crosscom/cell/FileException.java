@@ -1,0 +1,37 @@
+package no.hials.crosscom.cell;
+
+import java.io.IOException;
+import java.nio.file.Path;
+
+/** Says that a file that was named in the arguments or for this program cannot be used. */
+public final class FileException extends IOException {
+  private static final long serialVersionUID = 1L;
+
+  public FileException(String message) {
+    super(message);
+  }
+
+  public FileException(String message, Throwable cause) {
+    super(message, cause);
+  }
+
+  /**
+   * Makes one that says what cannot be done to a file.
+   *
+   * @param verb as in {@code cannot read}
+   */
+  public static FileException cannot(String verb, Path file, IOException cause) {
+    return new FileException("cannot " + verb + " " + file + ": " + reason(cause), cause);
+  }
+
+  /** Gives the reason; the message of most of these exceptions is the file's name only. */
+  static String reason(IOException e) {
+    return switch (e.getClass().getSimpleName()) {
+      case "NoSuchFileException" -> "there is no such file";
+      case "FileAlreadyExistsException" -> "there is a file of that name";
+      case "AccessDeniedException" -> "access is denied";
+      case "MalformedInputException" -> "it is not in UTF-8";
+      default -> String.valueOf(e.getMessage());
+    };
+  }
+}

@@ -1,0 +1,40 @@
+package no.hials.crosscom.cell;
+
+import java.io.IOException;
+import java.time.Duration;
+import no.hials.crosscom.ConnectionEvent;
+import no.hials.crosscom.Sample;
+
+/** Writes a line of JSON for each sample. */
+public final class JsonRecording implements Recording {
+  private final Sink sink;
+
+  public JsonRecording(Sink sink) {
+    this.sink = sink;
+  }
+
+  @Override
+  public void begin() {
+    // the first line is a sample
+  }
+
+  @Override
+  public void add(SampledRobot robot, Sample sample, Duration since) {
+    sink.write(SampleJson.of(robot, sample, since) + "\n");
+  }
+
+  @Override
+  public void connectionChanged(SampledRobot robot, ConnectionEvent event) {
+    // the next sample says how many readings failed
+  }
+
+  @Override
+  public void end(Sampling sampling) {
+    // the last line is a sample
+  }
+
+  @Override
+  public void close() throws IOException {
+    sink.close();
+  }
+}

@@ -1,0 +1,43 @@
+package no.hials.crosscom.cell;
+
+/** Makes texts of others, and numbers, fit for a line of the terminal. */
+public final class Printable {
+  private Printable() {}
+
+  /** Keeps a text on its line, and its characters from steering the terminal. */
+  public static String of(String text) {
+    return of(text, "");
+  }
+
+  /**
+   * Keeps the characters of a message, which may have several lines, from steering the terminal.
+   */
+  public static String message(String text) {
+    return of(text, System.lineSeparator() + "\n");
+  }
+
+  private static String of(String text, String kept) {
+    StringBuilder line = new StringBuilder();
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (Character.isISOControl(c) && kept.indexOf(c) < 0) {
+        line.append(String.format("\\x%02X", (int) c));
+      } else {
+        line.append(c);
+      }
+    }
+    return line.toString();
+  }
+
+  /** Gives a number of things, such as {@code 1 byte} and {@code 2 bytes}. */
+  public static String count(long number, String thing) {
+    return number + " " + thing + (number == 1 ? "" : "s");
+  }
+
+  /** Returns a message with a small first letter, unless it begins with a NAME. */
+  public static String lowerFirst(String message) {
+    return message.length() > 1 && Character.isLowerCase(message.charAt(1))
+        ? Character.toLowerCase(message.charAt(0)) + message.substring(1)
+        : message;
+  }
+}

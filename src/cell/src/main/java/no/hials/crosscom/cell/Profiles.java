@@ -1,0 +1,139 @@
+package no.hials.crosscom.cell;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Function;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.protocol.ServerType;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The robots for which the user has names: what the configuration file says.
+ *
+ * @param file where they are from
+ * @param defaultRobot the robot that is meant if none is named; null if there is no such
+ * @param robots the robots by their names
+ */
+public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Robot> robots) {
+  /** The variable that names another file. */
+  static final String FILE_VARIABLE = "JOPENSHOWVAR_CONFIG";
+
+  private static final String DEFAULT = "default";
+  private static final String ROBOTS = "robots";
+
+  /** Gives the path of the file, which need not be there. */
+  public static Path path(Function<String, @Nullable String> environment) {
+    String own = environment.apply(FILE_VARIABLE);
+    return own == null
+        ? configFolder(environment).resolve("jopenshowvar").resolve("config.toml")
+        : Path.of(own);
+  }
+
+  private static Path configFolder(Function<String, @Nullable String> environment) {
+    String appData = environment.apply("APPDATA");
+    if (appData != null && System.getProperty("os.name").startsWith("Windows")) {
+      return Path.of(appData);
+    }
+    String xdg = environment.apply("XDG_CONFIG_HOME");
+    // a relative one is to be ignored (XDG Base Directory Specification)
+    if (xdg != null && Path.of(xdg).isAbsolute()) {
+      return Path.of(xdg);
+    }
+    String home = environment.apply("HOME");
+    return Path.of(home == null ? System.getProperty("user.home") : home, ".config");
+  }
+
+  /**
+   * Reads the file.
+   *
+   * @param simulated the server of simulated controllers for which the file names none
+   * @return null if there is no file, and none was asked for by {@code JOPENSHOWVAR_CONFIG}
+   * @throws FileException if it cannot be read or has an error
+   */
+  public static @Nullable Profiles read(
+      Function<String, @Nullable String> environment, ServerType simulated) throws FileException {
+    Path file = path(environment);
+    try {
+      return of(TomlTable.parse(file, Files.readString(file)), file, simulated);
+    } catch (NoSuchFileException e) {
+      if (environment.apply(FILE_VARIABLE) == null) {
+        return null;
+      }
+      throw new FileException(
+          "cannot read " + file + ", which " + FILE_VARIABLE + " names: there is no such file", e);
+    } catch (CharacterCodingException e) {
+      throw new FileException("cannot read " + file + ": it must be UTF-8", e);
+    } catch (FileException e) {
+      throw e;
+    } catch (IOException e) {
+      throw FileException.cannot("read", file, e);
+    }
+  }
+
+  private static Profiles of(TomlTable root, Path file, ServerType simulated) throws FileException {
+    root.allow(DEFAULT, ROBOTS);
+    Map<String, Robot> robots = new TreeMap<>();
+    for (TomlTable robot : root.tables(ROBOTS)) {
+      robots.put(robot.name(), robot(robot, simulated));
+    }
+    String name = root.text(DEFAULT);
+    if (name != null && !robots.containsKey(name)) {
+      throw root.error(DEFAULT, noRobot(name, robots));
+    }
+    return new Profiles(file, name, robots);
+  }
+
+  private static Robot robot(TomlTable table, ServerType simulated) throws FileException {
+    if (!SettingText.isRobotName(table.name())) {
+      throw table.error("a robot's name must be letters, digits, _, - and ., for @NAME");
+    }
+    table.allow("host", "port", "timeout", "read-only", "mock", "server");
+    boolean mock = table.flag("mock");
+    boolean readOnly = table.flag("read-only");
+    String host = table.text("host");
+    Integer port = table.converted("port", SettingText::port, Number.class);
+    Duration timeout = table.converted("timeout", SettingText::time, String.class, Number.class);
+    ServerType server = table.converted("server", SettingText::server, String.class);
+    if (mock && (host != null || port != null)) {
+      throw table.error("mock excludes host and port");
+    }
+    if (!mock && server != null) {
+      throw table.error("server", "goes with mock = true");
+    }
+    if (!mock && (host == null || host.isBlank())) {
+      throw table.error("a robot needs a host, or mock = true");
+    }
+    return new Robot(
+        table.name(),
+        host,
+        port == null ? ClientConfig.DEFAULT_PORT : port,
+        timeout,
+        readOnly,
+        server == null ? simulated : server);
+  }
+
+  /**
+   * Gives a robot.
+   *
+   * @throws FileException if there is none of this name
+   */
+  public Robot robot(String name) throws FileException {
+    Robot robot = robots.get(name);
+    if (robot == null) {
+      throw new FileException(file + ": " + noRobot(name, robots));
+    }
+    return robot;
+  }
+
+  private static String noRobot(String name, Map<String, Robot> robots) {
+    String known =
+        robots.isEmpty() ? "there are none" : "known: " + String.join(", ", robots.keySet());
+    return "no robot is named " + name + "; " + known;
+  }
+}

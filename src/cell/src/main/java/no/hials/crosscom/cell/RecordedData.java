@@ -1,0 +1,261 @@
+package no.hials.crosscom.cell;
+
+import de.siegmar.fastcsv.reader.CsvRecord;
+import java.nio.file.Path;
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What a CSV file holds that {@code record} wrote. The columns are {@link #TIME}, {@link #SECONDS},
+ * {@link #ROBOT} if several robots were recorded, then one for each number or text, and at the end
+ * {@link #ACCESS} and {@link #STATUS}; the help of {@code record} describes them.
+ */
+public final class RecordedData {
+  /** When the reading began, as {@code 2026-05-04T10:15:30.123456Z}. */
+  public static final String TIME = "time";
+
+  /** The same, since the first row. */
+  public static final String SECONDS = "seconds";
+
+  /** Whose row it is; the columns of the others are empty in it. */
+  static final String ROBOT = "robot";
+
+  /** How long the reading took. */
+  static final String ACCESS = "access_ms";
+
+  /** What was not as it should be; empty if all was. */
+  static final String STATUS = "status";
+
+  private final Instant start;
+  private final List<Series> series;
+  private final List<Series> accessTimes;
+
+  private RecordedData(Instant start, List<Series> series, List<Series> accessTimes) {
+    this.start = start;
+    this.series = List.copyOf(series);
+    this.accessTimes = List.copyOf(accessTimes);
+  }
+
+  /** Gives the time of the first row, from which seconds are counted. */
+  public Instant start() {
+    return start;
+  }
+
+  /** Gives what was recorded, in the order of the columns. */
+  public List<Series> series() {
+    return series;
+  }
+
+  /** Finds a column by its name, whatever its case. */
+  public Optional<Series> find(String name) {
+    return series.stream().filter(one -> one.name().equalsIgnoreCase(name)).findFirst();
+  }
+
+  /** Gives how long the readings took, in ms: one series for each robot. */
+  public List<Series> accessTimes() {
+    return accessTimes;
+  }
+
+  /**
+   * Reads a file. A last row that is not complete, as after a power failure, is left out.
+   *
+   * @throws FileException if it cannot be read, or was not written by {@code record}
+   */
+  public static RecordedData read(Path file) throws FileException {
+    List<CsvRecord> records =
+        CsvFile.read(
+            file,
+            true,
+            csv -> {
+              List<CsvRecord> rows = new ArrayList<>();
+              csv.forEach(rows::add);
+              return rows;
+            });
+    try {
+      return new Rows(records).data();
+    } catch (IllegalArgumentException e) {
+      throw new FileException(file + " is not a recording: " + e.getMessage(), e);
+    }
+  }
+
+  /** Makes columns of rows. */
+  private static final class Rows {
+    private final List<String> header;
+    private final List<CsvRecord> rows;
+    private final boolean severalRobots;
+    private final Instant start;
+
+    Rows(List<CsvRecord> records) {
+      if (records.isEmpty()) {
+        throw new IllegalArgumentException("it is empty");
+      }
+      header = records.get(0).getFields();
+      int columns = header.size();
+      if (columns < 4
+          || !header.get(0).equals(TIME)
+          || !header.get(1).equals(SECONDS)
+          || !header.get(columns - 2).equals(ACCESS)
+          || !header.get(columns - 1).equals(STATUS)) {
+        throw new IllegalArgumentException(
+            "the first line must be time,seconds,...,access_ms,status, is "
+                + String.join(",", header));
+      }
+      severalRobots = header.get(2).equals(ROBOT);
+      rows = records.subList(1, complete(records));
+      if (rows.isEmpty()) {
+        throw new IllegalArgumentException("it has no row");
+      }
+      start = instant(rows.get(0));
+    }
+
+    /** Gives the number of complete records. */
+    private static int complete(List<CsvRecord> records) {
+      int columns = records.get(0).getFieldCount();
+      for (int i = 1; i < records.size(); i++) {
+        CsvRecord row = records.get(i);
+        if (i == records.size() - 1 && row.getFieldCount() < columns) {
+          checkClosed(row);
+          return i;
+        }
+        CsvFile.checkFields(row, columns);
+      }
+      return records.size();
+    }
+
+    /** Refuses a row that holds others, or they would be left out with it. */
+    private static void checkClosed(CsvRecord row) {
+      if (row.getFields().stream().anyMatch(field -> field.indexOf('\n') >= 0)) {
+        throw new IllegalArgumentException(
+            "line " + row.getStartingLineNumber() + " has a quote that is never closed");
+      }
+    }
+
+    private static Instant instant(CsvRecord row) {
+      try {
+        return Instant.parse(row.getField(0));
+      } catch (DateTimeException e) {
+        throw new IllegalArgumentException(
+            "line " + row.getStartingLineNumber() + " must begin with a time: " + e.getMessage(),
+            e);
+      }
+    }
+
+    RecordedData data() {
+      int access = header.size() - 2;
+      List<Series> series = new ArrayList<>();
+      for (int column = severalRobots ? 3 : 2; column < access; column++) {
+        String name = header.get(column);
+        series.add(series(name, column, robotOf(name)));
+      }
+      return new RecordedData(start, series, accessTimes(access));
+    }
+
+    private List<Series> accessTimes(int column) {
+      if (!severalRobots) {
+        return List.of(series(ACCESS, column, ""));
+      }
+      return rows.stream()
+          .map(row -> row.getField(2))
+          .distinct()
+          .map(robot -> series(robot + ":" + ACCESS, column, robot))
+          .toList();
+    }
+
+    private String robotOf(String column) {
+      return severalRobots ? column.substring(0, Math.max(0, column.indexOf(':'))) : "";
+    }
+
+    private Series series(String name, int column, String robot) {
+      List<CsvRecord> own =
+          severalRobots
+              ? rows.stream().filter(row -> row.getField(2).equals(robot)).toList()
+              : rows;
+      double[] seconds = new double[own.size()];
+      double[] values = new double[own.size()];
+      List<String> texts = new ArrayList<>(own.size());
+      boolean numeric = true;
+      for (int i = 0; i < seconds.length; i++) {
+        CsvRecord row = own.get(i);
+        seconds[i] = seconds(row);
+        String text = row.getField(column);
+        texts.add(text);
+        values[i] = number(text);
+        numeric &= text.isEmpty() || !Double.isNaN(values[i]);
+      }
+      return new Series(name, numeric, seconds, values, texts);
+    }
+
+    private static double seconds(CsvRecord row) {
+      double seconds = number(row.getField(1));
+      if (Double.isNaN(seconds)) {
+        throw new IllegalArgumentException(
+            "line "
+                + row.getStartingLineNumber()
+                + " must have the seconds second, has "
+                + row.getField(1));
+      }
+      return seconds;
+    }
+
+    private static double number(String text) {
+      if (text.isEmpty()) {
+        return Double.NaN;
+      }
+      try {
+        return Double.parseDouble(text);
+      } catch (NumberFormatException e) {
+        return Double.NaN;
+      }
+    }
+  }
+
+  /** What one column held in the course of time. */
+  public static final class Series {
+    private final String name;
+    private final boolean numeric;
+    private final double[] seconds;
+    private final double[] values;
+    private final List<String> texts;
+
+    private Series(
+        String name, boolean numeric, double[] seconds, double[] values, List<String> texts) {
+      this.name = name;
+      this.numeric = numeric;
+      this.seconds = seconds;
+      this.values = values;
+      this.texts = texts;
+    }
+
+    /** Gives the column's name, as {@code $POS_ACT.X} or {@code cell1:$POS_ACT.X}. */
+    public String name() {
+      return name;
+    }
+
+    /** Says whether all that is there are numbers. */
+    boolean isNumeric() {
+      return numeric;
+    }
+
+    public int size() {
+      return seconds.length;
+    }
+
+    /** Gives the times of the samples, since {@link RecordedData#start}. */
+    public double[] seconds() {
+      return seconds.clone();
+    }
+
+    /** Gives the numbers; NaN where there is none: in a gap, if it could not be read, or a text. */
+    public double[] values() {
+      return values.clone();
+    }
+
+    /** Gives what stands there, such as {@code #T1} and {@code TRUE}; empty as in a gap. */
+    public List<String> texts() {
+      return List.copyOf(texts);
+    }
+  }
+}

@@ -1,0 +1,43 @@
+package no.hials.crosscom.cell;
+
+import java.time.Duration;
+import java.util.function.Consumer;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.protocol.ServerType;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot controller that the user chose, not connected yet.
+ *
+ * @param name the user's name for it, such as {@code cell1}; empty if it has no name
+ * @param host name or address; null for a simulated controller
+ * @param port TCP port on the host
+ * @param timeout limit for connecting and for each answer; null for the client's own limits
+ * @param readOnly whether writes are refused here
+ * @param server which server a simulated controller has
+ */
+public record Robot(
+    String name,
+    @Nullable String host,
+    int port,
+    @Nullable Duration timeout,
+    boolean readOnly,
+    ServerType server) {
+
+  /** One command, one connection: the command reports what happened to it. */
+  public static final Consumer<ClientConfig.Builder> ONE_SHOT =
+      cfg -> cfg.reconnect(false).keepAlive(Duration.ZERO);
+
+  /** Keeps the connection up, for commands that run on. */
+  public static final Consumer<ClientConfig.Builder> LASTING = cfg -> {};
+
+  /** Returns the text to print before a line about this robot: empty if it has no name. */
+  public String label() {
+    return name.isEmpty() ? "" : name + ": ";
+  }
+
+  /** Returns this robot with the address of the server that simulates it. */
+  public Robot at(String simulatedHost, int simulatedPort) {
+    return new Robot(name, simulatedHost, simulatedPort, timeout, readOnly, server);
+  }
+}

@@ -1,0 +1,79 @@
+package no.hials.crosscom.cell;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Objects;
+import java.util.function.Consumer;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.CrossComException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A connection to a robot controller that the user chose.
+ *
+ * @param robot the robot
+ * @param client talks to it
+ * @param simulation closed with the connection: the simulated controller, if the robot is one
+ */
+public record RobotConnection(
+    Robot robot, CrossComClient client, @Nullable AutoCloseable simulation) implements Closeable {
+
+  /** Opens connections, and starts simulated controllers. */
+  @FunctionalInterface
+  public interface Opener {
+    /**
+     * Connects to a robot.
+     *
+     * @param settings sets what the user does not choose
+     * @throws CrossComException if no connection could be made
+     */
+    RobotConnection open(Robot robot, Consumer<ClientConfig.Builder> settings) throws IOException;
+  }
+
+  /**
+   * Connects to a robot that has a host.
+   *
+   * @param settings sets what the user does not choose: {@link Robot#ONE_SHOT} or {@link
+   *     Robot#LASTING}
+   * @throws CrossComException if no connection could be made
+   */
+  public static RobotConnection open(Robot robot, Consumer<ClientConfig.Builder> settings)
+      throws CrossComException {
+    Duration limit = robot.timeout();
+    CrossComClient client =
+        new CrossComClient(
+            ClientConfig.create(
+                Objects.requireNonNull(robot.host(), "a simulated robot needs its server first"),
+                cfg -> {
+                  cfg.port(robot.port());
+                  if (limit != null) {
+                    cfg.connectTimeout(limit).requestTimeout(limit);
+                  }
+                  settings.accept(cfg);
+                }));
+    return new RobotConnection(robot, client, null);
+  }
+
+  @Override
+  public void close() throws IOException {
+    try {
+      client.close();
+    } finally {
+      closeSimulation();
+    }
+  }
+
+  private void closeSimulation() throws IOException {
+    try {
+      if (simulation != null) {
+        simulation.close();
+      }
+    } catch (IOException | RuntimeException e) {
+      throw e;
+    } catch (Exception e) {
+      throw new IOException(e);
+    }
+  }
+}

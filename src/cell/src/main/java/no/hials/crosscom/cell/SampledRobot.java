@@ -1,0 +1,229 @@
+package no.hials.crosscom.cell;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import no.hials.crosscom.ConnectionEvent;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.KRL.KRLAny;
+import no.hials.crosscom.Sample;
+import no.hials.crosscom.VariableResult;
+import no.hials.crosscom.Watch;
+import no.hials.crosscom.WatchConfig;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+
+/** One of the controllers that a {@link Sampling} reads, and what it counts of it. */
+public final class SampledRobot implements Closeable {
+  private final Robot robot;
+  private final Sampling.Queue queue;
+  private final RobotConnection controller;
+  private final Map<String, KrlValue> first = new LinkedHashMap<>();
+
+  private @Nullable Watch watch;
+  private boolean enough;
+  private long lastNumber;
+  private long endNumber = Long.MAX_VALUE;
+  private long samples;
+  private @Nullable Instant firstTime;
+  private @Nullable Instant lastTime;
+  private long reconnects;
+  private long failedBeforeSample;
+  private Duration greatestAccess = Duration.ZERO;
+  private Duration sumOfAccess = Duration.ZERO;
+  private @Nullable ConnectionEvent lost;
+
+  /** Connects to a controller. */
+  public SampledRobot(Robot robot, RobotConnection.Opener opener, Sampling.Queue queue)
+      throws IOException {
+    this.robot = robot;
+    this.queue = queue;
+    this.controller =
+        opener.open(
+            robot,
+            cfg -> cfg.listener(event -> queue.add(new Sampling.ConnectionChanged(this, event))));
+  }
+
+  /** Gives its name, empty if it has none. */
+  String name() {
+    return robot.name();
+  }
+
+  /** Gives what to print before a message about it. */
+  public String label() {
+    return robot.label();
+  }
+
+  /** Gives what a variable of it is called beside those of others, as {@code cell1:$OV_PRO}. */
+  public String qualified(String variable) {
+    return name().isEmpty() ? variable : name() + ":" + variable;
+  }
+
+  // the first reading
+
+  /**
+   * Reads the variables once, as a test that all can be read.
+   *
+   * @return what failed
+   */
+  public List<CrossComException> readFirst(List<String> names) {
+    List<CrossComException> failures = new ArrayList<>();
+    for (VariableResult result :
+        controller.client().readVariables(names.stream().map(KRLAny::new).toList())) {
+      CrossComException failure = result.failure();
+      if (failure == null) {
+        KRLAny variable = (KRLAny) result.variable();
+        first.put(variable.getName(), Objects.requireNonNull(variable.getValue()));
+      } else {
+        failures.add(failure);
+      }
+    }
+    return failures;
+  }
+
+  /** Gives the values that {@link #readFirst} read, by their names. */
+  public Map<String, KrlValue> first() {
+    return first;
+  }
+
+  // the watch
+
+  void start(WatchConfig config) {
+    Watch started =
+        controller.client().watch(config, sample -> queue.add(new Sampling.Sampled(this, sample)));
+    started.subscribe(new Sampling.End(this, queue));
+    watch = started;
+  }
+
+  /** Ends the watch; what it has read until then still comes. */
+  void stop() {
+    if (watch != null) {
+      watch.close();
+    }
+  }
+
+  /** Ends the watch, and what still comes does not matter. */
+  void stopWithEnough() {
+    enough = true;
+    stop();
+  }
+
+  /** Says whether there are samples to come. */
+  boolean isActive() {
+    return !enough && lastNumber < endNumber;
+  }
+
+  /** Notes which sample is the last. */
+  void endsWith(long number) {
+    endNumber = number;
+  }
+
+  /** Notes that a sample came. */
+  void came(Sample sample) {
+    lastNumber = sample.number();
+  }
+
+  // what is counted
+
+  public void count(Sample sample) {
+    samples++;
+    if (firstTime == null) {
+      firstTime = sample.time();
+    }
+    lastTime = sample.time();
+    failedBeforeSample += sample.failedPolls();
+    sumOfAccess = sumOfAccess.plus(sample.duration());
+    if (sample.duration().compareTo(greatestAccess) > 0) {
+      greatestAccess = sample.duration();
+    }
+  }
+
+  public void count(ConnectionEvent event) {
+    switch (event.kind()) {
+      case LOST -> lost = event;
+      case RECONNECTED -> {
+        reconnects++;
+        lost = null;
+      }
+      default -> {
+        // nothing that changes whether it is connected
+      }
+    }
+  }
+
+  /** Gives how many samples came. */
+  long samples() {
+    return samples;
+  }
+
+  /** Gives how many readings have failed as a whole. */
+  private long failedReadings() {
+    return watch == null ? 0 : watch.failedPolls();
+  }
+
+  /** Gives how many of them were since the last sample. */
+  long failedSinceSample() {
+    return failedReadings() - failedBeforeSample;
+  }
+
+  private long missedPeriods() {
+    return watch == null ? 0 : watch.missedPeriods();
+  }
+
+  private Duration meanAccess() {
+    return samples == 0 ? Duration.ZERO : sumOfAccess.dividedBy(samples);
+  }
+
+  /** Says how it goes: samples, rate, access time, and what went wrong. */
+  public String summary() {
+    Duration time =
+        firstTime == null || lastTime == null
+            ? Duration.ZERO
+            : Duration.between(firstTime, lastTime);
+    StringBuilder text = new StringBuilder(Printable.count(samples, "sample"));
+    if (samples > 1 && time.compareTo(Duration.ZERO) > 0) {
+      double rate = (samples - 1) * 1e9 / time.toNanos();
+      text.append(String.format(Locale.ROOT, ", %.1f/s", rate));
+    }
+    text.append(", access ")
+        .append(Times.roughMillis(meanAccess()))
+        .append(" ms (at most ")
+        .append(Times.roughMillis(greatestAccess))
+        .append("), missed ")
+        .append(missedPeriods())
+        .append(", reconnects ")
+        .append(reconnects);
+    if (failedReadings() > 0) {
+      text.append(", failed readings ").append(failedReadings());
+    }
+    return text.toString();
+  }
+
+  /** Says what became of a connection. */
+  public static String text(ConnectionEvent event) {
+    CrossComException cause = event.cause();
+    return event.kind() == ConnectionEvent.Kind.RECONNECTED
+        ? "connected again"
+        : String.valueOf(cause == null ? "the connection is lost" : cause.getMessage());
+  }
+
+  /**
+   * Says whether the connection is lost now. One that has enough is not: its last sample came, even
+   * if the news that it is connected again did not come yet.
+   */
+  public boolean isLost() {
+    return lost != null && !enough;
+  }
+
+  @Override
+  public void close() throws IOException {
+    controller.close();
+  }
+}

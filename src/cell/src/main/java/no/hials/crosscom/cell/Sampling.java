@@ -1,0 +1,307 @@
+package no.hials.crosscom.cell;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.Flow;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import no.hials.crosscom.ConnectionEvent;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.Sample;
+import no.hials.crosscom.WatchConfig;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads the same variables of one or several controllers again and again, by a {@link
+ * no.hials.crosscom.Watch} for each, until the user stops it or it has enough. What the watches
+ * give comes to a {@link Listener} in the thread that called {@link #run}.
+ */
+public final class Sampling implements Closeable {
+  /** How often the listener is called if nothing happens, and how soon a signal is noticed. */
+  private static final long TICK_MILLIS = 50;
+
+  /** How long a reading under way may take when it ends; longer only if the connection is lost. */
+  private static final long MAX_MILLIS_TO_END = 3_000;
+
+  private final Plan plan;
+  private final Queue queue = new Queue();
+  private final List<SampledRobot> robots = new ArrayList<>();
+  private @Nullable Instant start;
+
+  private final List<Failure> failedToConnect = new ArrayList<>();
+
+  /**
+   * The variables to read, how often, and for how long.
+   *
+   * @param names the variables, each once
+   * @param period from one reading to the next
+   * @param length the greatest time; null if there is no limit
+   * @param count the greatest number of samples of each robot
+   */
+  public record Plan(List<String> names, Duration period, @Nullable Duration length, long count) {}
+
+  /**
+   * A robot that could not be reached, or a variable that could not be read.
+   *
+   * @param label the text to print before the message
+   * @param cause the reason
+   */
+  public record Failure(String label, CrossComException cause) {
+    /** Returns the message for the user. */
+    public String message() {
+      return label + cause.getMessage();
+    }
+  }
+
+  /** Takes what is read. */
+  public interface Listener {
+    /** Takes a sample. */
+    void sampled(SampledRobot robot, Sample sample) throws IOException;
+
+    /** Takes what became of a connection. */
+    void connectionChanged(SampledRobot robot, ConnectionEvent event) throws IOException;
+
+    /**
+     * Is called at least every 50 ms.
+     *
+     * @return false if the user wants no more
+     */
+    boolean tick() throws IOException;
+  }
+
+  /** What comes from the threads of the client. */
+  sealed interface Event {
+    SampledRobot robot();
+  }
+
+  /** A sample came. */
+  record Sampled(SampledRobot robot, Sample sample) implements Event {}
+
+  /** Something became of a connection. */
+  record ConnectionChanged(SampledRobot robot, ConnectionEvent event) implements Event {}
+
+  /** A watch gives no more samples. */
+  record Ended(SampledRobot robot, long lastNumber) implements Event {}
+
+  /** Brings the events from the threads of the client to the one of the command. */
+  public static final class Queue {
+    private final BlockingQueue<Event> events = new LinkedBlockingQueue<>();
+
+    void add(Event event) {
+      events.add(event);
+    }
+
+    @Nullable Event next(long millis) throws InterruptedException {
+      return events.poll(millis, TimeUnit.MILLISECONDS);
+    }
+  }
+
+  /**
+   * Tells when a watch has ended, and what it gave last: its listener, which hears nothing of the
+   * end, may be behind.
+   */
+  static final class End implements Flow.Subscriber<Sample> {
+    private final SampledRobot robot;
+    private final Queue queue;
+    private long lastNumber;
+
+    End(SampledRobot robot, Queue queue) {
+      this.robot = robot;
+      this.queue = queue;
+    }
+
+    @Override
+    public void onSubscribe(Flow.Subscription subscription) {
+      subscription.request(Long.MAX_VALUE);
+    }
+
+    @Override
+    public void onNext(Sample sample) {
+      lastNumber = sample.number();
+    }
+
+    @Override
+    public void onError(Throwable failure) {
+      onComplete();
+    }
+
+    @Override
+    public void onComplete() {
+      queue.add(new Ended(robot, lastNumber));
+    }
+  }
+
+  private Sampling(Plan plan) {
+    this.plan = plan;
+  }
+
+  /** Connects to robots; {@link #readFirst} returns those that cannot be reached. */
+  public static Sampling open(Plan plan, List<Robot> robots, RobotConnection.Opener opener)
+      throws IOException {
+    Sampling sampling = new Sampling(plan);
+    try {
+      for (Robot robot : robots) {
+        sampling.connect(robot, opener);
+      }
+      return sampling;
+    } catch (IOException | RuntimeException e) {
+      sampling.close();
+      throw e;
+    }
+  }
+
+  private void connect(Robot robot, RobotConnection.Opener opener) throws IOException {
+    try {
+      robots.add(new SampledRobot(robot, opener, queue));
+    } catch (CrossComException e) {
+      failedToConnect.add(new Failure(robot.label(), e));
+    }
+  }
+
+  /** Returns the robots that could not be reached. */
+  public List<Failure> failedToConnect() {
+    return failedToConnect;
+  }
+
+  public List<SampledRobot> robots() {
+    return robots;
+  }
+
+  Duration period() {
+    return plan.period();
+  }
+
+  /** Gives how much time has passed between the first sample of all and a time. */
+  public Duration since(Instant time) {
+    return start == null ? Duration.ZERO : Duration.between(start, time);
+  }
+
+  /**
+   * Reads all variables once, so that a wrong name is reported before anything begins.
+   *
+   * @return the variables that could not be read
+   * @throws IllegalArgumentException if a name cannot be sent
+   */
+  public List<Failure> readFirst() {
+    List<Failure> failures = new ArrayList<>();
+    for (SampledRobot robot : robots) {
+      for (CrossComException failure : robot.readFirst(plan.names())) {
+        failures.add(new Failure(robot.label(), failure));
+      }
+    }
+    return failures;
+  }
+
+  /**
+   * Reads until it is stopped, or has enough.
+   *
+   * @param changesOnly whether the listener gets only samples in which something changed
+   * @param isStopped returns whether the user wants no more
+   * @return whether it ended by itself while a connection was lost
+   */
+  public boolean run(boolean changesOnly, BooleanSupplier isStopped, Listener listener)
+      throws IOException {
+    WatchConfig config =
+        WatchConfig.create(
+            plan.names(),
+            cfg -> cfg.period(plan.period()).changesOnly(changesOnly).bufferSize(65_536));
+    Duration length = plan.length();
+    long end = length == null ? Long.MAX_VALUE : length.toNanos();
+    long begin = System.nanoTime();
+    robots.forEach(robot -> robot.start(config));
+    boolean byUser = false;
+    try {
+      while (isActive() && !byUser && System.nanoTime() - begin < end) {
+        take(queue.next(TICK_MILLIS), listener);
+        byUser = !listener.tick() || isStopped.getAsBoolean();
+      }
+      finish(listener);
+    } catch (InterruptedException e) {
+      byUser = true;
+      finishInterrupted(listener);
+    }
+    boolean lost = robots.stream().anyMatch(SampledRobot::isLost);
+    return lost && !byUser;
+  }
+
+  private boolean isActive() {
+    return robots.stream().anyMatch(SampledRobot::isActive);
+  }
+
+  private void finishInterrupted(Listener listener) throws IOException {
+    try {
+      finish(listener);
+    } catch (InterruptedException e) {
+      // twice is enough
+    }
+    Thread.currentThread().interrupt();
+  }
+
+  /** Takes what was read before the end. */
+  private void finish(Listener listener) throws IOException, InterruptedException {
+    robots.forEach(SampledRobot::stop);
+    long begin = System.nanoTime();
+    // one that is lost may take as long as its time-outs, and then has nothing to give
+    while (robots.stream().anyMatch(robot -> robot.isActive() && !robot.isLost())
+        && System.nanoTime() - begin < TimeUnit.MILLISECONDS.toNanos(MAX_MILLIS_TO_END)) {
+      take(queue.next(TICK_MILLIS), listener);
+    }
+    Event event = queue.next(0);
+    while (event != null) {
+      take(event, listener);
+      event = queue.next(0);
+    }
+  }
+
+  private void take(@Nullable Event event, Listener listener) throws IOException {
+    if (event instanceof Sampled sampled) {
+      take(sampled.robot(), sampled.sample(), listener);
+    } else if (event instanceof ConnectionChanged changed) {
+      changed.robot().count(changed.event());
+      listener.connectionChanged(changed.robot(), changed.event());
+    } else if (event instanceof Ended ended) {
+      ended.robot().endsWith(ended.lastNumber());
+    }
+  }
+
+  private void take(SampledRobot robot, Sample sample, Listener listener) throws IOException {
+    if (!robot.isActive()) {
+      return;
+    }
+    robot.came(sample);
+    if (start == null) {
+      start = sample.time();
+    }
+    Duration length = plan.length();
+    if (length != null && since(sample.time()).compareTo(length) >= 0) {
+      robot.stopWithEnough();
+      return;
+    }
+    robot.count(sample);
+    listener.sampled(robot, sample);
+    if (robot.samples() >= plan.count()) {
+      robot.stopWithEnough();
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    IOException failure = null;
+    for (SampledRobot robot : robots) {
+      try {
+        robot.close();
+      } catch (IOException e) {
+        failure = e;
+      }
+    }
+    if (failure != null) {
+      throw failure;
+    }
+  }
+}

@@ -1,0 +1,162 @@
+package no.hials.crosscom.cell;
+
+import com.fasterxml.jackson.core.JacksonException;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.dataformat.toml.TomlFactory;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A table of a TOML file, which says of a value that is wrong where it stands: file, line and key.
+ */
+final class TomlTable {
+  private final Path file;
+  private final TomlLines lines;
+  private final List<String> path;
+  private final Map<?, ?> values;
+
+  private TomlTable(Path file, TomlLines lines, List<String> path, Map<?, ?> values) {
+    this.file = file;
+    this.lines = lines;
+    this.path = path;
+    this.values = values;
+  }
+
+  /** Reads the text of a file. */
+  static TomlTable parse(Path file, String text) throws FileException {
+    try (JsonParser parser = new TomlFactory().createParser(text)) {
+      parser.nextToken();
+      return new TomlTable(file, new TomlLines(text), List.of(), readTable(parser));
+    } catch (JacksonException e) {
+      String place = e.getLocation() == null ? "" : ":" + e.getLocation().getLineNr();
+      throw new FileException(file + place + ": no TOML: " + e.getOriginalMessage(), e);
+    } catch (IOException e) {
+      throw new FileException("cannot read " + file + ": " + e.getMessage(), e);
+    }
+  }
+
+  private static Map<String, Object> readTable(JsonParser parser) throws IOException {
+    Map<String, Object> table = new LinkedHashMap<>();
+    while (parser.nextToken() == JsonToken.FIELD_NAME) {
+      String key = parser.currentName();
+      table.put(key, readValue(parser, parser.nextToken()));
+    }
+    return table;
+  }
+
+  private static Object readValue(JsonParser parser, JsonToken token) throws IOException {
+    return switch (token) {
+      case START_OBJECT -> readTable(parser);
+      case VALUE_STRING -> parser.getText();
+      case VALUE_NUMBER_INT -> parser.getNumberValue();
+      case VALUE_TRUE, VALUE_FALSE -> parser.getBooleanValue();
+      default -> {
+        // of no use here, and refused for its type
+        parser.skipChildren();
+        yield List.of();
+      }
+    };
+  }
+
+  /** Gives the last part of the table's name. */
+  String name() {
+    return path.get(path.size() - 1);
+  }
+
+  /** Refuses all keys but these. */
+  void allow(String... keys) throws FileException {
+    for (Object key : values.keySet()) {
+      if (!List.of(keys).contains(key)) {
+        throw error(String.valueOf(key), "no such key; known: " + String.join(", ", keys));
+      }
+    }
+  }
+
+  /** Gives the tables in a table; none if it is not there. */
+  List<TomlTable> tables(String key) throws FileException {
+    List<TomlTable> tables = new ArrayList<>();
+    TomlTable outer = table(key);
+    for (Object name : outer.values.keySet()) {
+      tables.add(outer.table(String.valueOf(name)));
+    }
+    return tables;
+  }
+
+  private TomlTable table(String key) throws FileException {
+    Object value = values.containsKey(key) ? values.get(key) : Map.of();
+    if (value instanceof Map<?, ?> table) {
+      return new TomlTable(file, lines, pathOf(key), table);
+    }
+    throw error(key, "must be a table");
+  }
+
+  /** Gives a text; null if it is not there. */
+  @Nullable String text(String key) throws FileException {
+    Object value = values.get(key);
+    if (value == null || value instanceof String) {
+      return (String) value;
+    }
+    throw error(key, "must be a text in quotes");
+  }
+
+  /** Gives a truth value; false if it is not there. */
+  boolean flag(String key) throws FileException {
+    Object value = values.get(key);
+    if (value == null || value instanceof Boolean) {
+      return value != null && (Boolean) value;
+    }
+    throw error(key, "must be true or false, without quotes");
+  }
+
+  /**
+   * Gives what a text or number stands for, as that of an option; null if it is not there.
+   *
+   * @param types which of them it may be
+   */
+  <T> @Nullable T converted(String key, Function<String, T> converter, Class<?>... types)
+      throws FileException {
+    Object value = values.get(key);
+    if (value == null) {
+      return null;
+    }
+    if (Stream.of(types).noneMatch(type -> type.isInstance(value))) {
+      boolean text = List.of(types).contains(String.class);
+      throw error(key, text ? "must be a text in quotes" : "must be a number, without quotes");
+    }
+    try {
+      return converter.apply(value.toString());
+    } catch (IllegalArgumentException e) {
+      throw error(key, String.valueOf(e.getMessage()));
+    }
+  }
+
+  /** Makes an exception about the table as a whole. */
+  FileException error(String message) {
+    return error(path, message);
+  }
+
+  /** Makes an exception about a key of the table. */
+  FileException error(String key, String message) {
+    return error(pathOf(key), message);
+  }
+
+  private FileException error(List<String> place, String message) {
+    int line = lines.find(place);
+    return new FileException(
+        file + (line == 0 ? "" : ":" + line) + ": " + String.join(".", place) + ": " + message);
+  }
+
+  private List<String> pathOf(String key) {
+    List<String> inner = new ArrayList<>(path);
+    inner.add(key);
+    return inner;
+  }
+}

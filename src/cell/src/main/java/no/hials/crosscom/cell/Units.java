@@ -1,0 +1,48 @@
+package no.hials.crosscom.cell;
+
+import java.util.Locale;
+import no.hials.crosscom.simulator.VariableInfo;
+import no.hials.crosscom.simulator.VariableTable;
+
+/**
+ * The units of variables, from the table of system variables and, where it does not say, from the
+ * names of fields: KRL has X, Y and Z in mm, A, B, C and axes in degrees
+ * (docs/reference/krl-values.md#fields-of-the-structures).
+ */
+public final class Units {
+  private static final String DEGREES = "°";
+
+  /** The unit of positions in the table: each field has its own. */
+  private static final String OF_POSITIONS = "mm/deg";
+
+  private final VariableTable table = VariableTable.krc4();
+
+  /**
+   * Gives the unit of a number.
+   *
+   * @param name as a recording has it: {@code $POS_ACT.X}, {@code cell1:$TORQUE_AXIS_ACT[1]}
+   * @return empty if it has none or none is known
+   */
+  public String of(String name) {
+    String variable = name.substring(name.indexOf(':') + 1);
+    String base = variable.split("[.\\[]", 2)[0];
+    String field = variable.substring(variable.lastIndexOf('.') + 1).toUpperCase(Locale.ROOT);
+    boolean isField = variable.indexOf('.') >= 0;
+    String unit = table.describe(base).map(VariableInfo::unit).orElse("");
+    if (isField && (unit.isEmpty() || unit.equals(OF_POSITIONS))) {
+      return ofField(field);
+    }
+    if (field.startsWith("ORI")) {
+      return DEGREES + "/s";
+    }
+    return unit.equals("deg") ? DEGREES : unit;
+  }
+
+  private static String ofField(String field) {
+    if (field.matches("[XYZ]")) {
+      return "mm";
+    }
+    // E1 to E6 are mm or degrees, as the machine is
+    return field.matches("[ABC]|A[1-6]") ? DEGREES : "";
+  }
+}

@@ -1,0 +1,180 @@
+package no.hials.crosscom.cli.base;
+
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintWriter;
+import java.io.Reader;
+import java.io.Writer;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import no.hials.crosscom.cell.OutputException;
+import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.WritePermission;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a command prints: data to one stream, messages to another. Both are flushed line by line,
+ * so that their lines come in order where both end up on one terminal.
+ */
+public final class Console implements WritePermission.Questions {
+  private static final String PROGRAM = "jopenshowvar";
+
+  private final Writer data;
+  private final PrintWriter out;
+  private final PrintWriter err;
+  private final Map<String, String> environment;
+  private final Reader in;
+  private final @Nullable Questions questions;
+
+  /** Asks a person, who is there. */
+  @FunctionalInterface
+  public interface Questions {
+    /** Gives what the person types; null if that is nothing, not even a line's end. */
+    @Nullable String ask(String question);
+  }
+
+  /**
+   * Makes a console.
+   *
+   * @param environment the environment variables that the program heeds
+   */
+  public Console(Writer out, Writer err, Map<String, String> environment) {
+    this(out, err, environment, new InputStreamReader(System.in, charset("stdin.encoding")), null);
+  }
+
+  /**
+   * Makes a console that has another stdin.
+   *
+   * @param questions asks the user, not on the terminal itself; null to do it there
+   */
+  public Console(
+      Writer out,
+      Writer err,
+      Map<String, String> environment,
+      Reader in,
+      @Nullable Questions questions) {
+    this.environment = Map.copyOf(environment);
+    this.data = out;
+    this.out = new PrintWriter(out, true);
+    this.err = new PrintWriter(err, true);
+    this.in = in;
+    this.questions = questions;
+  }
+
+  /** Gives the same console whose questions are asked in another way, as by a line editor. */
+  public Console asking(Questions other) {
+    return new Console(data, err, environment, in, other);
+  }
+
+  /**
+   * Gives the charset of one of the streams of the process.
+   *
+   * @param encoding the property that names it, since JDK 19 and for stdin since JDK 25; before,
+   *     its name began with {@code sun.}, and it was there for a terminal only
+   */
+  public static Charset charset(String encoding) {
+    String name = System.getProperty("sun." + encoding, System.getProperty("native.encoding"));
+    Charset charset = Charset.forName(System.getProperty(encoding, name));
+    // that is the locale C, which nobody chose; the controller has characters of ISO 8859-1
+    return charset.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : charset;
+  }
+
+  /** Gives stdin. */
+  public Reader in() {
+    return in;
+  }
+
+  /** Gives stdout for texts of picocli. It swallows errors, so data goes through {@link #print}. */
+  public PrintWriter out() {
+    return out;
+  }
+
+  public PrintWriter err() {
+    return err;
+  }
+
+  /** Gives an environment variable, null if it is not set or empty. */
+  public @Nullable String environment(String name) {
+    String value = environment.get(name);
+    return value == null || value.isEmpty() ? null : value;
+  }
+
+  /** Says whether a person can be asked. */
+  @Override
+  public boolean isInteractive() {
+    return questions != null || Terminal.isTerminal();
+  }
+
+  /** Asks a question; only y and yes are a yes, and only if they are typed after it. */
+  @Override
+  public boolean confirm(String question) {
+    String answer = answer(Printable.of(question) + " [y/N] ");
+    return answer != null && answer.strip().matches("(?i)y(es)?");
+  }
+
+  private @Nullable String answer(String question) {
+    if (questions != null) {
+      return questions.ask(question);
+    }
+    Terminal.dropTyped();
+    err.print(question);
+    err.flush();
+    String answer = Terminal.readLine();
+    if (answer == null) {
+      err.println(); // the end of input leaves the cursor behind the question
+    }
+    return answer;
+  }
+
+  /**
+   * Prints a line of data.
+   *
+   * @throws OutputException if it cannot be written, as into a pipe that nobody reads any more
+   */
+  public void print(String line) {
+    write(line + System.lineSeparator());
+  }
+
+  /**
+   * Prints data that has its own line ends.
+   *
+   * @throws OutputException as {@link #print}
+   */
+  public void write(String text) {
+    try {
+      data.write(text);
+      data.flush();
+    } catch (IOException e) {
+      throw new OutputException(e);
+    }
+  }
+
+  /** Prints a message behind the program's name. */
+  public void error(String message) {
+    err.println(PROGRAM + ": " + Printable.message(message));
+  }
+
+  /** Prints what an exception says, and where it comes from if that is asked for. */
+  public void failure(Throwable e, boolean verbose) {
+    failure("", e, verbose);
+  }
+
+  /**
+   * Does the same for one of several robots.
+   *
+   * @param label says which, as {@link Robot#label}
+   */
+  public void failure(String label, Throwable e, boolean verbose) {
+    error(label + e.getMessage());
+    if (verbose) {
+      e.printStackTrace(err);
+    }
+  }
+
+  /** Prints a line that helps with the message before it. */
+  public void hint(String line) {
+    err.println(Printable.message(line));
+  }
+}

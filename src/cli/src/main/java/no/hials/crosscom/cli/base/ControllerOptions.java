@@ -1,0 +1,191 @@
+package no.hials.crosscom.cli.base;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.Profiles;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.protocol.ServerType;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+
+/** The options that say which controller a command talks to. */
+public final class ControllerOptions {
+  private static final Pattern ROBOT = Pattern.compile("@\\w[\\w.-]*");
+
+  @Option(
+      names = "--host",
+      order = 1,
+      paramLabel = "HOST",
+      description = "Name or address of the controller.")
+  private @Nullable String host;
+
+  @Option(
+      names = "--port",
+      order = 2,
+      paramLabel = "PORT",
+      converter = Converters.Port.class,
+      description = "TCP port of the server there; 7000 if not given.")
+  private @Nullable Integer port;
+
+  @Option(
+      names = "--mock",
+      order = 3,
+      description = {
+        "Talk to a simulated controller (KR 6 R900 sixx, KR C4) instead, which is started for this"
+            + " command and gone after it."
+      })
+  private boolean mock;
+
+  @Option(
+      names = "--timeout",
+      order = 4,
+      paramLabel = "TIME",
+      converter = Converters.Time.class,
+      description = {
+        "How long to wait at most for the connection, and for each answer: 500 or 500ms, 3s, 1m. If"
+            + " not given, 5s for the connection and 3s for an answer."
+      })
+  private @Nullable Duration timeout;
+
+  @Option(
+      names = "--server",
+      order = 3,
+      paramLabel = "SERVER",
+      converter = Converters.Server.class,
+      completionCandidates = Converters.Server.class,
+      description = "Which server the simulated controller has: kukavarproxy, or c3 for C3 Bridge.")
+  private @Nullable ServerType server;
+
+  @Option(
+      names = "--robot",
+      order = 1,
+      paramLabel = "NAME",
+      description = {
+        "A robot of the configuration file; @NAME is short for it. If no option names a controller,"
+            + " it is JOPENSHOWVAR_HOST, else the default robot of the file: see 'jopenshowvar"
+            + " --help'."
+      })
+  private List<String> robots = new ArrayList<>();
+
+  /** Makes {@code --robot=NAME} of each argument {@code @NAME} before {@code --}. */
+  public static String[] withNamesAsOptions(String... args) {
+    List<String> result = new ArrayList<>();
+    boolean options = true;
+    for (String arg : args) {
+      options &= !arg.equals("--");
+      result.add(options && ROBOT.matcher(arg).matches() ? "--robot=" + arg.substring(1) : arg);
+    }
+    return result.toArray(String[]::new);
+  }
+
+  /**
+   * Gives the controllers that the user chose, at least one: by these options, else by the
+   * environment, else the default robot of the configuration file. The file is read for a robot of
+   * it only.
+   *
+   * @param command has these options
+   * @param simulated the server that a simulated controller has if the user does not say
+   * @throws FileException if the configuration file has an error, or not such a robot
+   */
+  public List<Robot> targets(ConsoleCommand command, ServerType simulated) throws FileException {
+    EnvironmentSettings environment = EnvironmentSettings.of(command);
+    boolean named = !robots.isEmpty();
+    List<Robot> result = new ArrayList<>();
+    for (Robot target : chosen(command, environment, simulated)) {
+      Duration own = target.timeout();
+      // the default robot is what is left where nothing else says anything
+      Duration lesser = named ? or(own, environment.timeout()) : or(environment.timeout(), own);
+      result.add(withOptions(command, target, or(timeout, lesser), environment.readOnly()));
+    }
+    return result;
+  }
+
+  /** Gives the one controller that the user chose, as {@link #targets}; several are wrong usage. */
+  public Robot target(ConsoleCommand command, ServerType simulated) throws FileException {
+    List<Robot> targets = targets(command, simulated);
+    if (targets.size() != 1) {
+      throw command.wrongUsage("one robot at a time, " + targets.size() + " are given");
+    }
+    return targets.get(0);
+  }
+
+  private List<Robot> chosen(
+      ConsoleCommand command, EnvironmentSettings environment, ServerType simulated)
+      throws FileException {
+    if (host != null && mock) {
+      throw command.wrongUsage("--host and --mock exclude each other");
+    }
+    if (!robots.isEmpty()) {
+      if (host != null || mock) {
+        String other = mock ? "--mock" : "--host";
+        throw command.wrongUsage(other + " and @" + robots.get(0) + " exclude each other");
+      }
+      return named(command, simulated);
+    }
+    if (mock) {
+      return List.of(new Robot("", null, 0, null, false, simulated));
+    }
+    if (host != null) {
+      if (host.isBlank()) {
+        throw command.wrongUsage("--host must not be blank");
+      }
+      return List.of(new Robot("", host, ClientConfig.DEFAULT_PORT, null, false, simulated));
+    }
+    if (environment.host() != null) {
+      int itsPort = environment.port() == null ? ClientConfig.DEFAULT_PORT : environment.port();
+      return List.of(new Robot("", environment.host(), itsPort, null, false, simulated));
+    }
+    Profiles profiles = Profiles.read(command.console()::environment, simulated);
+    if (profiles == null || profiles.defaultRobot() == null) {
+      throw command.wrongUsage(
+          "which controller? give --host HOST, or --mock for a simulated one, or @NAME for one of "
+              + Profiles.path(command.console()::environment));
+    }
+    return List.of(profiles.robot(profiles.defaultRobot()));
+  }
+
+  private List<Robot> named(ConsoleCommand command, ServerType simulated) throws FileException {
+    Profiles profiles = Profiles.read(command.console()::environment, simulated);
+    List<Robot> result = new ArrayList<>();
+    for (String name : robots) {
+      if (profiles == null) {
+        throw new FileException(
+            "no robot is named "
+                + name
+                + ": there is no "
+                + Profiles.path(command.console()::environment));
+      }
+      Robot robot = profiles.robot(name);
+      if (result.contains(robot)) {
+        throw command.wrongUsage("@" + name + " is given twice");
+      }
+      result.add(robot);
+    }
+    return result;
+  }
+
+  private Robot withOptions(
+      ConsoleCommand command, Robot target, @Nullable Duration limit, boolean readOnly) {
+    if (target.host() == null && port != null) {
+      throw command.wrongUsage("--port goes with --host; a simulated controller takes a free port");
+    }
+    if (target.host() != null && server != null) {
+      throw command.wrongUsage("--server goes with --mock");
+    }
+    return new Robot(
+        target.name(),
+        target.host(),
+        port == null ? target.port() : port,
+        limit,
+        target.readOnly() || readOnly,
+        server == null ? target.server() : server);
+  }
+
+  private static @Nullable Duration or(@Nullable Duration first, @Nullable Duration second) {
+    return first == null ? second : first;
+  }
+}

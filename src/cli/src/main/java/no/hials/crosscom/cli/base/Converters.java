@@ -1,0 +1,106 @@
+package no.hials.crosscom.cli.base;
+
+import java.time.Duration;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import no.hials.crosscom.cell.SettingText;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.simulator.SimulationClock;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** How the texts of options become values. */
+public final class Converters {
+  private Converters() {}
+
+  /** Converts a text, and reports what is wrong with it as picocli does. */
+  static <T> T converted(Function<String, T> parser, String text) {
+    try {
+      return parser.apply(text);
+    } catch (IllegalArgumentException e) {
+      throw new TypeConversionException(String.valueOf(e.getMessage()));
+    }
+  }
+
+  /** A port to connect to. */
+  static final class Port implements ITypeConverter<Integer> {
+    @Override
+    public Integer convert(String text) {
+      return converted(SettingText::port, text);
+    }
+  }
+
+  /** A port to listen on, 0 for a free one. */
+  public static final class ListeningPort implements ITypeConverter<Integer> {
+    @Override
+    public Integer convert(String text) {
+      return converted(port -> SettingText.number(port, 0, 65_535), text);
+    }
+  }
+
+  /** The server of a simulated controller. */
+  public static final class Server implements ITypeConverter<ServerType>, Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return List.of("kukavarproxy", "c3").iterator();
+    }
+
+    @Override
+    public ServerType convert(String text) {
+      return converted(SettingText::server, text);
+    }
+  }
+
+  /** An operating mode. */
+  public static final class Mode implements ITypeConverter<OperatingMode> {
+    @Override
+    public OperatingMode convert(String text) {
+      try {
+        return OperatingMode.valueOf(text.toUpperCase(Locale.ROOT));
+      } catch (IllegalArgumentException e) {
+        throw new TypeConversionException("must be T1, T2, AUT or EXT, is " + text);
+      }
+    }
+  }
+
+  /** How fast the time of the simulated controller passes. */
+  public static final class Speed implements ITypeConverter<SimulationClock> {
+    @Override
+    public SimulationClock convert(String text) {
+      try {
+        SimulationClock clock = SimulationClock.parse(text);
+        // a test steps it; here it would stand still for ever
+        if (!(clock instanceof SimulationClock.Stepped)) {
+          return clock;
+        }
+      } catch (IllegalArgumentException e) {
+        // said below
+      }
+      throw new TypeConversionException(
+          "must be real, max, or a factor of more than 0 and at most 10000, is " + text);
+    }
+  }
+
+  /** The seed of what happens by chance. */
+  public static final class Seed implements ITypeConverter<Long> {
+    @Override
+    public Long convert(String text) {
+      try {
+        return Long.valueOf(text);
+      } catch (NumberFormatException e) {
+        throw new TypeConversionException("must be a whole number, is " + text);
+      }
+    }
+  }
+
+  /** A time of at least 1 ms: {@code 500}, {@code 500ms}, {@code 1.5s}, {@code 1m}. */
+  public static final class Time implements ITypeConverter<Duration> {
+    @Override
+    public Duration convert(String text) {
+      return converted(SettingText::time, text);
+    }
+  }
+}

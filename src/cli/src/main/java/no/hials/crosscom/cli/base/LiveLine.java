@@ -1,0 +1,67 @@
+package no.hials.crosscom.cli.base;
+
+import java.io.PrintWriter;
+
+/** A line of a terminal that changes in place, where a person looks on. */
+public final class LiveLine implements AutoCloseable {
+  private static final long PERIOD_NANOS = 250_000_000;
+
+  /** Clears the line from the cursor on. */
+  private static final String CLEAR_REST = "\u001b[K";
+
+  /** Lets the terminal cut off what is too long; a line that is wrapped could not be cleared. */
+  private static final String NO_WRAP = "\u001b[?7l";
+
+  private static final String WRAP = "\u001b[?7h";
+
+  private final PrintWriter terminal;
+  private final boolean shown;
+  private boolean isThere;
+  private long next = System.nanoTime();
+
+  /**
+   * Makes a line that is not there yet.
+   *
+   * @param terminal where it will be
+   * @param shown whether it is to be there at all
+   */
+  public LiveLine(PrintWriter terminal, boolean shown) {
+    this.terminal = terminal;
+    this.shown = shown;
+  }
+
+  /** Says whether it is time for another text, four times a second. */
+  public boolean isDue() {
+    if (!shown || System.nanoTime() - next < 0) {
+      return false;
+    }
+    next = System.nanoTime() + PERIOD_NANOS;
+    return true;
+  }
+
+  /** Shows another text. */
+  public void show(String text) {
+    // what is behind the text is cleared after it, or the line would flicker; then back to its
+    // beginning, where the terminal shows Ctrl-C
+    write(NO_WRAP + text + CLEAR_REST + WRAP + "\r");
+    isThere = true;
+  }
+
+  /** Takes the line away, until the next {@link #show}. */
+  public void clear() {
+    if (isThere) {
+      write("\r" + CLEAR_REST);
+      isThere = false;
+    }
+  }
+
+  private void write(String text) {
+    terminal.print(text);
+    terminal.flush();
+  }
+
+  @Override
+  public void close() {
+    clear();
+  }
+}

@@ -1,0 +1,114 @@
+package no.hials.crosscom.cli.base;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.stream.Stream;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.JsonLine;
+import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.cli.bridge.BridgeCommand;
+import org.jspecify.annotations.Nullable;
+
+/** The files of this computer that {@code file put} and {@code file get} work with. */
+public final class LocalFiles {
+  private LocalFiles() {}
+
+  /** Makes a path of an argument, or says that it can be none. */
+  public static Path path(ConsoleCommand command, String text) {
+    try {
+      if (!text.isBlank()) {
+        return Path.of(text);
+      }
+    } catch (InvalidPathException e) {
+      // said below
+    }
+    throw command.wrongUsage("'" + Printable.of(text) + "' cannot be a file's name here");
+  }
+
+  public static String name(Path file) {
+    return String.valueOf(file.getFileName());
+  }
+
+  /** Refuses what cannot be uploaded, before anything is. */
+  public static void checkReadable(Path file) throws FileException {
+    if (!Files.exists(file)) {
+      throw FileException.cannot("read", file, new NoSuchFileException(file.toString()));
+    }
+    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+      String reason = Files.isDirectory(file) ? "it is a folder" : "access is denied";
+      throw FileException.cannot("read", file, new IOException(reason));
+    }
+  }
+
+  /** Refuses a place in a folder that is not there. */
+  public static void checkFolderOf(Path file) throws FileException {
+    Path folder = file.toAbsolutePath().getParent();
+    if (folder == null || !Files.isDirectory(folder)) {
+      throw FileException.cannot("write", file, new IOException("there is no folder " + folder));
+    }
+  }
+
+  /** Finds the data list beside a program, whatever the case of its name; null if there is none. */
+  public static @Nullable Path dataListOf(Path program) throws FileException {
+    Path folder = program.toAbsolutePath().getParent();
+    if (folder == null) {
+      return null;
+    }
+    String wanted = RemoteName.dataListOf(name(program));
+    try (Stream<Path> files = Files.list(folder)) {
+      return files
+          .filter(file -> name(file).equalsIgnoreCase(wanted))
+          .min(Comparator.naturalOrder())
+          .map(file -> program.resolveSibling(name(file)))
+          .orElse(null);
+    } catch (IOException e) {
+      throw FileException.cannot("list", folder, e);
+    }
+  }
+
+  /** Transfers a file. */
+  public interface Transfer {
+    void run() throws IOException;
+  }
+
+  /**
+   * Does a transfer, and tells failures of this computer from those of the controller.
+   *
+   * @param verb what is done with the file here
+   */
+  public static void transfer(String verb, Path file, Transfer transfer) throws IOException {
+    try {
+      transfer.run();
+    } catch (CrossComException e) {
+      throw e;
+    } catch (IOException e) {
+      throw FileException.cannot(verb, file, e);
+    }
+  }
+
+  /** Prints what was transferred. */
+  public static void print(BridgeCommand command, String name, Path local, String remote)
+      throws IOException {
+    long size = Files.size(local);
+    boolean up = name.equals("put");
+    String from = up ? local.toString() : Printable.of(remote);
+    String to = up ? Printable.of(remote) : local.toString();
+    command
+        .console()
+        .print(
+            command.isJson()
+                ? JsonLine.object(
+                    json -> {
+                      json.writeStringField("command", name);
+                      json.writeStringField("local", local.toString());
+                      json.writeStringField("name", remote);
+                      json.writeNumberField("size", size);
+                    })
+                : from + " -> " + to + ", " + Printable.count(size, "byte"));
+  }
+}

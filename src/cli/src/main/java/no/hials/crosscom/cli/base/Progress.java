@@ -1,0 +1,53 @@
+package no.hials.crosscom.cli.base;
+
+import java.util.Locale;
+import no.hials.crosscom.c3.TransferProgress;
+import no.hials.crosscom.cell.Printable;
+
+/** Shows how far a transfer has come, on a line that changes in place. */
+public final class Progress implements TransferProgress, AutoCloseable {
+  private final String name;
+  private final boolean shown;
+  private final LiveLine line;
+  private final StopSignal stop;
+
+  /**
+   * Makes a line that is not there yet.
+   *
+   * @param name what is transferred
+   * @param shown whether it is to be there at all
+   * @param stop ends the transfer, so that nothing is left of it
+   */
+  public Progress(Console console, String name, boolean shown, StopSignal stop) {
+    this.name = Printable.of(name);
+    this.shown = shown;
+    this.line = new LiveLine(console.err(), shown);
+    this.stop = stop;
+  }
+
+  @Override
+  public void transferred(long bytes, long total) {
+    stop.check();
+    // the end is shown in any case, as checking what arrived takes as long again
+    if (line.isDue() || (shown && bytes == total)) {
+      line.show(text(name, bytes, total));
+    }
+  }
+
+  @Override
+  public void close() {
+    line.close();
+  }
+
+  public static String text(String name, long bytes, long total) {
+    if (bytes == total) {
+      return name + ": all of " + kilobytes(total) + ", checking";
+    }
+    return String.format(
+        Locale.ROOT, "%s: %d %% of %s", name, bytes * 100 / total, kilobytes(total));
+  }
+
+  private static String kilobytes(long bytes) {
+    return (bytes + 1023) / 1024 + " KB";
+  }
+}

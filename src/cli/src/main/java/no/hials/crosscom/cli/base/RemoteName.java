@@ -1,0 +1,55 @@
+package no.hials.crosscom.cli.base;
+
+import java.util.Locale;
+
+/**
+ * Takes apart and puts together names of files on the controller, such as {@code
+ * KRC:\R1\PROGRAM\X.SRC} and {@code /R1/X.SRC}.
+ */
+public final class RemoteName {
+  private RemoteName() {}
+
+  /** Says whether it can only be a folder: it ends with a slash or a backslash. */
+  public static boolean isFolder(String name) {
+    return name.endsWith("/") || name.endsWith("\\");
+  }
+
+  /** Gives the last part, such as {@code X.SRC}. */
+  public static String last(String name) {
+    return name.substring(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1);
+  }
+
+  /** Gives the name of a file in a folder, in the folder's form. */
+  public static String in(String folder, String name) {
+    if (isFolder(folder)) {
+      return folder + name;
+    }
+    boolean slashes = folder.indexOf('/') >= 0 && folder.indexOf('\\') < 0;
+    return folder + (slashes ? "/" : "\\") + name;
+  }
+
+  /** Says whether a name ends with some ending, in any case. */
+  public static boolean hasEnding(String name, String ending) {
+    return name.toLowerCase(Locale.ROOT).endsWith(ending);
+  }
+
+  /** Gives a name without the ending of its last part, if that has one. */
+  public static String withoutEnding(String name) {
+    int dot = name.lastIndexOf('.');
+    return dot <= name.length() - last(name).length() ? name : name.substring(0, dot);
+  }
+
+  /**
+   * Gives the name of the data list beside a program, in capital letters if the program's ending
+   * is.
+   */
+  public static String dataListOf(String program) {
+    boolean capitals = program.endsWith(".SRC") || program.endsWith(".SUB");
+    return withoutEnding(program) + (capitals ? ".DAT" : ".dat");
+  }
+
+  /** Says whether it is the name of a program. */
+  public static boolean isProgram(String name) {
+    return hasEnding(name, ".src") || hasEnding(name, ".sub");
+  }
+}

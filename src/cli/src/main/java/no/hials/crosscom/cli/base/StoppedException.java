@@ -1,0 +1,10 @@
+package no.hials.crosscom.cli.base;
+
+/** Says that the user stopped a command before its end. */
+public final class StoppedException extends RuntimeException {
+  private static final long serialVersionUID = 1L;
+
+  public StoppedException() {
+    super("stopped");
+  }
+}

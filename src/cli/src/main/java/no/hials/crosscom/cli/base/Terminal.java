@@ -1,0 +1,88 @@
+package no.hials.crosscom.cli.base;
+
+import java.io.Console;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+
+/** Knows whether a person looks on. */
+public final class Terminal {
+  private static final Path OWN_STATE = Path.of("/proc/self/stat");
+  private static final Path OWN_STDERR = Path.of("/proc/self/fd/2");
+
+  private Terminal() {}
+
+  /**
+   * Says whether stdin and stdout are a terminal, one that can clear a line. Where {@code TERM} is
+   * not set, as on Windows, that is not known of it, and assumed not to be so.
+   */
+  public static boolean isInteractive() {
+    String kind = System.getenv("TERM");
+    return kind != null && !kind.isBlank() && !kind.equals("dumb") && isTerminal();
+  }
+
+  /** Says whether stdin and stdout are a terminal, of whatever kind. */
+  @SuppressWarnings("SystemConsoleNull") // of the newer ones the method below tells
+  static boolean isTerminal() {
+    Console console = System.console();
+    if (console == null) {
+      return false;
+    }
+    try {
+      // since JDK 22 there is a console without a terminal, too, and this method to tell them apart
+      return (Boolean) Console.class.getMethod("isTerminal").invoke(console);
+    } catch (NoSuchMethodException e) {
+      return true;
+    } catch (ReflectiveOperationException e) {
+      return false;
+    }
+  }
+
+  /** Says whether what is written to stderr now is for a person only. */
+  public static boolean showsProgress() {
+    return isInteractive() && isForeground() && isErrTerminal();
+  }
+
+  /** Says whether stderr is a terminal; where nobody knows, it is where stdout is. */
+  private static boolean isErrTerminal() {
+    try {
+      String target = Files.readSymbolicLink(OWN_STDERR).toString();
+      return target.startsWith("/dev/pts/") || target.startsWith("/dev/tty");
+    } catch (IOException | UnsupportedOperationException e) {
+      return true;
+    }
+  }
+
+  /** Drops the lines that were typed before now, so that they do not answer a question. */
+  static void dropTyped() {
+    try {
+      for (int typed = System.in.available(); typed > 0; typed = System.in.available()) {
+        System.in.readNBytes(typed);
+      }
+    } catch (IOException e) {
+      // the terminal is gone; who reads the answer finds that out
+    }
+  }
+
+  /** Reads what the user types; null at its end, or without a terminal. */
+  @SuppressWarnings("SystemConsoleNull") // as above
+  static @Nullable String readLine() {
+    Console console = System.console();
+    return console == null ? null : console.readLine();
+  }
+
+  /** Says whether the terminal is this process's, and not a shell's; yes where nobody knows. */
+  public static boolean isForeground() {
+    try {
+      // man 5 proc: the name in brackets, state, parent, process group, session, terminal, and the
+      // process group in the foreground of the terminal
+      String state = Files.readString(OWN_STATE, StandardCharsets.ISO_8859_1);
+      String[] fields = state.substring(state.lastIndexOf(')') + 1).strip().split(" ", -1);
+      return fields[2].equals(fields[5]);
+    } catch (IOException e) {
+      return true;
+    }
+  }
+}

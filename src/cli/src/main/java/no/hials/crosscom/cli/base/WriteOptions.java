@@ -1,0 +1,37 @@
+package no.hials.crosscom.cli.base;
+
+import java.util.function.Consumer;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.WritePermission;
+import picocli.CommandLine.Option;
+
+/** The options of commands that change something on the controller, and the leave to do it. */
+public final class WriteOptions {
+  @Option(
+      names = {"-y", "--yes"},
+      order = 5,
+      description = "Do not ask before something is changed outside T1, overwritten or deleted.")
+  private boolean yes;
+
+  @Option(
+      names = "--read-only",
+      order = 5,
+      description = "Refuse whatever would change something, before it is sent.")
+  private boolean readOnly;
+
+  public boolean isYes() {
+    return yes;
+  }
+
+  /** Gives the settings of a connection on which one thing is changed. */
+  public Consumer<ClientConfig.Builder> connection() {
+    // a server closes an idle connection, and the user may think about the answer for long
+    return yes ? Robot.ONE_SHOT : cfg -> cfg.reconnect(false);
+  }
+
+  /** Returns the permission that these options give; the console asks the user. */
+  public WritePermission permission(Console console) {
+    return new WritePermission(yes, readOnly, console);
+  }
+}

@@ -1,0 +1,89 @@
+package no.hials.crosscom.cli.bridge;
+
+import java.io.IOException;
+import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.WritePermission;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.WriteOptions;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.ServerType;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** What the commands have in common that need C3 Bridge, or tell which server there is. */
+public abstract class BridgeCommand extends ConsoleCommand {
+  /** More than any name on a controller has; two of them fit into a message. */
+  private static final int MAX_LENGTH = 10_000;
+
+  @Option(names = "--json", order = 5, description = "Print JSON, see below.")
+  private boolean json;
+
+  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
+
+  BridgeCommand(Console console) {
+    super(console);
+  }
+
+  public final boolean isJson() {
+    return json;
+  }
+
+  final Robot target() throws FileException {
+    return controllerOptions.target(this, ServerType.C3_BRIDGE);
+  }
+
+  /**
+   * Asks before a change as {@link WritePermission#check(RobotConnection, String)} does; not if the
+   * server cannot do it, as the client says when it is to be sent.
+   */
+  final void ask(WriteOptions options, RobotConnection controller, String what, MessageType needed)
+      throws IOException {
+    if (controller.client().getServer().knows(needed)) {
+      options.permission(console()).check(controller, what);
+    }
+  }
+
+  /** Checks that a text can be a name, or is wrong usage. */
+  final String checked(String label, String text) {
+    if (text.isBlank()) {
+      throw wrongUsage(label + " must not be blank");
+    }
+    return checkedLength(label, text);
+  }
+
+  final String checkedLength(String label, String text) {
+    if (text.length() > MAX_LENGTH) {
+      throw wrongUsage(
+          label + " must have at most " + MAX_LENGTH + " characters, has " + text.length());
+    }
+    return text;
+  }
+
+  /**
+   * Says that the controller refused, and why that may be so.
+   *
+   * @param general the likely cause if it gives no reason, which is code 0
+   */
+  final ExitCode refused(CrossComRefusedException e, String general) {
+    console().failure(e, isVerbose());
+    ErrorCode code = e.getErrorCode().orElse(null);
+    if (code == ErrorCode.GENERAL) {
+      console().hint(general);
+    } else if (code == ErrorCode.ACCESS) {
+      console().hint(accessHint());
+    }
+    return ExitCode.REFUSED;
+  }
+
+  /** Says why access may be denied. */
+  String accessHint() {
+    return "likely cause: the operating mode or the state of the program does not allow it";
+  }
+}

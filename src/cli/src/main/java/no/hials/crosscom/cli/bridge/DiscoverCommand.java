@@ -1,0 +1,215 @@
+package no.hials.crosscom.cli.bridge;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.net.BindException;
+import java.net.Inet4Address;
+import java.net.InetAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.c3.Discovery;
+import no.hials.crosscom.c3.DiscoveryConfig;
+import no.hials.crosscom.c3.FoundServer;
+import no.hials.crosscom.cell.JsonLine;
+import no.hials.crosscom.cli.base.CannotListenException;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Table;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.Version;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code discover}. */
+@Command(
+    name = "discover",
+    description = {
+      "Asks the network where controllers are, by UDP, and prints who answered: the robot's model and"
+          + " serial number, the server, its version, and its address. Exit code 3 if nobody did."
+    },
+    footer = {
+      "",
+      "Two ways to ask: C3 Bridge answers on UDP port 7000 (standard mode); KUKAVARPROXY, and C3 Bridge"
+          + " too, on port 6999, to port 7000 of this computer (legacy mode). Only one program of a"
+          + " computer can have that port; if it is taken and --legacy is not given, only the standard"
+          + " mode is used, and a message says so. Routers do not pass broadcasts on: give --address"
+          + " for a controller behind one.",
+      "",
+      "JSON: one object a server (JSON Lines), with model, serial, type (C3_BRIDGE or KUKAVARPROXY),"
+          + " version, host and port. What it did not say is an empty text, or null for the version.",
+      "",
+      "Examples:",
+      "  jopenshowvar discover",
+      "  jopenshowvar discover --interface eth1 --timeout 3s",
+      "  jopenshowvar discover --address 172.31.1.147 --json"
+    })
+public final class DiscoverCommand extends ConsoleCommand {
+  @Option(
+      names = "--timeout",
+      order = 1,
+      paramLabel = "TIME",
+      converter = Converters.Time.class,
+      description =
+          "How long to wait for answers, all of which is waited: 500ms, 3s; 1s if not given.")
+  private Duration timeout = Duration.ofSeconds(1);
+
+  @Option(
+      names = "--address",
+      order = 1,
+      paramLabel = "HOST",
+      description =
+          "Ask this IPv4 address, of a host or for broadcast. It may stand there several times.")
+  private List<String> addresses = new ArrayList<>();
+
+  @Option(
+      names = "--interface",
+      order = 1,
+      paramLabel = "NAME",
+      description = {
+        "Ask all hosts that this network interface reaches by broadcast, such as eth0. It may stand"
+            + " there several times. If neither this nor --address is given, all interfaces."
+      })
+  private List<String> interfaces = new ArrayList<>();
+
+  @Option(
+      names = "--legacy",
+      order = 2,
+      negatable = true,
+      fallbackValue = "true",
+      description = "Insist on the legacy mode, or with --no-legacy ask in standard mode only.")
+  private @Nullable Boolean legacy;
+
+  @Option(
+      names = "--ports",
+      order = 2,
+      paramLabel = "STANDARD,LEGACY,REPLY",
+      split = ",",
+      hideParamSyntax = true,
+      converter = Converters.ListeningPort.class,
+      description = "Other UDP ports than 7000,6999,7000.")
+  private List<Integer> ports = List.of(7000, 6999, 7000);
+
+  @Option(names = "--json", order = 5, description = "Print JSON, see below.")
+  private boolean json;
+
+  public DiscoverCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitCode run() throws IOException {
+    if (ports.size() != 3 || ports.get(0) == 0 || ports.get(1) == 0) {
+      throw wrongUsage("--ports needs three numbers, of which only the last may be 0");
+    }
+    List<FoundServer> servers = find();
+    if (servers.isEmpty()) {
+      console().error("nobody answered within " + timeout.toMillis() + " ms");
+      return ExitCode.NOT_CONNECTED;
+    }
+    if (json) {
+      servers.forEach(
+          server -> console().print(JsonLine.object(out -> DiscoverCommand.write(out, server))));
+    } else {
+      print(servers);
+    }
+    return ExitCode.DONE;
+  }
+
+  private List<FoundServer> find() throws CannotListenException {
+    if (legacy != null) {
+      return find(legacy);
+    }
+    try {
+      return find(true);
+    } catch (CannotListenException e) {
+      Throwable failed = e.getCause();
+      if (failed == null || !(failed.getCause() instanceof BindException)) {
+        throw e;
+      }
+      console().error("standard mode only: " + e.getMessage());
+      return find(false);
+    }
+  }
+
+  private List<FoundServer> find(boolean withLegacy) throws CannotListenException {
+    DiscoveryConfig config;
+    try {
+      config = DiscoveryConfig.create(cfg -> configure(cfg, withLegacy));
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage("no network interface reaches anybody by broadcast; give --address");
+    }
+    try {
+      return Discovery.find(config);
+    } catch (IOException e) {
+      throw new CannotListenException(String.valueOf(e.getMessage()), e);
+    }
+  }
+
+  private void configure(DiscoveryConfig.Builder cfg, boolean withLegacy) {
+    cfg.timeout(timeout).legacy(withLegacy).standardPort(ports.get(0));
+    cfg.legacyPorts(ports.get(1), ports.get(2));
+    addresses.forEach(name -> cfg.addresses(address(name)));
+    try {
+      for (String name : interfaces) {
+        NetworkInterface found = NetworkInterface.getByName(name);
+        if (found == null) {
+          throw wrongUsage("this computer has no network interface " + name);
+        }
+        cfg.networkInterface(found);
+      }
+      if (addresses.isEmpty() && interfaces.isEmpty()) {
+        cfg.allNetworkInterfaces();
+      }
+    } catch (SocketException e) {
+      throw wrongUsage("the network interfaces cannot be listed: " + e.getMessage());
+    }
+  }
+
+  private InetAddress address(String name) {
+    try {
+      for (InetAddress address : InetAddress.getAllByName(name)) {
+        if (!name.isBlank() && address instanceof Inet4Address) {
+          return address;
+        }
+      }
+    } catch (UnknownHostException e) {
+      // said below
+    }
+    throw wrongUsage(
+        "--address needs an IPv4 address or the name of a host that has one, is " + name);
+  }
+
+  private void print(List<FoundServer> servers) {
+    Table table = Table.withTitles("MODEL", "SERIAL", "SERVER", "VERSION", "ADDRESS");
+    for (FoundServer server : servers) {
+      table.add(
+          server.model(),
+          server.serialNumber(),
+          server.type() == ServerType.C3_BRIDGE ? "C3 Bridge" : "KUKAVARPROXY",
+          version(server) == null ? "" : String.valueOf(version(server)),
+          server.address().getHostAddress() + ":" + server.port());
+    }
+    table.print(console());
+  }
+
+  private static @Nullable String version(FoundServer server) {
+    Version version = server.version();
+    return version == null ? null : version.toString();
+  }
+
+  private static void write(JsonGenerator out, FoundServer server) throws IOException {
+    out.writeStringField("model", server.model());
+    out.writeStringField("serial", server.serialNumber());
+    out.writeStringField("type", server.type().name());
+    out.writeStringField("version", version(server));
+    out.writeStringField("host", server.address().getHostAddress());
+    out.writeNumberField("port", server.port());
+  }
+}

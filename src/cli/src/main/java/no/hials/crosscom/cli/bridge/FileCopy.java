@@ -1,0 +1,123 @@
+package no.hials.crosscom.cli.bridge;
+
+import java.io.IOException;
+import java.util.List;
+import no.hials.crosscom.c3.ControllerFiles;
+import no.hials.crosscom.cell.JsonLine;
+import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.RemoteName;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.cli.base.WriteOptions;
+import no.hials.crosscom.protocol.code.CopyFlag;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code file cp} and {@code file mv}. */
+@Command(
+    footerHeading = "%n",
+    footer = {
+      "If TARGET is a folder or ends with a slash or backslash, the name stays. A file that is"
+          + " there already is overwritten only after a question, or with --yes.",
+      "",
+      "JSON: one object with command, source and name.",
+      "",
+      "In sh and bash a name with backslashes needs single quotes.",
+      "",
+      "Examples:",
+      "  jopenshowvar file cp /R1/WELD.SRC /R1/WELD2.SRC --host 172.31.1.147",
+      "  jopenshowvar file mv 'KRC:\\R1\\PROGRAM\\A.SRC' 'KRC:\\R1\\PROGRAM\\OLD\\' --host"
+          + " 172.31.1.147"
+    })
+abstract class FileCopy extends FileSubcommand {
+  @Parameters(index = "0", paramLabel = "SOURCE", description = "A file on the controller.")
+  private String source = "";
+
+  @Parameters(index = "1", paramLabel = "TARGET", description = "Its new name there, or a folder.")
+  private String destination = "";
+
+  @Mixin private WriteOptions writeOptions = new WriteOptions();
+
+  private final String command;
+  private final String verb;
+
+  FileCopy(Console console, String command, String verb) {
+    super(console);
+    this.command = command;
+    this.verb = verb;
+  }
+
+  /** Sends the command. */
+  abstract void send(ControllerFiles files, String from, String to, CopyFlag... flags)
+      throws IOException;
+
+  @Override
+  final ExitCode work() throws IOException {
+    checked("SOURCE", source);
+    checked("TARGET", destination);
+    String what = verb + " " + source + " to " + destination;
+    Robot target = target();
+    writeOptions.permission(console()).checkAllowed(target, what);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+      ControllerFiles files = controller.client().files();
+      String name =
+          isFolder(files, destination)
+              ? RemoteName.in(destination, RemoteName.last(source))
+              : destination;
+      boolean there = files.exists(name);
+      writeOptions
+          .permission(console())
+          .check(controller, what, there ? List.of(name + " is there already") : List.of());
+      send(files, source, name, there ? new CopyFlag[] {CopyFlag.OVERWRITE} : new CopyFlag[0]);
+      print(name);
+    }
+    return ExitCode.DONE;
+  }
+
+  private void print(String name) {
+    console()
+        .print(
+            isJson()
+                ? JsonLine.object(
+                    json -> {
+                      json.writeStringField("command", command);
+                      json.writeStringField("source", source);
+                      json.writeStringField("name", name);
+                    })
+                : Printable.of(source) + " -> " + Printable.of(name));
+  }
+
+  /** {@code file cp SOURCE TARGET}. */
+  @Command(
+      name = "cp",
+      description = {"Copies a file on the controller."})
+  static final class Cp extends FileCopy {
+    Cp(Console console) {
+      super(console, "cp", "copy");
+    }
+
+    @Override
+    void send(ControllerFiles files, String from, String to, CopyFlag... flags) throws IOException {
+      files.copy(from, to, flags);
+    }
+  }
+
+  /** {@code file mv SOURCE TARGET}. */
+  @Command(
+      name = "mv",
+      description = {"Moves or renames a file on the controller."})
+  static final class Mv extends FileCopy {
+    Mv(Console console) {
+      super(console, "mv", "move");
+    }
+
+    @Override
+    void send(ControllerFiles files, String from, String to, CopyFlag... flags) throws IOException {
+      files.move(from, to, flags);
+    }
+  }
+}

@@ -1,0 +1,158 @@
+package no.hials.crosscom.cli.bridge;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
+import no.hials.crosscom.c3.ControllerFiles;
+import no.hials.crosscom.c3.TransferConfig;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.NotSentException;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.WritePermission;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.LocalFiles;
+import no.hials.crosscom.cli.base.Progress;
+import no.hials.crosscom.cli.base.RemoteName;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.cli.base.StopSignal;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code file get REMOTE... LOCAL}. */
+@Command(
+    name = "get",
+    description = {"Downloads files from the controller. Nothing changes there."},
+    footer = {
+      "",
+      "LOCAL is a folder that is there, such as . for this one, or for one REMOTE the name that it"
+          + " is to have.",
+      "",
+      "A file of this computer is overwritten only after a question, or with --yes. Each is written"
+          + " beside its place, as NAME.RANDOM.part, and takes its place when all of it is there.",
+      "",
+      "JSON: one object a file (JSON Lines), with command, local, name and size.",
+      "",
+      "In sh and bash a name with backslashes needs single quotes.",
+      "",
+      "Examples:",
+      "  jopenshowvar file get /R1/WELD.SRC . --with-dat --host 172.31.1.147",
+      "  jopenshowvar file get 'KRC:\\R1\\System\\$config.dat' mine.dat --mock"
+    })
+final class FileGet extends FileSubcommand {
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "REMOTE... LOCAL",
+      hideParamSyntax = true,
+      description = "Files on the controller, and last the place on this computer.")
+  private List<String> arguments = List.of();
+
+  @Option(
+      names = "--with-dat",
+      order = 4,
+      description =
+          "With each .src and .sub, also the .dat of the same name beside it if there is" + " one.")
+  private boolean withDat;
+
+  @Option(
+      names = {"-y", "--yes"},
+      order = 5,
+      description = "Overwrite files of this computer without asking.")
+  private boolean yes;
+
+  FileGet(Console console) {
+    super(console);
+  }
+
+  /**
+   * A download to be done.
+   *
+   * @param name the file on the controller
+   * @param local what it will be here
+   */
+  private record Job(String name, Path local) {
+    boolean isThere() {
+      return java.nio.file.Files.exists(local);
+    }
+  }
+
+  @Override
+  ExitCode work() throws IOException {
+    checkBothGiven("REMOTE and LOCAL", arguments);
+    List<String> names = checked("REMOTE", arguments.subList(0, arguments.size() - 1));
+    Path place = place(names.size());
+    Robot target = target();
+    try (RobotConnection controller =
+        Robots.open(target, yes ? Robot.ONE_SHOT : cfg -> cfg.reconnect(false))) {
+      ControllerFiles files = controller.client().files();
+      List<Job> jobs = jobs(files, names, place);
+      ask(target, jobs);
+      return transfer("downloaded", jobs, Job::name, (job, stop) -> download(files, job, stop));
+    }
+  }
+
+  private Path place(int count) throws FileException {
+    Path place = LocalFiles.path(this, arguments.get(arguments.size() - 1));
+    boolean folder = java.nio.file.Files.isDirectory(place);
+    if (!folder && count > 1) {
+      throw wrongUsage("for several files LOCAL must be a folder that is there, is " + place);
+    }
+    if (!folder) {
+      LocalFiles.checkFolderOf(place);
+    }
+    return place;
+  }
+
+  private List<Job> jobs(ControllerFiles files, List<String> names, Path place) throws IOException {
+    boolean folder = java.nio.file.Files.isDirectory(place);
+    List<Job> jobs = new ArrayList<>();
+    for (String name : names) {
+      Path local = folder ? place.resolve(LocalFiles.path(this, RemoteName.last(name))) : place;
+      jobs.add(new Job(name, local));
+      String list = RemoteName.dataListOf(name);
+      if (withDat && RemoteName.isProgram(name) && files.exists(list)) {
+        String localList = RemoteName.dataListOf(LocalFiles.name(local));
+        jobs.add(new Job(list, local.resolveSibling(localList)));
+      }
+    }
+    Set<String> locals = new HashSet<>();
+    for (Job job : jobs) {
+      // whatever the case: it does not count everywhere
+      if (!locals.add(job.local().toString().toUpperCase(Locale.ROOT))) {
+        throw wrongUsage("two files would become " + job.local());
+      }
+      if (java.nio.file.Files.isDirectory(job.local())) {
+        throw wrongUsage(job.local() + " is a folder, it cannot become a file");
+      }
+    }
+    return jobs;
+  }
+
+  private void ask(Robot target, List<Job> jobs) throws NotSentException {
+    String there =
+        jobs.stream()
+            .filter(Job::isThere)
+            .map(job -> job.local() + " is there already")
+            .collect(Collectors.joining(", "));
+    if (!yes && !there.isEmpty()) {
+      new WritePermission(false, false, console()).confirm(target.label(), "overwrite it", there);
+    }
+  }
+
+  private void download(ControllerFiles files, Job job, StopSignal stop) throws IOException {
+    try (Progress progress = progress(job.name(), stop)) {
+      TransferConfig config =
+          TransferConfig.create(cfg -> cfg.overwrite(job.isThere()).progress(progress));
+      LocalFiles.transfer(
+          "write", job.local(), () -> files.download(job.name(), job.local(), config));
+    }
+    LocalFiles.print(this, "get", job.local(), job.name());
+  }
+}

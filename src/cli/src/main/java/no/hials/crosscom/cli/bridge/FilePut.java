@@ -1,0 +1,235 @@
+package no.hials.crosscom.cli.bridge;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
+import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.c3.ControllerFiles;
+import no.hials.crosscom.c3.TransferConfig;
+import no.hials.crosscom.c3.Verification;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.LocalFiles;
+import no.hials.crosscom.cli.base.Progress;
+import no.hials.crosscom.cli.base.RemoteName;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.cli.base.WriteOptions;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.protocol.code.Interpreter;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code file put LOCAL... REMOTE}. */
+@Command(
+    name = "put",
+    description = {
+      "Uploads files to the controller, and reads each of them back to make sure that what arrived"
+          + " is what was sent."
+    },
+    footer = {
+      "",
+      "REMOTE is a folder, or for one LOCAL the name that it is to have. One that ends with a slash"
+          + " or backslash is a folder; of another one the controller is asked.",
+      "",
+      "A file that is there already is overwritten only after a question, or with --yes. Of a file"
+          + " whose upload fails the controller has nothing, unless the message says otherwise;"
+          + " those behind it are not uploaded.",
+      "",
+      "With --select, what the controller answered is said: a program with errors is uploaded, but"
+          + " cannot be selected (exit code 1).",
+      "",
+      "JSON: one object a file (JSON Lines), with command, local, name and size; with --select one"
+          + " more with command, interpreter, program and state.",
+      "",
+      "In sh and bash a name with backslashes needs single quotes.",
+      "",
+      "Examples:",
+      "  jopenshowvar file put weld.src weld.dat 'KRC:\\R1\\PROGRAM\\' --host 172.31.1.147",
+      "  jopenshowvar file put weld.src /R1 --with-dat --select --host 172.31.1.147"
+    })
+final class FilePut extends FileSubcommand {
+  private static final int MAX_ERRORS = 5;
+
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "LOCAL... REMOTE",
+      hideParamSyntax = true,
+      description = "Files of this computer, and last the place on the controller.")
+  private List<String> arguments = List.of();
+
+  @Option(
+      names = "--with-dat",
+      order = 4,
+      description =
+          "With each .src and .sub, also the .dat of the same name beside it if there is" + " one.")
+  private boolean withDat;
+
+  @Option(
+      names = "--select",
+      order = 4,
+      description = "Select the .src that was uploaded. It is not started.")
+  private boolean select;
+
+  @Mixin private WriteOptions writeOptions = new WriteOptions();
+
+  FilePut(Console console) {
+    super(console);
+  }
+
+  /**
+   * A file to be uploaded.
+   *
+   * @param local where it is
+   * @param dataListOf the program that it goes with; null if it was named itself
+   */
+  private record Source(Path local, @Nullable Path dataListOf) {}
+
+  /**
+   * An upload to be done.
+   *
+   * @param local the file
+   * @param name what it will be on the controller
+   * @param there whether there is one already
+   */
+  private record Job(Path local, String name, boolean there) {}
+
+  @Override
+  ExitCode work() throws IOException {
+    checkBothGiven("LOCAL and REMOTE", arguments);
+    String remote = checked("REMOTE", arguments.get(arguments.size() - 1));
+    List<Source> sources = sources();
+    Path program = select ? programOf(sources) : null;
+    String what =
+        "upload "
+            + sources.stream()
+                .map(each -> each.local().toString())
+                .collect(Collectors.joining(", "));
+    Robot target = target();
+    writeOptions.permission(console()).checkAllowed(target, what);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+      ControllerFiles files = controller.client().files();
+      List<Job> jobs = jobs(files, sources, remote);
+      List<String> reasons =
+          jobs.stream().filter(Job::there).map(job -> job.name() + " is there already").toList();
+      writeOptions.permission(console()).check(controller, what, reasons);
+      ExitCode code =
+          transfer("uploaded", jobs, Job::name, (job, stop) -> upload(files, job, stop));
+      if (code != ExitCode.DONE) {
+        return code;
+      }
+      for (Job job : jobs) {
+        if (job.local().equals(program)) {
+          return select(controller, job);
+        }
+      }
+    }
+    return ExitCode.DONE;
+  }
+
+  // what is to be uploaded
+
+  private List<Source> sources() throws IOException {
+    List<Source> sources = new ArrayList<>();
+    for (String argument : arguments.subList(0, arguments.size() - 1)) {
+      Path file = LocalFiles.path(this, argument);
+      LocalFiles.checkReadable(file);
+      Path list = withDat && RemoteName.isProgram(argument) ? LocalFiles.dataListOf(file) : null;
+      // a program is loaded with its data list, which so has to be there before
+      if (list != null) {
+        sources.add(new Source(list, file));
+      }
+      sources.add(new Source(file, null));
+    }
+    return sources;
+  }
+
+  private Path programOf(List<Source> sources) {
+    List<Path> programs =
+        sources.stream()
+            .map(Source::local)
+            .filter(file -> RemoteName.hasEnding(file.toString(), ".src"))
+            .toList();
+    if (programs.size() != 1) {
+      throw wrongUsage("--select needs one .src file, there are " + programs.size());
+    }
+    return programs.get(0);
+  }
+
+  private List<Job> jobs(ControllerFiles files, List<Source> sources, String remote)
+      throws IOException {
+    boolean folder = isFolder(files, remote);
+    if (!folder && arguments.size() > 2) {
+      throw wrongUsage("for several files REMOTE must be a folder, " + remote + " is none");
+    }
+    List<Job> jobs = new ArrayList<>();
+    Set<String> names = new HashSet<>();
+    for (Source source : sources) {
+      String name = folder ? RemoteName.in(remote, LocalFiles.name(source.local())) : remote;
+      if (!folder && source.dataListOf() != null) {
+        name = RemoteName.dataListOf(remote);
+      }
+      if (!names.add(name.toUpperCase(Locale.ROOT))) {
+        throw wrongUsage("two files would become " + name);
+      }
+      jobs.add(new Job(source.local(), name, files.exists(name)));
+    }
+    return jobs;
+  }
+
+  // doing it
+
+  private void upload(ControllerFiles files, Job job, StopSignal stop) throws IOException {
+    try (Progress progress = progress(job.name(), stop)) {
+      TransferConfig config =
+          TransferConfig.create(
+              cfg ->
+                  cfg.overwrite(job.there()).verification(Verification.CONTENT).progress(progress));
+      LocalFiles.transfer("read", job.local(), () -> files.upload(job.local(), job.name(), config));
+    }
+    LocalFiles.print(this, "put", job.local(), job.name());
+  }
+
+  private ExitCode select(RobotConnection controller, Job job) throws IOException {
+    String program = RemoteName.withoutEnding(krcName(controller.client().files(), job.name()));
+    try {
+      controller.client().programs().select(program);
+    } catch (CrossComRefusedException e) {
+      ExitCode code =
+          refused(e, "likely cause: the program has errors; it is uploaded, but not selected");
+      hintOfErrors(job.local());
+      return code;
+    }
+    ProgramStatus state = ProgramStatus.read(controller.client(), Interpreter.ROBOT);
+    console().print(isJson() ? state.json("select") : state.line());
+    return ExitCode.DONE;
+  }
+
+  private static String krcName(ControllerFiles files, String name) throws IOException {
+    try {
+      return files.getKrcName(name);
+    } catch (CrossComRefusedException e) {
+      return name;
+    }
+  }
+
+  /** Says what this program finds wrong, since the controller does not say what it did. */
+  private void hintOfErrors(Path file) throws IOException {
+    List<KrlError> errors = KrlParser.parse(file).errors();
+    errors.stream().limit(MAX_ERRORS).forEach(error -> console().hint(error.toString()));
+    if (errors.size() > MAX_ERRORS) {
+      console().hint("and " + (errors.size() - MAX_ERRORS) + " more");
+    }
+  }
+}

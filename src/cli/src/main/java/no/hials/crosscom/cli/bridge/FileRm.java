@@ -1,0 +1,114 @@
+package no.hials.crosscom.cli.bridge;
+
+import java.io.IOException;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.c3.ControllerFiles;
+import no.hials.crosscom.cell.JsonLine;
+import no.hials.crosscom.cell.NotSentException;
+import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.cli.base.WriteOptions;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code file rm NAME...}. */
+@Command(
+    name = "rm",
+    description = {"Deletes files on the controller. It asks before, unless --yes is given."},
+    footer = {
+      "",
+      "Nothing is deleted unless all of them are there. If one cannot be deleted, those behind it"
+          + " are not tried.",
+      "",
+      "JSON: one object a file (JSON Lines), with command and name.",
+      "",
+      "In sh and bash a name with backslashes needs single quotes.",
+      "",
+      "Examples:",
+      "  jopenshowvar file rm /R1/WELD.SRC /R1/WELD.DAT --host 172.31.1.147",
+      "  jopenshowvar file rm --recursive --yes 'KRC:\\R1\\PROGRAM\\OLD' --host 172.31.1.147"
+    })
+final class FileRm extends FileSubcommand {
+  @Parameters(arity = "1..*", paramLabel = "NAME", description = "A file on the controller.")
+  private List<String> names = List.of();
+
+  @Option(
+      names = {"-r", "--recursive"},
+      order = 4,
+      description = "Folders too, with all that is in them, read-only or not.")
+  private boolean recursive;
+
+  @Option(names = "--force", order = 4, description = "Although it is read-only.")
+  private boolean force;
+
+  @Mixin private WriteOptions writeOptions = new WriteOptions();
+
+  FileRm(Console console) {
+    super(console);
+  }
+
+  @Override
+  ExitCode work() throws IOException {
+    String what = "delete " + String.join(", ", checked("NAME", names));
+    Robot target = target();
+    writeOptions.permission(console()).checkAllowed(target, what);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+      ControllerFiles files = controller.client().files();
+      Set<String> folders = folders(files);
+      writeOptions.permission(console()).check(controller, what, reasons(folders));
+      for (int i = 0; i < names.size(); i++) {
+        try {
+          files.delete(names.get(i), force || folders.contains(names.get(i)));
+        } catch (CrossComException e) {
+          ExitCode code = failed(e);
+          hintOfRest("deleted", names.subList(i + 1, names.size()));
+          return code;
+        }
+        print(names.get(i));
+      }
+    }
+    return ExitCode.DONE;
+  }
+
+  /** Gives the names that are those of folders, which are refused unless they are meant. */
+  private Set<String> folders(ControllerFiles files) throws IOException {
+    Set<String> folders = new LinkedHashSet<>();
+    for (String name : names) {
+      if (files.getProperties(name).isDirectory()) {
+        if (!recursive) {
+          throw new NotSentException(
+              "did not delete " + name + ": it is a folder, which needs --recursive");
+        }
+        folders.add(name);
+      }
+    }
+    return folders;
+  }
+
+  private static List<String> reasons(Set<String> folders) {
+    return folders.isEmpty()
+        ? List.of("deleting cannot be undone")
+        : List.of("all that is in " + String.join(", ", folders) + " goes, too");
+  }
+
+  private void print(String name) {
+    console()
+        .print(
+            isJson()
+                ? JsonLine.object(
+                    json -> {
+                      json.writeStringField("command", "rm");
+                      json.writeStringField("name", name);
+                    })
+                : "deleted " + Printable.of(name));
+  }
+}

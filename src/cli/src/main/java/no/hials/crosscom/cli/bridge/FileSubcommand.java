@@ -1,0 +1,178 @@
+package no.hials.crosscom.cli.bridge;
+
+import java.io.IOException;
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.CrossComUnsupportedException;
+import no.hials.crosscom.c3.ControllerFiles;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Progress;
+import no.hials.crosscom.cli.base.RemoteName;
+import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.cli.base.StoppedException;
+import no.hials.crosscom.cli.base.Terminal;
+import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.code.Code;
+import no.hials.crosscom.protocol.code.FileAttribute;
+import no.hials.crosscom.protocol.code.Flags;
+import no.hials.crosscom.protocol.code.WireCode;
+
+/** What the commands of {@link FileCommand} have in common. */
+abstract class FileSubcommand extends BridgeCommand {
+  private static final DateTimeFormatter TIME =
+      DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss", Locale.ROOT);
+
+  FileSubcommand(Console console) {
+    super(console);
+  }
+
+  /** Does the work; what the controller refuses is reported by the caller. */
+  abstract ExitCode work() throws IOException;
+
+  @Override
+  public final ExitCode run() throws IOException {
+    try {
+      return work();
+    } catch (CrossComException e) {
+      return failed(e);
+    }
+  }
+
+  /**
+   * Refuses a transfer from or to nowhere; here, since picocli takes no option between parameters
+   * that it is to count.
+   *
+   * @param names what the arguments are called
+   */
+  final void checkBothGiven(String names, List<String> arguments) {
+    if (arguments.size() < 2) {
+      throw wrongUsage("needs " + names + ", there is only " + arguments.get(0));
+    }
+  }
+
+  /** Reports a failure, with what may be behind it. */
+  final ExitCode failed(CrossComException e) {
+    if (e instanceof CrossComRefusedException refused) {
+      return refused(refused, "likely cause: there is no such file or folder");
+    }
+    console().failure(e, isVerbose());
+    if (e instanceof CrossComUnsupportedException none
+        && none.getServer() == ServerType.KUKAVARPROXY) {
+      console().hint("KUKAVARPROXY has no files: that needs C3 Bridge Interface on the controller");
+    }
+    return ExitCode.ofFailedRead(e);
+  }
+
+  /** Transfers a file. */
+  @FunctionalInterface
+  interface Transfer<J> {
+    public void run(J job, StopSignal stop) throws IOException;
+  }
+
+  /**
+   * Transfers one file after the other, until the end, a failure, or the user stops it.
+   *
+   * @param participle what has not been done with what is left then
+   */
+  final <J> ExitCode transfer(
+      String participle, List<J> jobs, Function<J, String> name, Transfer<J> transfer)
+      throws IOException {
+    List<String> rest = new ArrayList<>(jobs.stream().map(name).toList());
+    try (StopSignal stop = new StopSignal()) {
+      for (J job : jobs) {
+        stop.check();
+        transfer.run(job, stop);
+        rest.remove(0);
+      }
+      // nothing may come after it either
+      stop.check();
+      return ExitCode.DONE;
+    } catch (CrossComException e) {
+      ExitCode code = failed(e);
+      hintOfRest(participle, rest.subList(1, rest.size()));
+      return code;
+    } catch (StoppedException e) {
+      console().failure(e, isVerbose());
+      hintOfRest(participle, rest);
+      return ExitCode.STOPPED;
+    }
+  }
+
+  /** Makes the line that shows how far a transfer has come. */
+  final Progress progress(String name, StopSignal stop) {
+    return new Progress(console(), name, !isVerbose() && Terminal.showsProgress(), stop);
+  }
+
+  /** Says what was left, if anything was. */
+  final void hintOfRest(String participle, List<String> names) {
+    if (!names.isEmpty()) {
+      console().hint("not " + participle + ": " + String.join(" ", names));
+    }
+  }
+
+  @Override
+  final String accessHint() {
+    return "likely cause: it is there already, is read-only, or belongs to the selected program"
+        + " ('jopenshowvar program cancel' ends that)";
+  }
+
+  final List<String> checked(String label, List<String> names) {
+    names.forEach(name -> checked(label, name));
+    return names;
+  }
+
+  /** Says whether a name means a folder: by its form, or because there is one. */
+  static boolean isFolder(ControllerFiles files, String name) throws IOException {
+    if (RemoteName.isFolder(name)) {
+      return true;
+    }
+    try {
+      return files.getProperties(name).isDirectory();
+    } catch (CrossComRefusedException e) {
+      if (e.getErrorCode().orElse(null) == ErrorCode.GENERAL) {
+        return false;
+      }
+      throw e;
+    }
+  }
+
+  // how things are printed
+
+  /** Gives a code such as {@code virtual directory}. */
+  static <E extends Enum<E> & WireCode> String words(Code<E> code) {
+    return words(code.toString());
+  }
+
+  private static String words(String constant) {
+    return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
+  }
+
+  /** Gives the known attributes, and the others in hex; that of a directory is its type. */
+  static List<String> attributes(Flags<FileAttribute> flags) {
+    List<String> known =
+        new ArrayList<>(
+            flags.known().stream()
+                .filter(flag -> flag != FileAttribute.DIRECTORY)
+                .map(flag -> flag.name().toLowerCase(Locale.ROOT).replace('_', '-'))
+                .toList());
+    if (flags.unknown() != 0) {
+      known.add("0x" + Integer.toHexString(flags.unknown()));
+    }
+    return known;
+  }
+
+  /** Gives a time in the time zone of this computer. */
+  static String time(Optional<Instant> time) {
+    return time.map(instant -> TIME.format(instant.atZone(ZoneId.systemDefault()))).orElse("");
+  }
+}

@@ -1,0 +1,141 @@
+package no.hials.crosscom.cli.bridge;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import no.hials.crosscom.CrossComAccessException;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.Server;
+import no.hials.crosscom.c3.BridgeInfo;
+import no.hials.crosscom.cell.JsonLine;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.cli.base.Table;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+
+/** {@code info}. */
+@Command(
+    name = "info",
+    description = {
+      "Prints what there is: which server in which version, the messages that it knows, the"
+          + " controller's host name and clock, the robot's model and serial number, and the"
+          + " operating mode."
+    },
+    footer = {
+      "",
+      "KUKAVARPROXY says nothing about itself, so its version, host and clock are not known, which"
+          + " is shown as -, and is null in JSON. So is a variable that cannot be read.",
+      "",
+      "JSON: one object with server, version, build, features (an array of numbers), host, clock,"
+          + " model, serial and mode.",
+      "",
+      "Examples:",
+      "  jopenshowvar info --host 172.31.1.147",
+      "  jopenshowvar info --mock --json | jq .version"
+    })
+public final class InfoCommand extends BridgeCommand {
+  public InfoCommand(Console console) {
+    super(console);
+  }
+
+  /** A line of the table, and a field of the object. */
+  private record Item(String name, @Nullable String value) {}
+
+  @Override
+  public ExitCode run() throws IOException {
+    try (RobotConnection controller = Robots.open(target(), Robot.ONE_SHOT)) {
+      CrossComClient client = controller.client();
+      Server server = client.getServer();
+      List<Item> items = new ArrayList<>();
+      addServer(items, client, server);
+      items.add(new Item("model", variable(client, "$MODEL_NAME[]")));
+      items.add(new Item("serial", variable(client, "$KR_SERIALNO")));
+      items.add(new Item("mode", variable(client, "$MODE_OP")));
+      if (isJson()) {
+        console().print(JsonLine.object(json -> write(json, items, server)));
+      } else {
+        print(items, server);
+      }
+    }
+    return ExitCode.DONE;
+  }
+
+  /** Adds what the server says of itself, in one exchange if it knows that one. */
+  private static void addServer(List<Item> items, CrossComClient client, Server server)
+      throws IOException {
+    boolean bridge = server.type() == ServerType.C3_BRIDGE;
+    BridgeInfo info = server.knows(MessageType.INFORMATION) ? client.information().get() : null;
+    items.add(new Item("server", bridge ? "C3 Bridge Interface" : "KUKAVARPROXY"));
+    items.add(new Item("version", server.version() == null ? null : server.version().toString()));
+    items.add(new Item("build", info == null ? null : words(info.build().toString())));
+    items.add(new Item("host", info == null ? null : info.host()));
+    items.add(
+        new Item("clock", info == null || info.clock() == null ? null : info.clock().toString()));
+  }
+
+  private static String words(String constant) {
+    return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
+  }
+
+  private static @Nullable String variable(CrossComClient client, String name) throws IOException {
+    try {
+      KrlValue value = client.readValue(name);
+      return value instanceof KrlString string ? string.text() : value.toString();
+    } catch (CrossComAccessException e) {
+      return null;
+    }
+  }
+
+  private static void write(JsonGenerator json, List<Item> items, Server server)
+      throws IOException {
+    for (Item item : items) {
+      json.writeStringField(item.name(), item.value());
+    }
+    json.writeArrayFieldStart("features");
+    for (int type : server.features().types()) {
+      json.writeNumber(type);
+    }
+    json.writeEndArray();
+  }
+
+  private void print(List<Item> items, Server server) {
+    Table table = Table.ofValues();
+    for (Item item : items) {
+      table.add(item.name(), item.value() == null ? "" : item.value());
+    }
+    table.add("messages", ranges(server.features().types()));
+    table.print(console());
+  }
+
+  /** Gives numbers as {@code 0-7 10}. */
+  private static String ranges(Iterable<Integer> numbers) {
+    List<String> ranges = new ArrayList<>();
+    int first = -2;
+    int last = -2;
+    for (int number : numbers) {
+      if (number != last + 1) {
+        addRange(ranges, first, last);
+        first = number;
+      }
+      last = number;
+    }
+    addRange(ranges, first, last);
+    return String.join(" ", ranges);
+  }
+
+  private static void addRange(List<String> ranges, int first, int last) {
+    if (first >= 0) {
+      ranges.add(first == last ? String.valueOf(first) : first + "-" + last);
+    }
+  }
+}

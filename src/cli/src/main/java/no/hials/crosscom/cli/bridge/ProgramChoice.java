@@ -1,0 +1,123 @@
+package no.hials.crosscom.cli.bridge;
+
+import java.io.IOException;
+import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.c3.Programs;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.cli.base.WriteOptions;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.code.Interpreter;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/**
+ * {@code program select} and {@code program run}: what names a program of the robot interpreter.
+ */
+@Command(
+    footerHeading = "%n",
+    footer = {
+      "PROGRAM is /R1/NAME, NAME alone, or with folders KRC:\\R1\\PROGRAM\\NAME.SRC. In sh and bash a"
+          + " name with backslashes needs single quotes, or the shell takes them away; PowerShell"
+          + " and cmd.exe need none.",
+      "",
+      "Printed is what $PRO_NAME1[] and $PRO_STATE1 say right after the answer. JSON: one object"
+          + " with command, interpreter, program and state; what could not be read is null.",
+      "",
+      "A program with errors is refused with code 0 (GENERAL): the controller gives no reason. A"
+          + " command is never repeated; if no answer came, the message says that it may have been"
+          + " done or not.",
+      "",
+      "Examples:",
+      "  jopenshowvar program select /R1/ACTUATOR --host 172.31.1.147",
+      "  jopenshowvar program select 'KRC:\\R1\\PROGRAM\\ACTUATOR.SRC' --host 172.31.1.147",
+      "  jopenshowvar program run /R1/WELD --parameters '5,TRUE' --host 172.31.1.147"
+    })
+abstract class ProgramChoice extends BridgeCommand {
+  private static final String GENERAL_HINT =
+      "likely cause: there is no such program, or it has errors";
+
+  @Parameters(index = "0", paramLabel = "PROGRAM", description = "The program, such as /R1/MAIN.")
+  private String program = "";
+
+  @Option(
+      names = "--parameters",
+      order = 4,
+      paramLabel = "TEXT",
+      description = "What the program is called with, as KRL values with commas between them.")
+  private String parameters = "";
+
+  @Option(
+      names = "--force",
+      order = 4,
+      description =
+          "Select it even if another program is active (assumed: what a controller does"
+              + " then is not documented).")
+  private boolean force;
+
+  @Mixin private WriteOptions writeOptions = new WriteOptions();
+
+  private final String verb;
+
+  ProgramChoice(Console console, String verb) {
+    super(console);
+    this.verb = verb;
+  }
+
+  /** Sends the command. */
+  abstract void send(Programs programs, String name, String arguments, boolean always)
+      throws IOException;
+
+  @Override
+  public final ExitCode run() throws IOException {
+    String name = checked("PROGRAM", program);
+    String arguments = checkedLength("--parameters", parameters);
+    String what = verb + " " + name;
+    Robot target = target();
+    writeOptions.permission(console()).checkAllowed(target, what);
+    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+      ask(writeOptions, controller, what, MessageType.PROGRAM_CONTROL);
+      send(controller.client().programs(), name, arguments, force);
+      ProgramStatus state = ProgramStatus.read(controller.client(), Interpreter.ROBOT);
+      console().print(isJson() ? state.json(verb) : state.line());
+      return ExitCode.DONE;
+    } catch (CrossComRefusedException e) {
+      return refused(e, GENERAL_HINT);
+    }
+  }
+
+  /** {@code program select PROGRAM}. */
+  @Command(
+      name = "select",
+      description = {"Selects a program of the robot interpreter. It does not start it."})
+  static final class Select extends ProgramChoice {
+    Select(Console console) {
+      super(console, "select");
+    }
+
+    @Override
+    void send(Programs programs, String name, String arguments, boolean always) throws IOException {
+      programs.select(name, arguments, always);
+    }
+  }
+
+  /** {@code program run PROGRAM}. */
+  @Command(
+      name = "run",
+      description = {"Selects a program of the robot interpreter and starts it. The robot moves."})
+  static final class Run extends ProgramChoice {
+    Run(Console console) {
+      super(console, "run");
+    }
+
+    @Override
+    void send(Programs programs, String name, String arguments, boolean always) throws IOException {
+      programs.run(name, arguments, always);
+    }
+  }
+}

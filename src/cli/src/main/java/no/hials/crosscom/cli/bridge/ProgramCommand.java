@@ -1,0 +1,39 @@
+package no.hials.crosscom.cli.bridge;
+
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.VersionProvider;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+
+/** {@code program}, which only has commands. */
+@Command(
+    name = "program",
+    mixinStandardHelpOptions = true,
+    versionProvider = VersionProvider.class,
+    synopsisSubcommandLabel = "COMMAND",
+    description = {
+      "Selects, starts and stops programs, through C3 Bridge. Starting a program moves the robot."
+    },
+    footer = {
+      "",
+      "Examples:",
+      "  jopenshowvar program select /R1/ACTUATOR --host 172.31.1.147",
+      "  jopenshowvar program start --host 172.31.1.147",
+      "  jopenshowvar program stop --host 172.31.1.147",
+      "",
+      "'jopenshowvar program COMMAND --help' tells more, and the exit codes."
+    })
+public final class ProgramCommand {
+  private ProgramCommand() {}
+
+  /** Makes it, with its commands. */
+  public static CommandLine commandLine(Console console) {
+    return new CommandLine(new ProgramCommand())
+        .addSubcommand(new ProgramChoice.Select(console))
+        .addSubcommand(new ProgramOrder.Start(console))
+        .addSubcommand(new ProgramOrder.Stop(console))
+        .addSubcommand(new ProgramOrder.Reset(console))
+        .addSubcommand(new ProgramOrder.Cancel(console))
+        .addSubcommand(new ProgramChoice.Run(console));
+  }
+}

@@ -1,0 +1,64 @@
+package no.hials.crosscom.cli.bridge;
+
+import java.io.IOException;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.cell.JsonLine;
+import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What an interpreter has, as its variables say.
+ *
+ * @param interpreter which one
+ * @param program the name of the selected program, blank if none is; null if it could not be read
+ * @param state such as {@code #P_ACTIVE}; null if it could not be read
+ */
+record ProgramStatus(Interpreter interpreter, @Nullable String program, @Nullable String state) {
+
+  /** Asks for it. What cannot be read is left out: this is only told beside what was done. */
+  static ProgramStatus read(CrossComClient client, Interpreter interpreter) throws IOException {
+    int number = interpreter.code();
+    return new ProgramStatus(
+        interpreter,
+        text(client, "$PRO_NAME" + number + "[]"),
+        text(client, "$PRO_STATE" + number));
+  }
+
+  private static @Nullable String text(CrossComClient client, String name) throws IOException {
+    try {
+      KrlValue value = client.readValue(name);
+      return value instanceof KrlString string ? string.text() : value.toString();
+    } catch (CrossComException e) {
+      return null;
+    }
+  }
+
+  /** Gives a line such as {@code robot: ACTUATOR #P_ACTIVE}. */
+  String line() {
+    String name = program == null ? "program unknown" : Printable.of(program.strip());
+    return interpreterName()
+        + ": "
+        + (name.isEmpty() ? "no program" : name)
+        + " "
+        + (state == null ? "state unknown" : state);
+  }
+
+  private String interpreterName() {
+    return interpreter == Interpreter.ROBOT ? "robot" : "submit";
+  }
+
+  /** Gives an object of JSON. */
+  String json(String command) {
+    return JsonLine.object(
+        json -> {
+          json.writeStringField("command", command);
+          json.writeStringField("interpreter", interpreterName());
+          json.writeStringField("program", program == null ? null : program.strip());
+          json.writeStringField("state", state);
+        });
+  }
+}

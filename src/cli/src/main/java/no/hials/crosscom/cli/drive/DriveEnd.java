@@ -1,0 +1,117 @@
+package no.hials.crosscom.cli.drive;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import no.hials.crosscom.CrossComAccessException;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.control.StopReason;
+
+/** What the end of a control loop means to the user: an exit code, and what to do about it. */
+final class DriveEnd {
+  private static final String PAGE = "see docs/how-to/drive-the-robot.md";
+
+  private DriveEnd() {}
+
+  static ExitCode code(StopReason reason) {
+    return switch (reason.kind()) {
+      case ASKED, TIME_OVER -> ExitCode.DONE;
+      case STALE_FEEDBACK, INPUT -> ExitCode.LOST;
+      case ACCESS ->
+          cause(reason) instanceof CrossComException failed
+              ? ExitCode.ofFailedWrite(failed)
+              : ExitCode.REFUSED;
+      case LAW, ERROR -> ExitCode.INTERNAL_ERROR;
+      case SPEED,
+          STEP,
+          AXIS_LIMIT,
+          WORKSPACE,
+          TRACKING_ERROR,
+          STALLED_FEEDBACK,
+          MODE,
+          PROGRAM,
+          WATCHDOG ->
+          ExitCode.REFUSED;
+    };
+  }
+
+  /** Finds what the client threw. */
+  private static Throwable cause(StopReason reason) {
+    Throwable cause = reason.cause();
+    while (cause != null && !(cause instanceof CrossComException) && cause.getCause() != null) {
+      cause = cause.getCause();
+    }
+    return cause == null ? new IllegalStateException(reason.message()) : cause;
+  }
+
+  /**
+   * Gives lines that help.
+   *
+   * @param selected the name of the program that is selected on the controller; empty if unknown
+   */
+  static List<String> hints(StopReason reason, DriveSpace space, String selected) {
+    String program = space.program.toUpperCase(java.util.Locale.ROOT);
+    List<String> hints = new ArrayList<>();
+    switch (reason.kind()) {
+      case PROGRAM, STALLED_FEEDBACK -> {
+        hints.add(
+            "a client moves no robot by itself: a program on the controller has to follow "
+                + space.variable);
+        hints.add(
+            selected(selected)
+                + "; select and start "
+                + program
+                + " (krl/"
+                + space.program
+                + ".src), and let the drives be on");
+      }
+      case WATCHDOG -> {
+        hints.add(
+            "the watchdog stops the robot if this program or the network fails: it needs the"
+                + " variables of krl/config.dat and krl/jov_sps.sub in the submit interpreter");
+        hints.add("without both, --no-watchdog drives in your own responsibility");
+      }
+      case MODE -> hints.add("the mode was changed; start again in the new one");
+      case ACCESS -> {
+        if (cause(reason) instanceof CrossComAccessException) {
+          hints.add(
+              "the controller has to know "
+                  + space.variable
+                  + " (krl/config.dat), and "
+                  + program
+                  + " (krl/"
+                  + space.program
+                  + ".src) has to follow it");
+        }
+      }
+      case WORKSPACE -> hints.add("start again where it stands: the workspace is around the start");
+      default -> {
+        // its message says all
+      }
+    }
+    if (!hints.isEmpty() && reason.kind() != StopReason.Kind.MODE) {
+      hints.add(PAGE + "; without a controller, try --mock");
+    }
+    return hints;
+  }
+
+  /**
+   * Gives a line that helps where the watchdog is on after a planned end.
+   *
+   * @param limit what it is set to, as text; empty if unknown
+   */
+  static Optional<String> hintOnWatchdog(String limit) {
+    return limit.isBlank() || limit.equals("0")
+        ? Optional.empty()
+        : Optional.of(
+            "the watchdog was on before (JOV_LIMIT is "
+                + limit
+                + "), as after an end that was not planned: it stays on and stops the program now;"
+                + " write 0 to JOV_LIMIT and start the program again");
+  }
+
+  private static String selected(String name) {
+    return name.isBlank() ? "no program is selected there" : name + " is selected there";
+  }
+}

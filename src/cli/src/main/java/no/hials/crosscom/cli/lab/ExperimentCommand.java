@@ -1,0 +1,404 @@
+package no.hials.crosscom.cli.lab;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Stream;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.NewFile;
+import no.hials.crosscom.cli.base.Table;
+import no.hials.crosscom.control.ControlRefusedException;
+import no.hials.crosscom.control.LoopStatistics;
+import no.hials.crosscom.lab.experiment.Experiment;
+import no.hials.crosscom.lab.experiment.Outcome;
+import no.hials.crosscom.lab.experiment.Run;
+import no.hials.crosscom.lab.plot.Chart;
+import no.hials.crosscom.mock.Latency;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code experiment NAME...}. */
+@Command(
+    name = "experiment",
+    description = {
+      "Repeats the experiments of the papers on a simulated robot. It follows a figure by the"
+          + " programs of krl, and what was desired, sent and measured is drawn.",
+      "It reaches no real robot."
+    },
+    footer = {
+      "",
+      "The robot is a KR 6 R900 sixx that runs krl/actuator.src or krl/ext_move_axis.src, with the"
+          + " watchdog of krl/jov_sps.sub, simulated in a process of its own in real time. The other"
+          + " programs of this computer disturb it: a loop that must keep a period needs a quiet"
+          + " one.",
+      "",
+      "The exit code is 1 if a loop stopped the robot, by one of its limits or by an error.",
+      "",
+      "CSV: NAME.csv has a line for each cycle, NAME-figures.csv the figures; of an experiment with"
+          + " two loops, files for each.",
+      "",
+      "Examples:",
+      "  jopenshowvar experiment list",
+      "  jopenshowvar experiment position-circle",
+      "  jopenshowvar experiment line-dls --csv --format svg --out results",
+      "  jopenshowvar experiment velocity-square --lap 5s --latency 1ms",
+      "  jopenshowvar experiment all --out results",
+      "  jopenshowvar experiment endurance --for 10m"
+    })
+public final class ExperimentCommand extends ConsoleCommand {
+  private static final String LIST = "list";
+  private static final String ALL = "all";
+  private static final String ENDURANCE = "endurance";
+  private static final int WIDTH = 1000;
+
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "NAME",
+      completionCandidates = Names.class,
+      description = {
+        "The experiment; 'list' lists them, 'all' runs all of them but endurance, which takes 10"
+            + " minutes."
+      })
+  private List<String> names = new ArrayList<>();
+
+  @Option(
+      names = {"-o", "--out"},
+      order = 2,
+      paramLabel = "FOLDER",
+      description = "Where the files go; here if not given. It is made if it is not there.")
+  private Path folder = Path.of("");
+
+  @Option(
+      names = "--format",
+      order = 2,
+      paramLabel = "FORMAT",
+      completionCandidates = Formats.class,
+      description = "The form of the picture, png or svg; png if not given.")
+  private String format = "png";
+
+  @Option(names = "--csv", order = 2, description = "Write CSV files beside the picture.")
+  private boolean csv;
+
+  @Option(
+      names = {"-y", "--yes"},
+      order = 3,
+      description = "Write over files that are there already.")
+  private boolean yes;
+
+  @Mixin private PictureOptions picture = new PictureOptions();
+
+  @Option(
+      names = "--for",
+      order = 4,
+      paramLabel = "TIME",
+      converter = Converters.Time.class,
+      description = "How long to run; 10s if not given, 10m for endurance.")
+  private @Nullable Duration length;
+
+  @Option(
+      names = "--lap",
+      order = 4,
+      paramLabel = "TIME",
+      converter = Converters.Time.class,
+      description = "How long the robot has for the figure once; 10s if not given.")
+  private @Nullable Duration lap;
+
+  @Option(
+      names = "--period",
+      order = 4,
+      paramLabel = "TIME",
+      converter = Converters.Time.class,
+      description = "Period of the loop, 4ms to 1s; 20ms if not given, 12ms for endurance.")
+  private @Nullable Duration period;
+
+  @Option(
+      names = "--step",
+      order = 4,
+      paramLabel = "TIME",
+      converter = Converters.Time.class,
+      description = {
+        "How long the robot's program is taken to need for one increment, 4ms to 1s; 12ms if not"
+            + " given. It makes the increments of velocities larger."
+      })
+  private @Nullable Duration step;
+
+  @Option(
+      names = "--latency",
+      order = 4,
+      paramLabel = "LATENCY",
+      description = {
+        "How long a request takes the simulated controller, as in 'mock --latency'; krc4-2014 if"
+            + " not given, krc4 for endurance."
+      })
+  private @Nullable String latency;
+
+  public ExperimentCommand(Console console) {
+    super(console);
+  }
+
+  /** What may be named. */
+  static final class Names implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return Stream.concat(Stream.of(LIST, ALL), Experiment.all().stream().map(Experiment::name))
+          .iterator();
+    }
+  }
+
+  /** The forms of pictures. */
+  static final class Formats implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return List.of("png", "svg").iterator();
+    }
+  }
+
+  @Override
+  public ExitCode run() throws IOException {
+    if (names.contains(LIST)) {
+      if (names.size() > 1) {
+        throw wrongUsage("list stands alone");
+      }
+      Table table = Table.ofValues();
+      Experiment.all().forEach(each -> table.add(each.name(), each.description()));
+      table.print(console());
+      return ExitCode.DONE;
+    }
+    Set<Experiment> chosen = chosen();
+    checkOptions();
+    try {
+      Files.createDirectories(folder);
+    } catch (IOException e) {
+      throw FileException.cannot("make", folder, e);
+    }
+    if (!Files.isWritable(folder)) { // before the run, which may take ten minutes
+      throw FileException.cannot("write to", folder, new AccessDeniedException(folder.toString()));
+    }
+    for (Experiment each : chosen) {
+      PictureOptions.check(this, pictureOf(each), yes);
+      for (String loop : csv ? each.loops() : List.<String>of()) {
+        NewFile.check(csvOf(each, loop), yes);
+        NewFile.check(figuresOf(each, loop), yes);
+      }
+    }
+    ExitCode worst = ExitCode.DONE;
+    for (Experiment each : chosen) {
+      worst = worst.orGraver(run(each));
+    }
+    return worst;
+  }
+
+  private Set<Experiment> chosen() {
+    Set<Experiment> chosen = new LinkedHashSet<>();
+    List<Experiment> all = Experiment.all();
+    for (String name : names) {
+      List<Experiment> found =
+          all.stream()
+              .filter(
+                  each ->
+                      name.equals(ALL)
+                          ? !each.name().equals(ENDURANCE)
+                          : each.name().equalsIgnoreCase(name))
+              .toList();
+      if (found.isEmpty()) {
+        throw wrongUsage("there is no experiment " + name + ", see 'experiment list'");
+      }
+      chosen.addAll(found);
+    }
+    return chosen;
+  }
+
+  private void checkOptions() {
+    if (!format.equals("png") && !format.equals("svg")) {
+      throw wrongUsage("--format must be png or svg, is " + format);
+    }
+    checkCycle("--period", period);
+    checkCycle("--step", step);
+    if (latency != null) {
+      try {
+        Latency.parse(latency, 1);
+      } catch (IllegalArgumentException e) {
+        throw wrongUsage("invalid value for option '--latency': " + e.getMessage());
+      }
+    }
+  }
+
+  private void checkCycle(String option, @Nullable Duration time) {
+    if (time != null && (time.toMillis() < 4 || time.toMillis() > 1000)) {
+      throw wrongUsage(option + " must be 4ms to 1s, is " + time.toMillis() + "ms");
+    }
+  }
+
+  private Path pictureOf(Experiment experiment) {
+    return folder.resolve(experiment.name() + "." + format);
+  }
+
+  private Path csvOf(Experiment experiment, String loop) {
+    return folder.resolve(name(experiment, loop) + ".csv");
+  }
+
+  private Path figuresOf(Experiment experiment, String loop) {
+    return folder.resolve(name(experiment, loop) + "-figures.csv");
+  }
+
+  private Experiment.Settings settings(Experiment experiment) {
+    Experiment.Settings usual = experiment.usual();
+    return new Experiment.Settings(
+        length == null ? usual.length() : length,
+        lap == null ? usual.lap() : lap,
+        period == null ? usual.period() : period,
+        step == null ? usual.step() : step,
+        latency == null ? usual.latency() : latency);
+  }
+
+  private ExitCode run(Experiment experiment) throws IOException {
+    Experiment.Settings settings = settings(experiment);
+    Outcome outcome;
+    try {
+      outcome = experiment.run(settings);
+    } catch (ControlRefusedException e) {
+      console().failure(experiment.name() + ": ", e, isVerbose());
+      return ExitCode.REFUSED;
+    }
+    // all files before anything is printed, which ends it if nobody reads that any more
+    List<Path> files = csv ? writeCsv(experiment, outcome) : new ArrayList<>();
+    files.add(pictureOf(experiment));
+    picture.write(
+        this, outcome.chart(), pictureOf(experiment), new Chart.Size(WIDTH, outcome.height()));
+    print(experiment, outcome);
+    files.forEach(file -> console().print("wrote " + file));
+    ExitCode code = ExitCode.DONE;
+    for (Run run : outcome.runs()) {
+      if (!run.end().isPlanned()) {
+        console()
+            .error(
+                name(experiment, run.name()) + ": the robot was stopped: " + run.end().message());
+        code = ExitCode.REFUSED;
+      }
+    }
+    return code;
+  }
+
+  // what is printed
+
+  private static String name(Experiment experiment, String loop) {
+    return experiment.name() + (loop.isEmpty() ? "" : "-" + loop);
+  }
+
+  private void print(Experiment experiment, Outcome outcome) {
+    console().print("");
+    for (Run run : outcome.runs()) {
+      LoopStatistics numbers = run.statistics();
+      Table table =
+          Table.withTitles(
+              name(experiment, run.name()).toUpperCase(Locale.ROOT),
+              "MIN",
+              "50 %",
+              "MEAN",
+              "99 %",
+              "MAX");
+      addTimes(table, "period [ms]", numbers.period());
+      addTimes(table, "read [ms]", numbers.read());
+      addTimes(table, "write [ms]", numbers.write());
+      addTimes(table, "the rest of a cycle [ms]", numbers.own());
+      addTimes(table, "begun late by [ms]", numbers.late());
+      table.print(console());
+      console()
+          .print(
+              numbers.cycles()
+                  + " cycles, "
+                  + numbers.missed()
+                  + " more missed ("
+                  + numbers.missedByAccess()
+                  + " by the accesses alone), "
+                  + numbers.saturated()
+                  + " increments cut");
+    }
+    if (outcome.runs().stream().allMatch(run -> run.end().isPlanned())) {
+      // else they are those of a part, perhaps of a single cycle
+      outcome.figures().forEach(figure -> console().print(line(figure)));
+    }
+  }
+
+  private static String line(Outcome.Figure figure) {
+    return figure.name()
+        + ": "
+        + number(figure)
+        + (figure.unit().isEmpty() ? "" : " ")
+        + figure.unit();
+  }
+
+  private static String number(Outcome.Figure figure) {
+    String form = figure.unit().isEmpty() ? "%.0f" : "%.2f";
+    return String.format(Locale.ROOT, form, figure.value());
+  }
+
+  private static void addTimes(Table table, String name, LoopStatistics.Times times) {
+    table.add(
+        name,
+        millis(times.least()),
+        millis(times.median()),
+        millis(times.mean()),
+        millis(times.percentile99()),
+        millis(times.most()));
+  }
+
+  private static String millis(double value) {
+    return String.format(Locale.ROOT, "%.2f", value);
+  }
+
+  // what is written
+
+  private List<Path> writeCsv(Experiment experiment, Outcome outcome) throws FileException {
+    List<Path> files = new ArrayList<>();
+    for (Run run : outcome.runs()) {
+      files.add(write(csvOf(experiment, run.name()), run.trace()::writeCsv));
+      files.add(
+          write(
+              figuresOf(experiment, run.name()),
+              text -> {
+                run.statistics().writeCsv(text);
+                writeCsv(outcome.figures(), text);
+              }));
+    }
+    return files;
+  }
+
+  private static void writeCsv(List<Outcome.Figure> figures, Appendable text) throws IOException {
+    for (Outcome.Figure figure : figures) {
+      String unit = figure.unit().isEmpty() ? "" : " [" + figure.unit() + "]";
+      text.append("\"" + figure.name() + unit + "\"," + number(figure) + "\n");
+    }
+  }
+
+  /** Writes the contents of a file. */
+  @FunctionalInterface
+  private interface Contents {
+    void writeTo(Appendable text) throws IOException;
+  }
+
+  private static Path write(Path file, Contents contents) throws FileException {
+    try (BufferedWriter writer = Files.newBufferedWriter(file)) {
+      contents.writeTo(writer);
+    } catch (IOException e) {
+      throw FileException.cannot("write", file, e);
+    }
+    return file;
+  }
+}

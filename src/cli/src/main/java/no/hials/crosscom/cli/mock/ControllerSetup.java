@@ -1,0 +1,159 @@
+package no.hials.crosscom.cli.mock;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cli.base.LocalFiles;
+import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.FileTree;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.ProgramControl;
+
+/**
+ * What a person would do at the pendant before the robot runs.
+ *
+ * @param configs data lists
+ * @param programs modules, of which the first of each interpreter is selected
+ * @param mode the operating mode
+ * @param start whether what was selected is started
+ */
+record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mode, boolean start) {
+
+  private static final String PROGRAMS = "KRC:\\R1\\Program\\";
+
+  /** Says what is wrong with the names of the files, or nothing. */
+  Optional<String> mistake() {
+    for (Path file : configs) {
+      if (!hasEnding(file, ".dat")) {
+        return Optional.of("--config needs a .dat file, is " + file);
+      }
+    }
+    for (Path file : programs) {
+      if (!hasEnding(file, ".src") && !isSubmit(file)) {
+        return Optional.of("--program needs a .src or .sub file, is " + file);
+      }
+    }
+    return start && programs.isEmpty()
+        ? Optional.of("--start needs a --program")
+        : Optional.empty();
+  }
+
+  private static boolean hasEnding(Path file, String ending) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(ending);
+  }
+
+  private static boolean isSubmit(Path file) {
+    return hasEnding(file, ".sub");
+  }
+
+  /** Does it, and gives lines that say what was done. */
+  List<String> apply(Controller controller) throws FileException {
+    List<String> lines = new ArrayList<>();
+    for (Path file : configs) {
+      lines.add("loaded " + load(controller, file) + " from " + file);
+    }
+    // selected when all are there, since one may call another
+    Optional<Module> submit = Optional.empty();
+    Optional<Module> robot = Optional.empty();
+    for (Path file : programs) {
+      Module module = new Module(load(controller, file), file);
+      lines.add("loaded " + module.name() + " from " + file);
+      if (isSubmit(file)) {
+        submit = submit.or(() -> Optional.of(module));
+      } else {
+        robot = robot.or(() -> Optional.of(module));
+      }
+    }
+    controller.setMode(mode);
+    if (submit.isPresent()) {
+      select(controller.submit(), submit.get());
+    }
+    if (robot.isPresent()) {
+      select(controller.robot(), robot.get());
+    }
+    if (start) {
+      lines.addAll(start(controller, submit.isPresent(), robot.isPresent()));
+    }
+    lines.add(controller.toString());
+    return lines;
+  }
+
+  /**
+   * Puts the programs and their data lists into the tree, so that clients see them.
+   *
+   * @throws FileException if the tree has another one of the name
+   */
+  void addPrograms(FileTree files) throws FileException {
+    for (Path program : programs) {
+      Path list = LocalFiles.dataListOf(program);
+      if (list != null) {
+        add(files, list);
+      }
+      add(files, program);
+    }
+  }
+
+  private static void add(FileTree files, Path file) throws FileException {
+    String name = PROGRAMS + LocalFiles.name(file);
+    try {
+      byte[] content = Files.readAllBytes(file);
+      if (!files.exists(name)) {
+        files.put(name, content);
+      } else if (!Arrays.equals(files.get(name), content)) {
+        // the folder is the user's: this is not the place to replace what is in it
+        throw new IOException("there is another " + name + " already");
+      }
+    } catch (IOException e) {
+      throw FileException.cannot("use", file, e);
+    }
+  }
+
+  /**
+   * A module that was loaded.
+   *
+   * @param name its name
+   * @param file where it came from
+   */
+  private record Module(String name, Path file) {}
+
+  private static String load(Controller controller, Path file) throws FileException {
+    try {
+      return controller.load(file);
+    } catch (KrlFileException e) {
+      throw new FileException(file + " has errors, it was not loaded:\n" + e.getMessage(), e);
+    } catch (IOException e) {
+      throw FileException.cannot("read", file, e);
+    }
+  }
+
+  private static void select(ProgramControl interpreter, Module module) throws FileException {
+    try {
+      interpreter.select(module.name());
+    } catch (KrlFileException e) {
+      throw new FileException(module.file() + " cannot be selected:\n" + e.getMessage(), e);
+    }
+  }
+
+  /** Starts the programs; a robot that may not be started stands, as a message will say. */
+  private List<String> start(Controller controller, boolean submit, boolean robot) {
+    if (submit) {
+      controller.submit().start();
+    }
+    try {
+      if (robot) {
+        controller.start();
+      }
+      return List.of();
+    } catch (IllegalStateException e) {
+      // the submit program runs already, and may have stopped with a message
+      return List.of("not started: " + e.getMessage());
+    }
+  }
+}

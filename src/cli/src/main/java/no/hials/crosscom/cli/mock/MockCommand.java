@@ -1,0 +1,356 @@
+package no.hials.crosscom.cli.mock;
+
+import java.io.IOException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cli.base.CannotListenException;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.cli.base.Terminal;
+import no.hials.crosscom.mock.FaultRule;
+import no.hials.crosscom.mock.Latency;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.MockServerConfig;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.simulator.FileTree;
+import no.hials.crosscom.simulator.SimulationClock;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code mock}. */
+@Command(
+    name = "mock",
+    description = {
+      "Simulates a controller with KUKAVARPROXY or C3 Bridge (KR 6 R900 sixx, KR C4) until Ctrl-C:"
+          + " its variables, its programs, its files and its robot.",
+      "The first line of stdout says on which port, behind the last colon."
+    },
+    footer = {
+      "",
+      "Ctrl-C (SIGINT) and SIGTERM end it with exit code 0. Messages of the controller go to"
+          + " stderr. On a terminal the last line shows the simulated time, mode and programs, the"
+          + " axes in degrees, clients and requests; not with --verbose.",
+      "",
+      "FAULT is NAME[:ARGUMENT][@REQUESTS][@VARIABLE][%%PROBABILITY]:",
+      "  drop@3                 no answer to the third request",
+      "  delay:200ms@$POS_ACT   requests for $POS_ACT take 200 ms",
+      "  wrongId@5-10           wrong ids from the fifth to the tenth",
+      "  closeAfter%%0.01        one connection in a hundred closed after an answer",
+      "A name that is wrong, as in --fault list, shows the list of all.",
+      "",
+      "Examples:",
+      "  jopenshowvar mock",
+      "  jopenshowvar mock --config krl/config.dat --program krl/actuator.src \\",
+      "      --start --mode AUT",
+      "  mkdir krc && jopenshowvar mock --server c3 --config krl/config.dat --files krc",
+      "  jopenshowvar mock --port 0 --latency krc4 --fault drop%%0.01 --seed 7"
+    })
+public final class MockCommand extends ConsoleCommand {
+  /** As KUKAVARPROXY has it. */
+  private static final int DISCOVERY_PORT = 6999;
+
+  /** As C3 Bridge has it. */
+  private static final int STANDARD_DISCOVERY_PORT = 7000;
+
+  @Option(
+      names = "--host",
+      order = 1,
+      paramLabel = "ADDRESS",
+      description = {
+        "Local address to listen on. If not given, the loopback address, which only this machine"
+            + " reaches."
+      })
+  private @Nullable String host;
+
+  @Option(
+      names = "--port",
+      order = 2,
+      paramLabel = "PORT",
+      converter = Converters.ListeningPort.class,
+      description = "TCP port to listen on, 0 for a free one; 7000 if not given.")
+  private int port = ClientConfig.DEFAULT_PORT;
+
+  @Option(
+      names = "--discovery",
+      order = 3,
+      paramLabel = "PORT",
+      converter = Converters.ListeningPort.class,
+      description = {
+        "UDP port on which WHEREAREYOU? is answered, to port 7000 of who asks; 0 for a free one. If"
+            + " not given, 6999, and none if that is in use."
+      })
+  private @Nullable Integer discovery;
+
+  @Option(
+      names = "--standard-discovery",
+      order = 3,
+      paramLabel = "PORT",
+      converter = Converters.ListeningPort.class,
+      description = {
+        "UDP port on which C3 Bridge answers, to whatever port it was asked from; 0 for a free one."
+            + " If not given, 7000, and none if that is in use."
+      })
+  private @Nullable Integer standardDiscovery;
+
+  @Option(names = "--no-discovery", order = 3, description = "Do not answer WHEREAREYOU?.")
+  private boolean noDiscovery;
+
+  @Option(
+      names = "--server",
+      order = 3,
+      paramLabel = "SERVER",
+      converter = Converters.Server.class,
+      description = "Which server it has: kukavarproxy (if not given), or c3 for C3 Bridge.")
+  private ServerType serverType = ServerType.KUKAVARPROXY;
+
+  @Option(
+      names = "--files",
+      order = 3,
+      paramLabel = "FOLDER",
+      description = {
+        "Use this folder as KRC:\\ of C3 Bridge: what clients do happens to its files, and what is"
+            + " missing of R1 and STEU is made. If not given, a tree in memory."
+      })
+  private @Nullable Path files;
+
+  @Option(
+      names = "--config",
+      order = 3,
+      paramLabel = "FILE.dat",
+      description = {
+        "Load a data list, such as your own $CONFIG.DAT or $MACHINE.DAT. It may stand there several"
+            + " times."
+      })
+  private List<Path> configs = new ArrayList<>();
+
+  @Option(
+      names = "--program",
+      order = 3,
+      paramLabel = "FILE.src",
+      description = {
+        "Load a program (.src, or .sub for the submit interpreter), with the data list of the same"
+            + " name beside it. It may stand there several times; the first .src and the first .sub"
+            + " are selected."
+      })
+  private List<Path> programs = new ArrayList<>();
+
+  @Option(names = "--start", order = 3, description = "Start the programs that are selected.")
+  private boolean start;
+
+  @Option(
+      names = "--mode",
+      order = 3,
+      paramLabel = "MODE",
+      converter = Converters.Mode.class,
+      description = "Operating mode: T1 (slow; if not given), T2, AUT or EXT.")
+  private OperatingMode mode = OperatingMode.T1;
+
+  @Option(
+      names = "--speed",
+      order = 3,
+      paramLabel = "SPEED",
+      converter = Converters.Speed.class,
+      description = {
+        "How fast the time of programs and robot passes: 10 for ten times as fast, max for as fast"
+            + " as this machine can; real if not given."
+      })
+  private SimulationClock speed = SimulationClock.real();
+
+  @Option(
+      names = "--latency",
+      order = 4,
+      paramLabel = "LATENCY",
+      description = {
+        "How long a request takes: none (if not given), a time such as 5ms, krc4 as measured at a"
+            + " KR C4 (median 2.2 ms), krc4-2014 as in the papers of 2014 (mean 5 ms)."
+      })
+  private String latency = "none";
+
+  @Option(
+      names = "--fault",
+      order = 4,
+      paramLabel = "FAULT",
+      description = "Let something go wrong; see below. It may stand there several times.")
+  private List<String> faults = new ArrayList<>();
+
+  @Option(
+      names = "--seed",
+      order = 4,
+      paramLabel = "NUMBER",
+      converter = Converters.Seed.class,
+      description = "Seed of the chance in latency and faults; 1 if not given.")
+  private long seed = 1;
+
+  public MockCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitCode run() throws IOException {
+    if (host != null && host.isBlank()) {
+      throw wrongUsage("--host must not be blank");
+    }
+    checkCombinations();
+    ControllerSetup setup = new ControllerSetup(configs, programs, mode, start);
+    setup
+        .mistake()
+        .ifPresent(
+            mistake -> {
+              throw wrongUsage(mistake);
+            });
+    Latency times = argument("--latency", () -> Latency.parse(latency, seed));
+    List<FaultRule> rules = new ArrayList<>();
+    for (String fault : faults) {
+      rules.add(argument("--fault", () -> FaultRule.parse(fault, seed)));
+    }
+    InetAddress address = addressOf(host);
+    // in this order: a signal behind the first line finds both there
+    try (StopSignal stop = new StopSignal();
+        MockServer server =
+            Robots.listen(
+                address, port, with(address).andThen(cfg -> cfg.clock(speed).latency(times)))) {
+      rules.forEach(server::faults);
+      List<String> lines = setup.apply(server.controller());
+      if (serverType == ServerType.C3_BRIDGE) {
+        setup.addPrograms(server.files());
+      }
+      warning(address).ifPresent(console()::error);
+      console().print("listening on " + shown(server.host()) + ":" + server.port());
+      printDiscovery(server);
+      lines.forEach(console()::print);
+      // what is logged would come into the line, and a job in the background would write into what
+      // its user types
+      boolean line = !isVerbose() && Terminal.isInteractive();
+      try (StatusLine status =
+          new StatusLine(console(), server, () -> line && Terminal.isForeground())) {
+        status.start();
+        stop.await();
+      }
+      return ExitCode.DONE;
+    }
+  }
+
+  private void checkCombinations() {
+    if (noDiscovery && (discovery != null || standardDiscovery != null)) {
+      String option = discovery != null ? "--discovery" : "--standard-discovery";
+      throw wrongUsage(option + " and --no-discovery exclude each other");
+    }
+    if (serverType != ServerType.C3_BRIDGE && standardDiscovery != null) {
+      throw wrongUsage("--standard-discovery needs --server c3");
+    }
+    if (serverType != ServerType.C3_BRIDGE && files != null) {
+      throw wrongUsage("--files needs --server c3");
+    }
+  }
+
+  /** Says who else reaches a server on this address; nothing if nobody does. */
+  static Optional<String> warning(InetAddress address) {
+    return address.isLoopbackAddress()
+        ? Optional.empty()
+        : Optional.of(
+            "warning: whoever reaches this machine over the network can read and write the"
+                + " controller's variables, and needs no password");
+  }
+
+  private <T> T argument(String option, Supplier<T> parsing) {
+    try {
+      return parsing.get();
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage("invalid value for option '" + option + "': " + e.getMessage());
+    }
+  }
+
+  private static String shown(String host) {
+    return host.indexOf(':') >= 0 ? "[" + host + "]" : host;
+  }
+
+  private static InetAddress addressOf(@Nullable String host) throws CannotListenException {
+    try {
+      return host == null ? InetAddress.getLoopbackAddress() : InetAddress.getByName(host);
+    } catch (UnknownHostException e) {
+      throw new CannotListenException("cannot listen on " + host + ": the name is unknown", e);
+    }
+  }
+
+  // the server
+
+  /** Sets which server it is, where it answers who looks for it, and its files. */
+  private Consumer<MockServerConfig.Builder> with(InetAddress address) throws FileException {
+    boolean bridge = serverType == ServerType.C3_BRIDGE;
+    OptionalInt legacy = discoveryPort(address, discovery, DISCOVERY_PORT);
+    OptionalInt standard =
+        bridge
+            ? discoveryPort(address, standardDiscovery, STANDARD_DISCOVERY_PORT)
+            : OptionalInt.empty();
+    Optional<FileTree> tree = tree();
+    return cfg -> {
+      cfg.server(serverType);
+      legacy.ifPresent(cfg::discoveryPort);
+      standard.ifPresent(cfg::standardDiscoveryPort);
+      tree.ifPresent(cfg::files);
+    };
+  }
+
+  private Optional<FileTree> tree() throws FileException {
+    if (files == null) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(FileTree.over(files));
+    } catch (IOException e) {
+      throw FileException.cannot("use", files, e);
+    }
+  }
+
+  /** Gives the port: what was asked for, or the usual one unless that is in use. */
+  private OptionalInt discoveryPort(InetAddress address, @Nullable Integer wanted, int usual) {
+    if (noDiscovery) {
+      return OptionalInt.empty();
+    }
+    if (wanted != null) {
+      return OptionalInt.of(wanted);
+    }
+    try (DatagramSocket probe = new DatagramSocket(null)) {
+      probe.setReuseAddress(false);
+      probe.bind(new InetSocketAddress(address, usual));
+      return OptionalInt.of(usual);
+    } catch (SocketException e) {
+      return OptionalInt.empty();
+    }
+  }
+
+  /** Prints where the server answers who looks for it, or why it does not. */
+  private void printDiscovery(MockServer server) {
+    printPort("discovery", server.host(), server.discoveryPort(), DISCOVERY_PORT);
+    if (serverType == ServerType.C3_BRIDGE) {
+      OptionalInt standard = server.standardDiscoveryPort();
+      printPort("standard discovery", server.host(), standard, STANDARD_DISCOVERY_PORT);
+    }
+  }
+
+  private void printPort(String what, String host, OptionalInt port, int usual) {
+    if (port.isPresent()) {
+      console().print(what + " on " + shown(host) + ":" + port.getAsInt());
+    } else if (!noDiscovery) {
+      console().error("no " + what + ": UDP port " + usual + " is in use");
+    }
+  }
+}

@@ -1,0 +1,105 @@
+package no.hials.crosscom.cli.mock;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.LiveLine;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.Message;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Shows what a simulated controller does: its messages line by line on stderr, and on a terminal a
+ * last line that changes in place. That one goes to stdout, of which it is known that it is a
+ * terminal.
+ */
+final class StatusLine implements AutoCloseable {
+  private static final long PERIOD_MILLIS = 250;
+
+  private final Console console;
+  private final MockServer server;
+  private final BooleanSupplier isShown;
+  private final LiveLine line;
+  private final ScheduledExecutorService executor =
+      Executors.newSingleThreadScheduledExecutor(
+          task -> {
+            Thread thread = new Thread(task, "status-line");
+            thread.setDaemon(true);
+            return thread;
+          });
+
+  private @Nullable Message lastShown;
+  private boolean closed;
+
+  /**
+   * Makes a status line that shows nothing yet.
+   *
+   * @param isShown whether there is a line that changes now, or messages only
+   */
+  StatusLine(Console console, MockServer server, BooleanSupplier isShown) {
+    this.console = console;
+    this.server = server;
+    this.isShown = isShown;
+    this.line = new LiveLine(console.out(), true);
+  }
+
+  void start() {
+    @SuppressWarnings("unused") // it ends with the executor
+    var task = executor.scheduleWithFixedDelay(this::show, 0, PERIOD_MILLIS, TimeUnit.MILLISECONDS);
+  }
+
+  /** Shows what is new. */
+  synchronized void show() {
+    if (closed) {
+      return;
+    }
+    showMessages();
+    if (isShown.getAsBoolean()) {
+      line.show(text(server));
+    }
+  }
+
+  private void showMessages() {
+    List<Message> messages = server.controller().messages();
+    // the controller keeps the last ones only, so this may find nothing: then all are new
+    int from = lastShown == null ? 0 : messages.lastIndexOf(lastShown) + 1;
+    List<Message> fresh = messages.subList(from, messages.size());
+    if (fresh.isEmpty()) {
+      return;
+    }
+    line.clear();
+    fresh.forEach(message -> console.err().println(message));
+    lastShown = fresh.get(fresh.size() - 1);
+  }
+
+  /** Gives the line: simulated time, mode and programs, axes, clients and requests. */
+  static String text(MockServer server) {
+    Controller controller = server.controller();
+    return String.format(
+        Locale.ROOT,
+        "%.1f s | %s | %s deg | clients %d, requests %d",
+        controller.time().toMillis() / 1000.0,
+        controller,
+        Arrays.stream(controller.axes().toArray())
+            .mapToObj(degrees -> String.format(Locale.ROOT, "%.1f", degrees))
+            .collect(Collectors.joining(" ")),
+        server.clientCount(),
+        server.requestCount());
+  }
+
+  /** Shows the last messages, and takes the line away. */
+  @Override
+  public synchronized void close() {
+    executor.shutdown();
+    showMessages();
+    line.clear();
+    closed = true;
+  }
+}

@@ -1,0 +1,140 @@
+package no.hials.crosscom.cli.shell;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.cli.base.StoppedException;
+import no.hials.crosscom.cli.base.WriteOptions;
+import no.hials.crosscom.protocol.ServerType;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+/** {@code shell}. */
+@Command(
+    name = "shell",
+    description = {
+      "Reads and writes variables line by line, on one connection, until Ctrl-D or exit. A write"
+          + " can move a machine."
+    },
+    footer = {
+      "",
+      "$OV_PRO reads, $OV_PRO = 50 or $OV_PRO 50 writes, help tells the rest; names need no quotes"
+          + " here. Tab completes commands, names, fields and the constants of enumerations, with"
+          + " C3 Bridge also what the data lists on the controller declare. Each write is asked"
+          + " for before it is sent, in every mode, unless --yes is given.",
+      "",
+      "A line that fails, also by a lost connection, prints why, and the prompt comes back; the"
+          + " next line connects again. A write is never repeated.",
+      "",
+      "Where stdin or stdout is no terminal, there is no prompt and no question: the lines of stdin"
+          + " are run until one fails, whose exit code is the shell's. A write needs --yes then.",
+      "",
+      "What was typed is kept in $XDG_STATE_HOME/jopenshowvar/history, if that is not set in"
+          + " ~/.local/state; a line that begins with a blank is not.",
+      "",
+      "Examples:",
+      "  jopenshowvar shell --host 172.31.1.147",
+      "  jopenshowvar shell --mock --server c3",
+      "  echo 'get $POS_ACT $OV_PRO' | jopenshowvar shell --mock"
+    })
+public final class ShellCommand extends ConsoleCommand {
+  @Mixin private WriteOptions writeOptions = new WriteOptions();
+
+  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
+
+  public ShellCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitCode run() throws IOException {
+    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    try (RobotConnection controller = Robots.open(target, Robot.LASTING)) {
+      ShellSymbols symbols = new ShellSymbols(controller);
+      if (console().isInteractive()) {
+        return converse(controller, symbols);
+      }
+      ShellSession session = new ShellSession(console(), controller, writeOptions, symbols);
+      return runLines(session, new BufferedReader(console().in()));
+    }
+  }
+
+  private ExitCode runLines(ShellSession session, BufferedReader lines) throws IOException {
+    int number = 0;
+    for (String text = lines.readLine(); text != null; text = lines.readLine()) {
+      number++;
+      String place = "line " + number + ": ";
+      ShellLine line;
+      try {
+        line = ShellLine.parse(text);
+      } catch (ShellSyntaxException e) {
+        console().error(place + e.getMessage());
+        return ExitCode.USAGE;
+      }
+      if (line instanceof ShellLine.Exit) {
+        break;
+      }
+      ExitCode code = session.run(place, line, isVerbose());
+      if (code != ExitCode.DONE) {
+        return code;
+      }
+    }
+    return ExitCode.DONE;
+  }
+
+  private ShellTerminal terminal(ShellSymbols symbols) throws IOException {
+    try {
+      return new ShellTerminal(console(), symbols);
+    } catch (IOException | IllegalStateException e) {
+      if (StopSignal.isShuttingDown()) { // then JLine gives no terminal, or closes it
+        throw new StoppedException();
+      }
+      throw e;
+    }
+  }
+
+  private ExitCode converse(RobotConnection controller, ShellSymbols symbols) throws IOException {
+    symbols.preload();
+    try (ShellTerminal terminal = terminal(symbols)) {
+      Console asking = console().asking(terminal::ask);
+      ShellSession session = new ShellSession(asking, controller, writeOptions, symbols);
+      ShellPrompt prompt = new ShellPrompt(controller);
+      String text = terminal.readLine(prompt);
+      while (text != null && runTyped(text, asking, session, prompt)) {
+        text = terminal.readLine(prompt);
+      }
+      return ExitCode.DONE;
+    }
+  }
+
+  /**
+   * Runs a line, or several that were pasted at once up to the first that fails; false for exit.
+   */
+  private boolean runTyped(String text, Console asking, ShellSession session, ShellPrompt prompt) {
+    for (String typed : text.lines().toList()) {
+      try {
+        ShellLine line = ShellLine.parse(typed);
+        if (line instanceof ShellLine.Exit) {
+          return false;
+        }
+        ExitCode code = session.run("", line, isVerbose());
+        prompt.ended(code);
+        if (code != ExitCode.DONE) {
+          break;
+        }
+      } catch (ShellSyntaxException e) {
+        asking.error(String.valueOf(e.getMessage()));
+        asking.hint("try 'help'");
+        break;
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,120 @@
+package no.hials.crosscom.cli.shell;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.Commands;
+import no.hials.crosscom.cli.Main;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.WriteOptions;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+
+/**
+ * The commands of the command line that are lines of the shell language, too. They run as they do
+ * outside, on a connection of their own to the same controller: what breaks it, as Ctrl-C may, does
+ * not break the shell's.
+ */
+final class ShellCommands {
+  /** What the language has another form for, or what has no sense in a shell. */
+  private static final Set<String> LEFT_OUT =
+      Set.of("read", "write", "mock", "shell", "run", "drive");
+
+  /** The options that choose a controller. */
+  private static final Pattern CONTROLLER = Pattern.compile("--(host|port|mock|robot)(=.*)?");
+
+  private ShellCommands() {}
+
+  /** Gives their names, sorted. */
+  static SortedSet<String> names() {
+    SortedSet<String> names = new TreeSet<>();
+    Arrays.stream(Commands.values()).forEach(group -> names.addAll(group.names()));
+    names.removeAll(LEFT_OUT);
+    return names;
+  }
+
+  static boolean isCommand(String word) {
+    return names().contains(word);
+  }
+
+  /**
+   * Checks the arguments of a command, without running it.
+   *
+   * @throws ShellSyntaxException if they are wrong usage
+   */
+  static void check(Console console, List<String> words) throws ShellSyntaxException {
+    checkController(words);
+    String[] args = ControllerOptions.withNamesAsOptions(words.toArray(String[]::new));
+    try {
+      Main.commandLine(console, args).parseArgs(args);
+    } catch (ParameterException e) {
+      throw new ShellSyntaxException(Main.message(e));
+    }
+  }
+
+  /**
+   * Runs a command.
+   *
+   * @param writeOptions those of the shell, which hold for the command
+   * @return how it ended
+   * @throws ShellSyntaxException if it names another controller
+   */
+  static ExitCode run(
+      Console console, List<String> words, RobotConnection controller, WriteOptions writeOptions)
+      throws ShellSyntaxException {
+    checkController(words);
+    String[] args = words.toArray(String[]::new);
+    CommandLine command = Main.commandLine(console, args);
+    int place = 0;
+    while (place < args.length && command.getSubcommands().containsKey(args[place])) {
+      command = command.getSubcommands().get(args[place]);
+      place++;
+    }
+    List<String> all = new ArrayList<>(words);
+    all.addAll(place, options(console, command.getCommandSpec(), controller, writeOptions));
+    return ExitCode.of(Main.run(all.toArray(String[]::new), console));
+  }
+
+  private static void checkController(List<String> words) throws ShellSyntaxException {
+    for (String word : words) {
+      String option = ControllerOptions.withNamesAsOptions(word)[0];
+      if (CONTROLLER.matcher(option).matches()) {
+        throw new ShellSyntaxException(
+            word
+                + ": commands here go to the controller of the shell; another needs its own shell");
+      }
+    }
+  }
+
+  private static List<String> options(
+      Console console, CommandSpec command, RobotConnection controller, WriteOptions writeOptions) {
+    boolean readOnly = writeOptions.permission(console).isReadOnly(controller.robot());
+    List<String> options = new ArrayList<>();
+    if (command.findOption("--host") != null) {
+      ClientConfig config = controller.client().getConfig();
+      options.add("--host=" + config.host());
+      options.add("--port=" + config.port());
+      Duration timeout = controller.robot().timeout();
+      if (timeout != null) {
+        options.add("--timeout=" + timeout.toMillis());
+      }
+    }
+    if (readOnly && command.findOption("--read-only") != null) {
+      options.add("--read-only");
+    }
+    if (writeOptions.isYes() && command.findOption("--yes") != null) {
+      options.add("--yes");
+    }
+    return options;
+  }
+}

@@ -1,0 +1,58 @@
+package no.hials.crosscom.cli.shell;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import no.hials.crosscom.cell.Catalogue;
+import no.hials.crosscom.cell.CatalogueEntry;
+import no.hials.crosscom.simulator.Access;
+
+/** The answers of {@code help}. */
+final class ShellHelp {
+  private ShellHelp() {}
+
+  /** Tells the language. */
+  static List<String> language() {
+    List<String> lines = new ArrayList<>();
+    lines.add("$OV_PRO              reads a variable, a field, an element or a whole array");
+    lines.add("$OV_PRO = 50         writes it, also without the sign; the value is KRL");
+    lines.addAll(new java.util.TreeMap<>(ShellLine.OWN).values());
+    lines.add("; or #               begins a comment, # only at the beginning of a line");
+    lines.add("commands as outside: " + String.join(", ", ShellCommands.names()));
+    return lines;
+  }
+
+  /** Tells what is known of a variable. */
+  static List<String> of(String path, CatalogueEntry symbol, Catalogue symbols) {
+    List<String> lines = new ArrayList<>();
+    String name = path.toUpperCase(Locale.ROOT);
+    lines.add(name.equalsIgnoreCase(symbol.name()) ? symbol.declarator() : name);
+    if (!symbol.meaning().isEmpty()) {
+      lines.add("  " + symbol.meaning());
+    }
+    lines.add("  type    " + symbol.type());
+    if (!symbol.unit().isEmpty()) {
+      lines.add("  unit    " + symbol.unit());
+    }
+    if (symbol.access() != null) {
+      lines.add("  access  " + (symbol.access() == Access.READ_ONLY ? "read" : "read and write"));
+    }
+    if (!symbol.origin().isEmpty()) {
+      lines.add("  from    " + symbol.origin());
+    }
+    List<CatalogueEntry> fields = symbols.fields(symbol);
+    if (!fields.isEmpty()) {
+      lines.add(
+          "  fields  "
+              + fields.stream()
+                  .map(field -> field.type() + " " + field.declarator())
+                  .collect(Collectors.joining(", ")));
+    }
+    List<String> constants = symbols.constants(symbol);
+    if (!constants.isEmpty()) {
+      lines.add("  values  #" + String.join(", #", constants));
+    }
+    return lines;
+  }
+}

@@ -1,0 +1,196 @@
+package no.hials.crosscom.cli.shell;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.protocol.value.KrlValue;
+import picocli.CommandLine.TypeConversionException;
+
+/** One line of the shell language, understood; the same for typed lines, pipes and files. */
+sealed interface ShellLine {
+
+  /** What the language has of its own, with how it is written and what it does. */
+  Map<String, String> OWN =
+      Map.ofEntries(
+          Map.entry("get", "get NAME...          reads variables; read is the same"),
+          Map.entry("set", "set NAME VALUE       writes a variable; write is the same"),
+          Map.entry("wait", "wait TIME            waits: 500, 500ms, 3s, 1m"),
+          Map.entry("help", "help [NAME|COMMAND]  explains a variable or a command"),
+          Map.entry("exit", "exit, quit, Ctrl-D   ends the shell"));
+
+  /** A blank line or a comment. */
+  record Nothing() implements ShellLine {}
+
+  /**
+   * Reads variables.
+   *
+   * @param names at least one
+   */
+  record Read(List<String> names) implements ShellLine {
+    @Override
+    public String toString() {
+      return "read " + String.join(" ", names);
+    }
+  }
+
+  /**
+   * Writes a variable.
+   *
+   * @param name its name
+   * @param value the value's text as it was typed, which is a KRL value
+   */
+  record Write(String name, String value) implements ShellLine {
+    @Override
+    public String toString() {
+      return "write " + name + " = " + value;
+    }
+  }
+
+  /**
+   * Waits.
+   *
+   * @param time how long
+   */
+  record Wait(Duration time) implements ShellLine {
+    @Override
+    public String toString() {
+      return "wait " + time.toMillis() + " ms";
+    }
+  }
+
+  /**
+   * Explains something.
+   *
+   * @param topic a variable or a command; empty for the language
+   */
+  record Help(String topic) implements ShellLine {
+    @Override
+    public String toString() {
+      return topic.isEmpty() ? "help" : "help " + topic;
+    }
+  }
+
+  /** Ends the shell. */
+  record Exit() implements ShellLine {
+    @Override
+    public String toString() {
+      return "exit";
+    }
+  }
+
+  /**
+   * Runs another command of the command line.
+   *
+   * @param words the command and its arguments
+   */
+  record Command(List<String> words) implements ShellLine {
+    @Override
+    public String toString() {
+      return String.join(" ", words);
+    }
+  }
+
+  /**
+   * Understands a line.
+   *
+   * @throws ShellSyntaxException if it is none
+   */
+  static ShellLine parse(String line) throws ShellSyntaxException {
+    // a file may begin with a byte order mark, and files put together have one further down
+    List<String> words = ShellWords.split(line.startsWith("\ufeff") ? line.substring(1) : line);
+    if (words.isEmpty()) {
+      return new Nothing();
+    }
+    String first = words.get(0).toLowerCase(Locale.ROOT);
+    List<String> rest = words.subList(1, words.size());
+    return switch (first) {
+      case "get", "read" -> new Read(names(rest));
+      case "set", "write" -> write(first, rest);
+      case "wait" -> new Wait(time(only(first, rest)));
+      case "help" -> new Help(rest.isEmpty() ? "" : only(first, rest));
+      case "exit", "quit" -> {
+        nothingBehind(first, rest);
+        yield new Exit();
+      }
+      default -> ShellCommands.isCommand(first) ? command(first, rest) : variable(words);
+    };
+  }
+
+  private static ShellLine command(String name, List<String> rest) {
+    List<String> words = new ArrayList<>(rest.size() + 1);
+    words.add(name);
+    rest.forEach(word -> words.add(ShellWords.unquoted(word)));
+    return new Command(List.copyOf(words));
+  }
+
+  private static ShellLine variable(List<String> words) throws ShellSyntaxException {
+    if (words.size() == 1) {
+      return new Read(names(words));
+    }
+    return write("", words);
+  }
+
+  /** Makes a write of {@code NAME VALUE} or {@code NAME = VALUE}. */
+  private static ShellLine write(String command, List<String> words) throws ShellSyntaxException {
+    boolean sign = words.size() > 1 && words.get(1).equals("=");
+    List<String> value = words.size() > 1 ? words.subList(sign ? 2 : 1, words.size()) : List.of();
+    if (value.isEmpty()) {
+      String form = command.isEmpty() ? "NAME = VALUE" : command + " NAME VALUE";
+      throw new ShellSyntaxException("a write is " + form + "; the value is missing");
+    }
+    String name = name(words.get(0));
+    String text = String.join(" ", value);
+    try {
+      KrlValue.parse(text);
+    } catch (KrlSyntaxException e) {
+      String what = text + " is no KRL value: " + e.getMessage();
+      throw new ShellSyntaxException(
+          command.isEmpty() && !sign ? "there is no command " + name + ", and " + what : what);
+    }
+    return new Write(name, text);
+  }
+
+  private static List<String> names(List<String> words) throws ShellSyntaxException {
+    if (words.isEmpty()) {
+      throw new ShellSyntaxException("get needs the names of variables");
+    }
+    for (String word : words) {
+      name(word);
+    }
+    return List.copyOf(words);
+  }
+
+  private static String name(String word) throws ShellSyntaxException {
+    if (!ShellWords.isName(word)) {
+      throw new ShellSyntaxException(
+          "must be the name of a variable, as $OV_PRO, $POS_ACT.X or MYTEXT[], is " + word);
+    }
+    return word;
+  }
+
+  private static Duration time(String word) throws ShellSyntaxException {
+    try {
+      return new Converters.Time().convert(word);
+    } catch (TypeConversionException e) {
+      throw new ShellSyntaxException("the time to wait " + e.getMessage());
+    }
+  }
+
+  private static String only(String command, List<String> rest) throws ShellSyntaxException {
+    if (rest.size() != 1) {
+      throw new ShellSyntaxException(command + " needs one word behind it, has " + rest.size());
+    }
+    return rest.get(0);
+  }
+
+  private static void nothingBehind(String command, List<String> rest) throws ShellSyntaxException {
+    if (!rest.isEmpty()) {
+      throw new ShellSyntaxException(
+          command + " needs nothing behind it, has " + String.join(" ", rest));
+    }
+  }
+}

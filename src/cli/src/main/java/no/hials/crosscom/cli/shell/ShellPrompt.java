@@ -1,0 +1,46 @@
+package no.hials.crosscom.cli.shell;
+
+import java.io.IOException;
+import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.base.ExitCode;
+
+/** What stands before a typed line: which robot it is, and its mode where that is not T1. */
+final class ShellPrompt {
+  private static final String MODE = "$MODE_OP";
+  private static final String SAFE_MODE = "#T1";
+
+  private final RobotConnection controller;
+  private final String name;
+  private boolean connected = true;
+
+  ShellPrompt(RobotConnection controller) {
+    this.controller = controller;
+    Robot target = controller.robot();
+    String host = target.host();
+    name = !target.name().isEmpty() ? target.name() : host == null ? "mock" : host;
+  }
+
+  /** Notes how a line ended: after one that failed, the next line is the first to connect again. */
+  void ended(ExitCode code) {
+    connected = code != ExitCode.LOST && code != ExitCode.NOT_CONNECTED;
+  }
+
+  String name() {
+    return name;
+  }
+
+  /** Gives the mode, empty for T1 and if it is not known. */
+  String mode() {
+    if (!connected) {
+      return "";
+    }
+    try {
+      String mode = controller.client().readText(MODE);
+      return mode.equalsIgnoreCase(SAFE_MODE) ? "" : Printable.of(mode);
+    } catch (IOException e) {
+      return "";
+    }
+  }
+}

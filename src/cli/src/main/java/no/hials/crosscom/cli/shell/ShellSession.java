@@ -1,0 +1,122 @@
+package no.hials.crosscom.cli.shell;
+
+import java.io.IOException;
+import java.util.Locale;
+import java.util.Optional;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.cell.CatalogueEntry;
+import no.hials.crosscom.cell.NotSentException;
+import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.Main;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.WriteOptions;
+
+/** Does what the lines of the shell language say, on one controller. */
+final class ShellSession {
+  private final Console console;
+  private final RobotConnection controller;
+  private final WriteOptions writeOptions;
+  private final ShellSymbols symbols;
+
+  ShellSession(
+      Console console,
+      RobotConnection controller,
+      WriteOptions writeOptions,
+      ShellSymbols symbols) {
+    this.console = console;
+    this.controller = controller;
+    this.writeOptions = writeOptions;
+    this.symbols = symbols;
+  }
+
+  private ExitCode run(ShellLine line) throws IOException {
+    try {
+      if (line instanceof ShellLine.Read read) {
+        read(read);
+      } else if (line instanceof ShellLine.Write write) {
+        write(write);
+      } else if (line instanceof ShellLine.Wait wait) {
+        sleep(wait);
+      } else if (line instanceof ShellLine.Help help) {
+        help(help.topic());
+      } else if (line instanceof ShellLine.Command other) {
+        return ShellCommands.run(console, other.words(), controller, writeOptions);
+      }
+    } catch (IllegalArgumentException e) {
+      // a name or a text that cannot be sent
+      throw new ShellSyntaxException(String.valueOf(e.getMessage()));
+    }
+    return ExitCode.DONE;
+  }
+
+  /**
+   * Does what a line says, and prints what is wrong if it fails.
+   *
+   * @param place stands before the message, as {@code FILE:3: }
+   * @return how it ended
+   */
+  ExitCode run(String place, ShellLine line, boolean verbose) {
+    try {
+      return run(line);
+    } catch (IOException e) {
+      console.error(place + e.getMessage());
+      if (verbose) {
+        e.printStackTrace(console.err());
+      }
+      return codeOf(line, e);
+    }
+  }
+
+  private static ExitCode codeOf(ShellLine line, IOException e) {
+    if (e instanceof CrossComException failed) {
+      return line instanceof ShellLine.Write
+          ? ExitCode.ofFailedWrite(failed)
+          : ExitCode.ofFailedRead(failed);
+    }
+    return e instanceof NotSentException ? ExitCode.NOT_SENT : ExitCode.USAGE;
+  }
+
+  private void read(ShellLine.Read read) throws IOException {
+    for (String name : read.names()) {
+      console.print(name + " = " + Printable.of(controller.client().readText(name)));
+      symbols.used(name);
+    }
+  }
+
+  private void write(ShellLine.Write write) throws IOException {
+    controller.client().checkText(write.name(), write.value());
+    writeOptions.permission(console).checkEach(controller, write.toString());
+    controller.client().writeText(write.name(), write.value());
+    console.print(write.name() + " = " + write.value());
+    symbols.used(write.name());
+  }
+
+  private static void sleep(ShellLine.Wait wait) throws ShellSyntaxException {
+    try {
+      Thread.sleep(wait.time().toMillis());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new ShellSyntaxException("interrupted");
+    }
+  }
+
+  private void help(String topic) throws ShellSyntaxException {
+    String lower = topic.toLowerCase(Locale.ROOT);
+    if (topic.isEmpty()) {
+      ShellHelp.language().forEach(console::print);
+    } else if (ShellLine.OWN.containsKey(lower)) {
+      console.print(String.valueOf(ShellLine.OWN.get(lower)));
+    } else if (ShellCommands.isCommand(lower)) {
+      Main.run(new String[] {lower, "--help"}, console);
+    } else {
+      Optional<CatalogueEntry> symbol = symbols.find(topic);
+      if (symbol.isEmpty()) {
+        throw new ShellSyntaxException(
+            topic + " is no command, and no variable that is known here; try vars WORD");
+      }
+      ShellHelp.of(topic, symbol.get(), symbols.known()).forEach(console::print);
+    }
+  }
+}

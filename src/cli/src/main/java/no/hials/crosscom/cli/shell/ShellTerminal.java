@@ -1,0 +1,164 @@
+package no.hials.crosscom.cli.shell;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cli.base.Console;
+import org.jline.reader.EndOfFileException;
+import org.jline.reader.LineReader;
+import org.jline.reader.LineReaderBuilder;
+import org.jline.reader.UserInterruptException;
+import org.jline.terminal.Terminal.Signal;
+import org.jline.terminal.TerminalBuilder;
+import org.jline.utils.AttributedString;
+import org.jline.utils.AttributedStringBuilder;
+import org.jline.utils.AttributedStyle;
+import org.jline.utils.Signals;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The terminal of a shell: edits lines, keeps them, and completes them. Ctrl-C takes back a line
+ * that is being typed, and interrupts the thread that made this while a line is run.
+ */
+final class ShellTerminal implements Closeable {
+  private static final int MAX_HISTORY = 2000;
+
+  private final org.jline.terminal.Terminal terminal;
+  private final LineReader reader;
+  private final LineReader questions;
+  private final boolean coloured;
+
+  /** What Ctrl-C did before. */
+  private final @Nullable Object interruptBefore;
+
+  ShellTerminal(Console console, ShellSymbols symbols) throws IOException {
+    coloured = console.environment("NO_COLOR") == null;
+    // else JLine makes a signal of a Ctrl-C that is typed into a line as well, and where that is
+    // quicker than the key, the key takes back the line after it
+    System.setProperty(TerminalBuilder.PROP_SOFTWARE_SIGNALS, "false");
+    terminal =
+        TerminalBuilder.builder()
+            .system(true)
+            // the native library is quicker, and stty is there where it cannot be loaded
+            .providers("jni,exec")
+            .dumb(true)
+            // JLine would let a Ctrl-C end this process before the terminal is given back
+            .nativeSignals(false)
+            .build();
+    Thread runner = Thread.currentThread();
+    interruptBefore = Signals.register("INT", runner::interrupt);
+    Signals.register("WINCH", () -> terminal.raise(Signal.WINCH));
+    Signals.register("CONT", () -> terminal.raise(Signal.CONT));
+    reader =
+        LineReaderBuilder.builder()
+            .terminal(terminal)
+            .appName("jopenshowvar")
+            .parser(new ShellParser())
+            .completer(new ShellCompleter(console, symbols))
+            .variable(LineReader.HISTORY_SIZE, MAX_HISTORY)
+            .variable(LineReader.ERRORS, 0)
+            .option(LineReader.Option.CASE_INSENSITIVE, true)
+            .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
+            .option(LineReader.Option.HISTORY_TIMESTAMPED, false)
+            .option(LineReader.Option.INSERT_TAB, false)
+            .build();
+    questions =
+        LineReaderBuilder.builder()
+            .terminal(terminal)
+            .variable(LineReader.DISABLE_HISTORY, true)
+            .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
+            .build();
+    keepHistory(console);
+    (coloured ? ShellCompleter.COLOURED : ShellCompleter.PLAIN).forEach(reader::setVariable);
+  }
+
+  private static Path history(Console console) {
+    String state = console.environment("XDG_STATE_HOME");
+    Path base =
+        state == null
+            ? Path.of(System.getProperty("user.home"), ".local", "state")
+            : Path.of(state);
+    return base.resolve("jopenshowvar").resolve("history");
+  }
+
+  /** Keeps what is typed, if the file for it can be written and read: JLine fails where not. */
+  private void keepHistory(Console console) {
+    Path file = history(console);
+    try {
+      Files.createDirectories(file.getParent());
+      boolean old = Files.exists(file);
+      if (old) {
+        Files.readString(file);
+      }
+      // JLine makes it, for the user only
+      if (!Files.isWritable(old ? file : file.getParent())) {
+        throw new AccessDeniedException(file.toString());
+      }
+      reader.setVariable(LineReader.HISTORY_FILE, file);
+    } catch (IOException e) {
+      console.error(
+          "what is typed is not kept: " + FileException.cannot("use", file, e).getMessage());
+    }
+  }
+
+  /**
+   * Gives a typed line, or several that were pasted at once; empty after Ctrl-C; null at the end.
+   */
+  @Nullable String readLine(ShellPrompt prompt) {
+    // what a Ctrl-C stopped has ended
+    Thread.interrupted();
+    String text = text(prompt);
+    return read(reader, text, "");
+  }
+
+  /** Gives an answer that is typed after the question, null for none. */
+  @Nullable String ask(String question) {
+    try {
+      while (terminal.reader().read(1) >= 0) {
+        // was typed before
+      }
+    } catch (IOException e) {
+      return null;
+    }
+    return read(questions, question, null);
+  }
+
+  private static @Nullable String read(
+      LineReader from, String prompt, @Nullable String ifInterrupted) {
+    try {
+      return from.readLine(prompt);
+    } catch (UserInterruptException e) {
+      return ifInterrupted;
+    } catch (EndOfFileException e) {
+      return null;
+    }
+  }
+
+  private String text(ShellPrompt prompt) {
+    String mode = prompt.mode();
+    if (mode.isEmpty()) {
+      return prompt.name() + "> ";
+    }
+    AttributedStyle style =
+        coloured ? AttributedStyle.BOLD.foreground(AttributedStyle.RED) : AttributedStyle.DEFAULT;
+    AttributedString text =
+        new AttributedStringBuilder()
+            .append(prompt.name() + " ")
+            .styled(style, mode)
+            .append("> ")
+            .toAttributedString();
+    return text.toAnsi(terminal);
+  }
+
+  /** Gives the terminal back as it was. */
+  @Override
+  public void close() throws IOException {
+    terminal.close();
+    if (interruptBefore != null) { // as where signals cannot be handled
+      Signals.unregister("INT", interruptBefore);
+    }
+  }
+}

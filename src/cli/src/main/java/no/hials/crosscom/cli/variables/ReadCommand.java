@@ -1,0 +1,192 @@
+package no.hials.crosscom.cli.variables;
+
+import java.io.IOException;
+import java.io.StringWriter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import no.hials.crosscom.CrossComAccessException;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComValueException;
+import no.hials.crosscom.cell.JsonLine;
+import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.protocol.ServerType;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code read NAME...}. */
+@Command(
+    name = "read",
+    description = {
+      "Reads variables and prints a line NAME = VALUE for each, in the order given, the value as"
+          + " the controller prints it."
+    },
+    footer = {
+      "",
+      "If a variable cannot be read, the others still are; the exit code is that of the gravest"
+          + " failure, which is the highest. A lost connection ends the command. Control characters"
+          + " in a value are printed as \\x0A, so that a line is a variable.",
+      "",
+      "Several robots (@NAME @NAME) are asked at once, and printed in the order given, each line"
+          + " with the robot's name before it: cell1: $OV_PRO = 100. If one fails, the others are"
+          + " still printed.",
+      "",
+      "JSON: one object a line (JSON Lines), with name, type and value, and robot before them if"
+          + " there are several. The type is INT, REAL,"
+          + " BOOL, CHAR, CHAR[], ENUM or STRUC, or that of the elements with [] for a whole array."
+          + " INT and REAL are numbers, BOOL is true or false, the others are strings, an ENUM with"
+          + " its #; an array is an array; a STRUC is an object of its initialised fields under the"
+          + " names that the controller prints, and struc is the name of its type, or null."
+          + " Characters beyond ASCII are escaped. What is no KRL value is a string, its type"
+          + " UNKNOWN.",
+      "",
+      "Quoting: a shell replaces $NAME and takes [ ] for a pattern, so put names into single"
+          + " quotes, in PowerShell too; cmd.exe needs none.",
+      "",
+      "Examples:",
+      "  jopenshowvar read '$POS_ACT' '$OV_PRO' --host 172.31.1.147",
+      "  jopenshowvar read '$AXIS_ACT.A1' '$TORQUE_AXIS_ACT[3]' '$MODEL_NAME[]' --mock",
+      "  jopenshowvar read '$POS_ACT' --json --mock | jq .value.X",
+      "  jopenshowvar read @cell1 @cell2 '$POS_ACT'"
+    })
+public final class ReadCommand extends ConsoleCommand {
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "NAME",
+      description =
+          "A variable, a field of it ('$POS_ACT.X'), an element ('$TORQUE_AXIS_ACT[3]'), a whole"
+              + " array or a text ('$MODEL_NAME[]'). Upper or lower case.")
+  private List<String> names = List.of();
+
+  @Option(names = "--json", order = 5, description = "Print JSON, see below.")
+  private boolean json;
+
+  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
+
+  public ReadCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitCode run() throws IOException {
+    for (String name : names) {
+      if (name.isBlank()) {
+        throw wrongUsage("a name is blank; in a shell, names with $ need single quotes: '$OV_PRO'");
+      }
+    }
+    List<Robot> targets = controllerOptions.targets(this, ServerType.KUKAVARPROXY);
+    return targets.size() == 1 ? readAll(targets.get(0)) : readFromEach(targets);
+  }
+
+  /** Reads from one controller, and prints each variable as it comes. */
+  private ExitCode readAll(Robot target) throws IOException {
+    try (RobotConnection controller = Robots.open(target, Robot.ONE_SHOT)) {
+      return new Reading(console(), "", "").of(controller.client());
+    }
+  }
+
+  /** Reads from several controllers at once, and prints what came in the order of them. */
+  private ExitCode readFromEach(List<Robot> targets) {
+    ExecutorService threads = Executors.newFixedThreadPool(targets.size());
+    try {
+      List<CompletableFuture<Printed>> printed = new ArrayList<>();
+      for (Robot target : targets) {
+        printed.add(CompletableFuture.supplyAsync(() -> readLabelled(target), threads));
+      }
+      ExitCode result = ExitCode.DONE;
+      for (CompletableFuture<Printed> one : printed) {
+        Printed lines = one.join();
+        lines.out.toString().lines().forEach(console()::print);
+        lines.err.toString().lines().forEach(console()::hint);
+        result = result.orGraver(lines.result);
+      }
+      return result;
+    } finally {
+      threads.shutdown();
+    }
+  }
+
+  /** What one of several controllers gave. */
+  private record Printed(StringWriter out, StringWriter err, ExitCode result) {}
+
+  private Printed readLabelled(Robot target) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    Console console = new Console(out, err, Map.of());
+    ExitCode result;
+    try (RobotConnection controller = Robots.open(target, Robot.ONE_SHOT)) {
+      result = new Reading(console, target.name(), target.label()).of(controller.client());
+    } catch (CrossComException e) {
+      console.failure(target.label(), e, isVerbose());
+      result = ExitCode.ofFailedRead(e);
+    } catch (IOException e) {
+      // a simulated controller that could not listen
+      console.failure(target.label(), e, isVerbose());
+      result = ExitCode.NOT_CONNECTED;
+    }
+    return new Printed(out, err, result);
+  }
+
+  /** The reading of all variables from one controller. */
+  private final class Reading {
+    private final Console console;
+
+    /** Its name in JSON, and what stands before a line; empty if it is the only one. */
+    private final String robot;
+
+    private final String label;
+
+    Reading(Console console, String robot, String label) {
+      this.console = console;
+      this.robot = robot;
+      this.label = label;
+    }
+
+    ExitCode of(CrossComClient client) throws IOException {
+      ExitCode result = ExitCode.DONE;
+      for (int i = 0; i < names.size(); i++) {
+        try {
+          console.print(read(client, names.get(i)));
+        } catch (CrossComException e) {
+          console.failure(label, e, isVerbose());
+          result = result.orGraver(ExitCode.ofFailedRead(e));
+          if (endsTheConnection(e)) {
+            if (names.size() > 1) {
+              // with the one that was due, as not every failure of a connection names it
+              List<String> left = names.subList(i, names.size());
+              console.hint(label + "not read: " + String.join(" ", left));
+            }
+            break;
+          }
+        } catch (IllegalArgumentException e) {
+          // a name that cannot be sent
+          console.failure(label, e, isVerbose());
+          result = result.orGraver(ExitCode.USAGE);
+        }
+      }
+      return result;
+    }
+
+    private String read(CrossComClient client, String name) throws IOException {
+      String text = client.readText(name);
+      return json ? JsonLine.of(robot, name, text) : label + name + " = " + Printable.of(text);
+    }
+  }
+
+  private static boolean endsTheConnection(CrossComException e) {
+    return !(e instanceof CrossComAccessException || e instanceof CrossComValueException);
+  }
+}

@@ -1,0 +1,109 @@
+package no.hials.crosscom.cli.variables;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import no.hials.crosscom.cell.Sampling;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.protocol.ServerType;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** What to read again and again, how often, and for how long. */
+final class SamplingOptions {
+  private static final Duration MAX_PERIOD = Duration.ofDays(1);
+
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "NAME",
+      description =
+          "A variable, a field of it ('$POS_ACT.X'), an element ('$TORQUE_AXIS_ACT[3]') or a whole"
+              + " array ('$TORQUE_AXIS_ACT[]'). Upper or lower case.")
+  private List<String> names = List.of();
+
+  @Option(
+      names = "--period",
+      order = 4,
+      paramLabel = "TIME",
+      converter = Converters.Time.class,
+      description = "From one reading to the next: 20ms, 1.5s, 1m; 100ms if not given.")
+  private Duration period = Duration.ofMillis(100);
+
+  @Option(
+      names = "--for",
+      order = 4,
+      paramLabel = "TIME",
+      converter = Converters.Time.class,
+      description = "Stop after this time; if not given, with Ctrl-C.")
+  private @Nullable Duration length;
+
+  @Option(
+      names = "--count",
+      order = 4,
+      paramLabel = "NUMBER",
+      description = "Stop after this many samples, of each robot if there are several.")
+  private @Nullable Long count;
+
+  /** Connects to all robots that the user chose. */
+  Sampling open(ConsoleCommand command, ControllerOptions controllerOptions) throws IOException {
+    check(command);
+    return Sampling.open(
+        new Sampling.Plan(
+            names.stream().distinct().toList(),
+            period,
+            length,
+            count == null ? Long.MAX_VALUE : count),
+        controllerOptions.targets(command, ServerType.KUKAVARPROXY),
+        Robots::open);
+  }
+
+  /** Reads all variables once, prints the failures, and returns the worst of them. */
+  static ExitCode readFirst(ConsoleCommand command, Sampling sampling) {
+    ExitCode result = ExitCode.DONE;
+    for (Sampling.Failure failure : sampling.failedToConnect()) {
+      command.console().failure(failure.label(), failure.cause(), command.isVerbose());
+      result = result.orGraver(ExitCode.ofFailedRead(failure.cause()));
+    }
+    List<Sampling.Failure> failures;
+    try {
+      failures = sampling.readFirst();
+    } catch (IllegalArgumentException e) {
+      // a name that cannot be sent
+      throw command.wrongUsage(String.valueOf(e.getMessage()));
+    }
+    for (Sampling.Failure failure : failures) {
+      result = result.orGraver(ExitCode.ofFailedRead(failure.cause()));
+    }
+    failures.stream().map(Sampling.Failure::message).distinct().forEach(command.console()::error);
+    return result;
+  }
+
+  /** Samples until it ends, and returns {@link ExitCode#LOST} if it ended without a connection. */
+  static ExitCode run(
+      Sampling sampling, boolean changesOnly, StopSignal stop, Sampling.Listener listener)
+      throws IOException {
+    return sampling.run(changesOnly, stop::isStopped, listener) ? ExitCode.LOST : ExitCode.DONE;
+  }
+
+  /** Checks what picocli does not. */
+  private void check(ConsoleCommand command) {
+    for (String name : names) {
+      if (name.isBlank()) {
+        throw command.wrongUsage(
+            "a name is blank; in a shell, names with $ need single quotes: '$OV_PRO'");
+      }
+    }
+    if (period.compareTo(MAX_PERIOD) > 0) {
+      throw command.wrongUsage("--period must be at most a day, is " + period.toHours() + " h");
+    }
+    if (count != null && count < 1) {
+      throw command.wrongUsage("--count must be 1 or more, is " + count);
+    }
+  }
+}

@@ -1,0 +1,195 @@
+package no.hials.crosscom.cli.variables;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import no.hials.crosscom.cell.Catalogue;
+import no.hials.crosscom.cell.CatalogueEntry;
+import no.hials.crosscom.cell.Declarations;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.JsonLine;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Table;
+import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.KrlFile;
+import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.lang.ParseResult;
+import no.hials.crosscom.simulator.VariableTable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code vars [WORD...]}. */
+@Command(
+    name = "vars",
+    description = {
+      "Searches the built-in list of system variables, and prints type, unit, access (RO: read, RW:"
+          + " read and write) and meaning. Needs no controller."
+    },
+    footer = {
+      "",
+      "The list is of a KR C4 with KSS 8.3; it is not complete, and a controller may have others or"
+          + " allow less.",
+      "",
+      "With --declared it lists what a data list declares, such as a robot's own $config.dat:"
+          + " variables, types and signals, and lines that give an element its value. With errors"
+          + " in the file these are printed with their places.",
+      "",
+      "JSON: one object a line, with name, type, dimensions, unit, access and meaning; for"
+          + " --declared with name, type, value, global, const, line and comment.",
+      "",
+      "Examples:",
+      "  jopenshowvar vars torque",
+      "  jopenshowvar vars axis deg --json",
+      "  jopenshowvar vars --declared krl/config.dat"
+    })
+public final class VarsCommand extends ConsoleCommand {
+  @Parameters(
+      arity = "0..*",
+      paramLabel = "WORD",
+      description =
+          "What to look for in name, type, unit and meaning, in upper or lower case; of several"
+              + " words all must be there. Everything if none is given.")
+  private List<String> words = List.of();
+
+  @Option(
+      names = "--declared",
+      order = 1,
+      paramLabel = "FILE",
+      description = "Search what this data list declares instead.")
+  private @Nullable Path declared;
+
+  @Option(names = "--json", order = 5, description = "Print JSON, see below.")
+  private boolean json;
+
+  public VarsCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitCode run() throws IOException {
+    return declared == null ? system() : declared(declared);
+  }
+
+  private ExitCode system() {
+    List<CatalogueEntry> found =
+        VariableTable.krc4().describeAll().stream()
+            .filter(Catalogue::isSystemVariable)
+            .map(CatalogueEntry::of)
+            .filter(
+                symbol ->
+                    matches(symbol.declarator(), symbol.type(), symbol.unit(), symbol.meaning()))
+            .toList();
+    if (json) {
+      found.forEach(symbol -> console().print(json(symbol)));
+    } else if (!found.isEmpty()) {
+      Table table = Table.withTitles("NAME", "TYPE", "UNIT", "ACCESS", "MEANING");
+      found.forEach(
+          symbol ->
+              table.add(
+                  symbol.declarator(),
+                  symbol.type(),
+                  symbol.unit(),
+                  symbol.shortAccess(),
+                  symbol.meaning()));
+      table.print(console());
+    }
+    sayIfNothing(found);
+    return ExitCode.DONE;
+  }
+
+  private ExitCode declared(Path file) throws FileException {
+    ParseResult result = parse(file);
+    Optional<KrlFile> tree = result.file();
+    for (KrlError error : result.errors()) {
+      console().error(error.toString());
+    }
+    List<Declarations.Row> rows =
+        tree.isPresent() && tree.get() instanceof DataList list
+            ? Declarations.of(list)
+            : noDataList(file, result);
+    List<Declarations.Row> found =
+        rows.stream()
+            .filter(row -> matches(row.name(), row.type(), row.value(), row.comment()))
+            .toList();
+    if (json) {
+      found.forEach(row -> console().print(json(row)));
+    } else if (!found.isEmpty()) {
+      Table table = Table.withTitles("LINE", "NAME", "TYPE", "SCOPE", "COMMENT", "VALUE");
+      found.forEach(
+          row ->
+              table.add(
+                  Integer.toString(row.line()),
+                  row.name(),
+                  row.type(),
+                  String.join(" ", row.words()),
+                  row.comment(),
+                  row.value()));
+      table.print(console());
+    }
+    sayIfNothing(found);
+    return result.errors().isEmpty() ? ExitCode.DONE : ExitCode.USAGE;
+  }
+
+  private static ParseResult parse(Path file) throws FileException {
+    try {
+      return KrlParser.parse(file);
+    } catch (IOException e) {
+      throw FileException.cannot("read", file, e);
+    }
+  }
+
+  /** Has nothing to list: if the errors do not say why, this does. */
+  private List<Declarations.Row> noDataList(Path file, ParseResult result) throws FileException {
+    if (result.errors().isEmpty()) {
+      throw new FileException(file + " is a program, and not a data list");
+    }
+    return List.of();
+  }
+
+  private boolean matches(String... texts) {
+    String all = String.join("\n", texts).toLowerCase(Locale.ROOT);
+    return words.stream().allMatch(word -> all.contains(word.toLowerCase(Locale.ROOT)));
+  }
+
+  private void sayIfNothing(List<?> found) {
+    if (found.isEmpty() && !words.isEmpty()) {
+      console().error("nothing has " + String.join(" and ", words) + " in it");
+    }
+  }
+
+  private static String json(CatalogueEntry symbol) {
+    return JsonLine.object(
+        line -> {
+          line.writeStringField("name", symbol.name());
+          line.writeStringField("type", symbol.type());
+          line.writeArrayFieldStart("dimensions");
+          for (int length : symbol.dimensions()) {
+            line.writeNumber(length);
+          }
+          line.writeEndArray();
+          line.writeStringField("unit", symbol.unit());
+          line.writeStringField("access", symbol.shortAccess());
+          line.writeStringField("meaning", symbol.meaning());
+        });
+  }
+
+  private static String json(Declarations.Row row) {
+    return JsonLine.object(
+        line -> {
+          line.writeStringField("name", row.name());
+          line.writeStringField("type", row.type());
+          line.writeStringField("value", row.value());
+          line.writeBooleanField("global", row.words().contains("GLOBAL"));
+          line.writeBooleanField("const", row.words().contains("CONST"));
+          line.writeNumberField("line", row.line());
+          line.writeStringField("comment", row.comment());
+        });
+  }
+}

@@ -1,0 +1,171 @@
+package no.hials.crosscom.cli.variables;
+
+import java.io.IOException;
+import java.util.Map;
+import no.hials.crosscom.ConnectionEvent;
+import no.hials.crosscom.ConnectionEvent.Kind;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.Sample;
+import no.hials.crosscom.Sample.Reading;
+import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.cell.SampleJson;
+import no.hials.crosscom.cell.SampledRobot;
+import no.hials.crosscom.cell.Sampling;
+import no.hials.crosscom.cell.Times;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Screen;
+import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.cli.base.Terminal;
+import no.hials.crosscom.protocol.value.KrlValue;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code watch}. */
+@Command(
+    name = "watch",
+    description = {
+      "Shows variables as they change: in a table on a terminal, else as lines.",
+      "A line is TIME NAME = VALUE, for each sample of each variable. It runs until Ctrl-C."
+    },
+    footer = {
+      "",
+      "The table has a row for each number or text, with its last change and the age of its value;"
+          + " the lines below it tell how long reading all takes, and how many periods were missed."
+          + " Keys: q ends it, as Ctrl-C (SIGINT) and SIGTERM do, with exit code 0. Where TERM is"
+          + " dumb, with --verbose and in the background there are lines instead. NO_COLOR=1 keeps"
+          + " colours away.",
+      "",
+      "Every variable must be readable at the start. A connection that is lost later is made again;"
+          + " if --for or --count ends it before that, the exit code is 4.",
+      "",
+      "JSON: one object a line (JSON Lines) for each sample: time; seconds since the first sample;"
+          + " robot, if it has a name; access_ms, how long the reading took; missed, how many"
+          + " periods before it were left out since a reading took too long; failed, how many"
+          + " readings before it failed, as while the connection was lost; values by name, as"
+          + " 'read --json' prints them; errors by name, for those that could not be read; changed,"
+          + " the names of those that are not as in the sample before.",
+      "",
+      "Quoting: a shell replaces $NAME and takes [ ] for a pattern, so put names into single"
+          + " quotes.",
+      "",
+      "Examples:",
+      "  jopenshowvar watch '$POS_ACT' '$OV_PRO' --host 172.31.1.147",
+      "  jopenshowvar watch '$IN[1]' '$MODE_OP' --changes --mock | tee changes.txt",
+      "  jopenshowvar watch '$AXIS_ACT' --period 20ms --count 50 --json --mock"
+    })
+public final class WatchCommand extends ConsoleCommand {
+  @Mixin private SamplingOptions samplingOptions = new SamplingOptions();
+
+  @Option(
+      names = "--changes",
+      order = 4,
+      description = "Take only samples in which something changed, and print only what did.")
+  private boolean changes;
+
+  @Option(names = "--json", order = 5, description = "Print JSON, see below.")
+  private boolean json;
+
+  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
+
+  public WatchCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public ExitCode run() throws IOException {
+    try (StopSignal stop = new StopSignal();
+        Sampling sampling = samplingOptions.open(this, controllerOptions)) {
+      ExitCode first = SamplingOptions.readFirst(this, sampling);
+      if (first != ExitCode.DONE) {
+        return first;
+      }
+      boolean table = !json && !isVerbose() && Terminal.isInteractive() && Terminal.isForeground();
+      Screen screen = table ? Screen.open(console()) : null;
+      return screen == null
+          ? SamplingOptions.run(sampling, changes, stop, json ? new Json(sampling) : new Lines())
+          : show(screen, sampling, stop);
+    }
+  }
+
+  private ExitCode show(Screen screen, Sampling sampling, StopSignal stop) throws IOException {
+    WatchTable table = new WatchTable(sampling.robots());
+    ExitCode result;
+    try (screen) {
+      result = SamplingOptions.run(sampling, changes, stop, new OnScreen(table, screen));
+    }
+    // the screen is as it was before; what it showed last stays
+    table.text().forEach(console()::print);
+    return result;
+  }
+
+  /** Tells of connections on stderr. */
+  private abstract class Printed implements Sampling.Listener {
+    @Override
+    public final void connectionChanged(SampledRobot robot, ConnectionEvent event) {
+      if (event.kind() == Kind.LOST || event.kind() == Kind.RECONNECTED) {
+        console().error(robot.label() + SampledRobot.text(event));
+      }
+    }
+
+    @Override
+    public final boolean tick() {
+      return true;
+    }
+  }
+
+  /** Prints a line for each variable. */
+  private final class Lines extends Printed {
+    @Override
+    public void sampled(SampledRobot robot, Sample sample) {
+      String time = Times.instant(sample.time());
+      for (Map.Entry<String, Reading> entry : sample.readings().entrySet()) {
+        String name = entry.getKey();
+        boolean changed = sample.changed().contains(name);
+        KrlValue value = entry.getValue().value();
+        CrossComException failure = entry.getValue().failure();
+        if (value != null && (changed || !changes)) {
+          console().print(time + " " + robot.qualified(name) + " = " + Printable.of(value.print()));
+        } else if (failure != null && changed) {
+          console().error(robot.label() + failure.getMessage());
+        }
+      }
+    }
+  }
+
+  /** Prints a line for each sample. */
+  private final class Json extends Printed {
+    private final Sampling sampling;
+
+    Json(Sampling sampling) {
+      this.sampling = sampling;
+    }
+
+    @Override
+    public void sampled(SampledRobot robot, Sample sample) {
+      console().print(SampleJson.of(robot, sample, sampling.since(sample.time())));
+    }
+  }
+
+  /** Shows a table. */
+  private record OnScreen(WatchTable table, Screen screen) implements Sampling.Listener {
+    @Override
+    public void sampled(SampledRobot robot, Sample sample) {
+      table.add(robot, sample);
+    }
+
+    @Override
+    public void connectionChanged(SampledRobot robot, ConnectionEvent event) {
+      table.connectionChanged(robot, event);
+    }
+
+    @Override
+    public boolean tick() throws IOException {
+      screen.show(table::lines);
+      return !screen.isLeft();
+    }
+  }
+}

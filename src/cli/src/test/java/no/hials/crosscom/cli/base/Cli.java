@@ -1,0 +1,73 @@
+package no.hials.crosscom.cli.base;
+
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.Writer;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import no.hials.crosscom.cli.Main;
+import no.hials.crosscom.mock.MockServer;
+
+/** Runs the command line inside the tests' JVM, with captured streams. */
+public final class Cli {
+  /** Where the configuration file would lie, on Windows and elsewhere. */
+  private static final Map<String, String> NO_CONFIGURATION =
+      Map.of(
+          "XDG_CONFIG_HOME", Path.of("target", "no-configuration").toAbsolutePath().toString(),
+          "APPDATA", Path.of("target", "no-configuration").toAbsolutePath().toString());
+
+  private Cli() {}
+
+  /** What a run gave. */
+  public record Result(int code, String out, String err) {
+    public List<String> lines() {
+      return out.lines().toList();
+    }
+
+    public List<String> errLines() {
+      return err.lines().toList();
+    }
+  }
+
+  /** Runs it without what the user who runs the tests has in environment and configuration. */
+  public static Result run(String... args) {
+    return runIn(Map.of(), args);
+  }
+
+  /** Runs it with these environment variables, and no others. */
+  public static Result runIn(Map<String, String> environment, String... args) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    Map<String, String> all = new HashMap<>(NO_CONFIGURATION);
+    all.putAll(environment);
+    int code = Main.run(args, new Console(out, err, all));
+    return new Result(code, out.toString(), err.toString());
+  }
+
+  /** Runs it with a stdout that is closed already, and gives the exit code. */
+  public static int runUnread(String... args) throws IOException {
+    Writer out = Writer.nullWriter();
+    out.close();
+    return Main.run(args, new Console(out, new StringWriter(), NO_CONFIGURATION));
+  }
+
+  public static Result runOn(MockServer server, String command, String... args) {
+    return run(argsOn(server, command, args));
+  }
+
+  /**
+   * Gives the arguments for a server; a command may be {@code file ls}. The options come first, so
+   * that anything may follow.
+   */
+  public static String[] argsOn(MockServer server, String command, String... args) {
+    Stream<String> options =
+        Stream.of("--host", server.host(), "--port", Integer.toString(server.port()));
+    return Stream.of(Stream.of(command.split(" ")), options, Stream.of(args))
+        .flatMap(Function.identity())
+        .toArray(String[]::new);
+  }
+}

@@ -1,0 +1,168 @@
+package no.hials.crosscom.cli.mock;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.SocketException;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.cli.base.RunningMock;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class MockCommandTest {
+  private static final int DISCOVERY_PORT = 6999;
+
+  @Test
+  void servesUntilItIsInterruptedAndThenFreesThePort() throws Exception {
+    try (RunningMock mock = new RunningMock("--no-discovery")) {
+      assertThat(mock.run("read", "MYINT").lines()).containsExactly("MYINT = 0");
+      assertThat(mock.isRunning()).isTrue();
+
+      assertThat(mock.stop()).isZero();
+      assertThat(mock.run("read", "MYINT").code()).isEqualTo(3);
+    }
+  }
+
+  @Test
+  void saysThatThePortIsInUse() throws IOException {
+    try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      Cli.Result result = Cli.run("mock", "--port", "" + other.getLocalPort());
+
+      assertThat(result.out()).isEmpty();
+      assertThat(result.errLines())
+          .singleElement()
+          .asString()
+          .startsWith("jopenshowvar: cannot listen on ")
+          .contains(":" + other.getLocalPort());
+      assertThat(result.code()).isEqualTo(3);
+    }
+  }
+
+  @Test
+  void saysThatTheAddressIsNotOfThisMachine() {
+    // an address of the block for documentation, RFC 5737
+    Cli.Result result = Cli.run("mock", "--host", "192.0.2.1", "--port", "0");
+
+    assertThat(result.err()).startsWith("jopenshowvar: cannot listen on ").contains("192.0.2.1");
+    assertThat(result.code()).isEqualTo(3);
+  }
+
+  @Test
+  void warnsOfTheNetworkUnlessOnlyThisMachineReachesIt() throws Exception {
+    assertThat(MockCommand.warning(InetAddress.getByAddress(new byte[4])))
+        .hasValueSatisfying(text -> assertThat(text).startsWith("warning: ").contains("password"));
+    assertThat(MockCommand.warning(InetAddress.getByAddress(new byte[] {10, 0, 0, 1}))).isPresent();
+    assertThat(MockCommand.warning(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}))).isEmpty();
+    assertThat(MockCommand.warning(InetAddress.getLoopbackAddress())).isEmpty();
+  }
+
+  // discovery
+
+  @Test
+  void listensForTheQuestionWhereControllersAre() throws Exception {
+    try (RunningMock mock = new RunningMock("--discovery", "0")) {
+      String line = mock.nextLine();
+      assertThat(line).matches("discovery on 127\\.0\\.0\\.1:\\d+");
+      int port = Integer.parseInt(line.substring(line.lastIndexOf(':') + 1));
+
+      assertThatThrownBy(() -> new DatagramSocket(port, InetAddress.getLoopbackAddress()).close())
+          .isInstanceOf(SocketException.class);
+    }
+  }
+
+  @Test
+  void saysThatTheDiscoveryPortThatWasAskedForIsInUse() throws Exception {
+    try (DatagramSocket other = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
+      Cli.Result result = Cli.run("mock", "--port", "0", "--discovery", "" + other.getLocalPort());
+
+      assertThat(result.out()).isEmpty();
+      assertThat(result.err()).startsWith("jopenshowvar: cannot listen on UDP ");
+      assertThat(result.code()).isEqualTo(3);
+    }
+  }
+
+  @Test
+  void servesWithoutDiscoveryIfTheUsualPortIsInUse() throws Exception {
+    DatagramSocket other = new DatagramSocket(null);
+    try (other) {
+      occupy(other, DISCOVERY_PORT);
+      try (RunningMock mock = new RunningMock()) {
+        assertThat(mock.nextErrorLine())
+            .isEqualTo("jopenshowvar: no discovery: UDP port 6999 is in use");
+        assertThat(mock.nextLine()).isEqualTo("T1, no program");
+      }
+    }
+  }
+
+  private static void occupy(DatagramSocket socket, int port) {
+    try {
+      socket.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+    } catch (SocketException e) {
+      // somebody else has it, which is as good
+    }
+  }
+
+  // faults and times
+
+  @Test
+  void letsGoWrongWhatIsAskedFor() throws Exception {
+    try (RunningMock mock =
+        new RunningMock("--no-discovery", "--fault", "failure@2", "--fault", "answer:7@MYINT")) {
+      assertThat(mock.read("MYINT")).isEqualTo("7");
+      assertThat(mock.run("read", "MYREAL").code()).isEqualTo(1);
+      assertThat(mock.read("MYREAL")).isEqualTo("0.0");
+    }
+  }
+
+  @Test
+  void drawsTheSameFaultsForTheSameSeed() throws Exception {
+    List<String> read = failingOneInTwo("5");
+
+    assertThat(read).hasSizeBetween(1, 39).isEqualTo(failingOneInTwo("5"));
+    assertThat(read).isNotEqualTo(failingOneInTwo("6"));
+  }
+
+  /** Reads 40 outputs and gives the lines of those that could be read. */
+  private static List<String> failingOneInTwo(String seed) throws InterruptedException {
+    try (RunningMock mock =
+        new RunningMock("--no-discovery", "--fault", "failure%0.5", "--seed", seed)) {
+      String[] names =
+          IntStream.rangeClosed(1, 40).mapToObj(i -> "$OUT[" + i + "]").toArray(String[]::new);
+      return mock.run("read", names).lines();
+    }
+  }
+
+  @Test
+  void takesItsTimeForARequest() throws Exception {
+    for (String latency : List.of("none", "1ms", "krc4", "krc4-2014")) {
+      try (RunningMock mock = new RunningMock("--no-discovery", "--latency", latency)) {
+        assertThat(mock.read("MYINT")).isEqualTo("0");
+      }
+    }
+    // longer than the client waits
+    try (RunningMock mock = new RunningMock("--no-discovery", "--latency", "60s")) {
+      assertThat(mock.run("read", "--timeout", "20ms", "MYINT").code()).isEqualTo(4);
+    }
+  }
+
+  @Test
+  void letsTimePassAsFastAsItIsAskedTo() throws Exception {
+    for (String speed : List.of("real", "0.5", "100", "MAX")) {
+      try (RunningMock mock = new RunningMock("--no-discovery", "--speed", speed)) {
+        // a timer runs as soon as its stop is taken away
+        assertThat(mock.run("write", "$TIMER_STOP[1]", "FALSE").code()).isZero();
+        assertThat(Stream.generate(() -> mock.read("$TIMER[1]")).anyMatch(t -> !t.equals("0")))
+            .isTrue();
+      }
+    }
+  }
+}

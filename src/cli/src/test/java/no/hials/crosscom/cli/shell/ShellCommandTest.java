@@ -1,0 +1,196 @@
+package no.hials.crosscom.cli.shell;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.cli.base.ShellInput;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.ServerType;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ShellCommandTest {
+  private MockServer server;
+
+  @BeforeEach
+  void start() throws IOException {
+    server = MockServer.start();
+  }
+
+  @AfterEach
+  void stop() {
+    server.close();
+  }
+
+  @Test
+  void runsPipedLinesWithoutPromptEchoOrQuestion() {
+    Cli.Result result =
+        ShellInput.runOn(
+            server,
+            "$OV_PRO\n; half of it\n$OV_PRO = 50\nget $OV_PRO $MODE_OP\nMYSTRING[] \"a b\"\n",
+            "shell",
+            "--yes");
+
+    assertThat(result.lines())
+        .containsExactly(
+            "$OV_PRO = 100",
+            "$OV_PRO = 50",
+            "$OV_PRO = 50",
+            "$MODE_OP = #T1",
+            "MYSTRING[] = \"a b\"");
+    assertThat(result.err()).isEmpty();
+    assertThat(result.code()).isZero();
+  }
+
+  @Test
+  void usesOneConnectionForAllLines() {
+    ShellInput.runOn(server, "$OV_PRO\n$OV_PRO\n$OV_PRO\n", "shell");
+
+    assertThat(server.requests().stream().map(RecordedRequest::connection).distinct()).hasSize(1);
+  }
+
+  @Test
+  void doesNotWriteWithoutALeaveThatNobodyCanGive() {
+    Cli.Result result = ShellInput.runOn(server, "MYINT = 5\n$OV_PRO\n", "shell");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines())
+        .containsExactly("jopenshowvar: line 1: did not write MYINT = 5: it needs --yes");
+    assertThat(result.code()).isEqualTo(5);
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void doesNotWriteIfItIsForReadingOnly() {
+    Cli.Result result = ShellInput.runOn(server, "MYINT = 5\n", "shell", "--yes", "--read-only");
+
+    assertThat(result.err()).contains("line 1: did not write MYINT = 5: --read-only is given");
+    assertThat(result.code()).isEqualTo(5);
+    assertThat(server.requestCount()).isZero();
+  }
+
+  @Test
+  void stopsAtTheFirstLineThatFailsWithItsCode() {
+    Cli.Result refused = ShellInput.runOn(server, "$OV_PRO\nNOPE\n$OV_PRO\n", "shell");
+    assertThat(refused.lines()).hasSize(1);
+    assertThat(refused.err())
+        .startsWith("jopenshowvar: line 2: the controller refused to read NOPE");
+    assertThat(refused.code()).isEqualTo(1);
+
+    Cli.Result wrong = ShellInput.runOn(server, "$OV_PRO = x\n$OV_PRO\n", "shell");
+    assertThat(wrong.out()).isEmpty();
+    assertThat(wrong.code()).isEqualTo(2);
+
+    server.enqueue(Fault.closeDuring(5));
+    Cli.Result lost = ShellInput.runOn(server, "MYINT = 5\nMYINT = 6\n", "shell", "--yes");
+    assertThat(lost.err()).contains("line 1: ").contains("the outcome is unknown");
+    assertThat(lost.code()).isEqualTo(4);
+  }
+
+  @Test
+  void callsItWrongUsageIfANameCannotBeSent() {
+    Cli.Result result = ShellInput.runOn(server, "get MYINT\u0100\n", "shell");
+
+    assertThat(result.err()).startsWith("jopenshowvar: line 1: ");
+    assertThat(result.code()).isEqualTo(2);
+    assertThat(server.requestCount()).isZero();
+  }
+
+  @Test
+  void runsOtherCommandsOnTheSameController() {
+    Cli.Result result = ShellInput.runOn(server, "vars torque max\nexit\nNOPE\n", "shell");
+
+    assertThat(result.out()).contains("$TORQUE_AXIS_MAX[12]").doesNotContain("$OV_PRO");
+    assertThat(result.code()).isZero();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"@cell2", "--robot=cell2", "--host=127.0.0.1", "--port=7", "--mock"})
+  void sendsNoCommandToAnotherController(String option) {
+    Cli.Result result = ShellInput.runOn(server, "watch $OV_PRO " + option + "\n", "shell");
+
+    assertThat(result.err())
+        .contains(option + ": commands here go to the controller of the shell; another");
+    assertThat(result.code()).isEqualTo(2);
+    assertThat(server.requestCount()).isZero();
+  }
+
+  @Test
+  void stopsIfAnotherCommandFails() {
+    Cli.Result result =
+        ShellInput.runOn(server, "vars --declared no-such-file.dat\n$OV_PRO\n", "shell");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines())
+        .containsExactly("jopenshowvar: cannot read no-such-file.dat: there is no such file");
+    assertThat(result.code()).isEqualTo(2);
+  }
+
+  @Test
+  void explainsASystemVariable() {
+    Cli.Result result = ShellInput.runOn(server, "help $mode_op\nhelp $POS_ACT.S\n", "shell");
+
+    assertThat(result.lines())
+        .containsExactly(
+            "$MODE_OP",
+            "  operating mode",
+            "  type    MODE_OP",
+            "  access  read",
+            "  values  #AUT, #EX, #INVALID, #T1, #T2",
+            "$POS_ACT.S",
+            "  field of $POS_ACT: commanded tool centre point in the base frame",
+            "  type    INT",
+            "  access  read");
+    assertThat(server.requestCount()).isZero();
+  }
+
+  @Test
+  void explainsTheLanguageAndItsCommands() {
+    Cli.Result result = ShellInput.runOn(server, "help\nhelp wait\nhelp vars\n", "shell");
+
+    assertThat(result.out())
+        .contains("$OV_PRO = 50")
+        .contains("get NAME...")
+        .contains("Usage: jopenshowvar vars");
+  }
+
+  @Test
+  void saysSoIfThereIsNothingToExplain() {
+    Cli.Result result = ShellInput.runOn(server, "help nothing\n", "shell");
+
+    assertThat(result.err()).contains("nothing is no command, and no variable that is known here");
+    assertThat(result.code()).isEqualTo(2);
+  }
+
+  @Test
+  void explainsAVariableThatADataListOnTheControllerDeclares() throws IOException {
+    try (MockServer bridge = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
+      bridge
+          .files()
+          .put(
+              "KRC:\\R1\\Program\\cell.dat",
+              """
+            DEFDAT CELL PUBLIC
+            DECL GLOBAL INT PARTS[4] ;parts in the boxes
+            DECL INT HIDDEN
+            ENDDAT
+            """);
+
+      Cli.Result result = ShellInput.runOn(bridge, "help parts\nhelp hidden\n", "shell");
+
+      assertThat(result.lines())
+          .containsExactly(
+              "PARTS[4]",
+              "  parts in the boxes",
+              "  type    INT",
+              "  from    KRC:\\R1\\Program\\cell.dat");
+      assertThat(result.code()).isEqualTo(2);
+    }
+  }
+}

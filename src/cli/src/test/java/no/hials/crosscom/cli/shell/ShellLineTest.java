@@ -1,0 +1,101 @@
+package no.hials.crosscom.cli.shell;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ShellLineTest {
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "$OV_PRO",
+        "$POS_ACT.X",
+        "LOAD_DATA[1].CM.X",
+        "$TORQUE_AXIS_ACT[]",
+        "TOOL_NAME[1,]",
+        "@PROXY_TYPE",
+        "myPos"
+      })
+  void aNameAloneReads(String name) throws Exception {
+    assertThat(ShellLine.parse("  " + name + " ")).isEqualTo(new ShellLine.Read(List.of(name)));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "$OV_PRO 50                   | $OV_PRO      | 50",
+        "$OV_PRO = 50                 | $OV_PRO      | 50",
+        "$OV_PRO=50                   | $OV_PRO      | 50",
+        "$OV_PRO =50                  | $OV_PRO      | 50",
+        "$OV_PRO= 50 ; half           | $OV_PRO      | 50",
+        "set $OV_PRO 50               | $OV_PRO      | 50",
+        "SET $OV_PRO = 50             | $OV_PRO      | 50",
+        "write $OV_PRO=50             | $OV_PRO      | 50",
+        "MYREAL -1.5                  | MYREAL       | -1.5",
+        "MYENUM #T1                   | MYENUM       | #T1",
+        "MYBOOL = TRUE                | MYBOOL       | TRUE",
+        "MYSTRING[] = \"a = b; #c\"   | MYSTRING[]   | \"a = b; #c\"",
+        "MYPOS {X 1.0, Y -2}          | MYPOS        | {X 1.0, Y -2}",
+        "MYINTS[] 1 2 3               | MYINTS[]     | 1 2 3",
+        "MYREALS[2] = 1               | MYREALS[2]   | 1",
+        "set set 5                    | set          | 5",
+      })
+  void aNameWithAValueWrites(String line, String name, String value) throws Exception {
+    assertThat(ShellLine.parse(line)).isEqualTo(new ShellLine.Write(name, value));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "   ", "; $OV_PRO = 0", "# $OV_PRO = 0", "  # x"})
+  void blankLinesAndCommentsDoNothing(String line) throws Exception {
+    assertThat(ShellLine.parse(line)).isEqualTo(new ShellLine.Nothing());
+  }
+
+  @Test
+  void wordsOfTheLanguageAreTakenInUpperOrLowerCase() throws Exception {
+    assertThat(ShellLine.parse("Get $A $B")).isEqualTo(new ShellLine.Read(List.of("$A", "$B")));
+    assertThat(ShellLine.parse("WAIT 1.5s")).isEqualTo(new ShellLine.Wait(Duration.ofMillis(1500)));
+    assertThat(ShellLine.parse("help")).isEqualTo(new ShellLine.Help(""));
+    assertThat(ShellLine.parse("help $OV_PRO")).isEqualTo(new ShellLine.Help("$OV_PRO"));
+    assertThat(ShellLine.parse("QUIT")).isEqualTo(new ShellLine.Exit());
+  }
+
+  @Test
+  void commandsOfTheCommandLineAreTakenWithTheirArguments() throws Exception {
+    assertThat(ShellLine.parse("vars --declared \"my file.dat\" x=1"))
+        .isEqualTo(new ShellLine.Command(List.of("vars", "--declared", "my file.dat", "x=1")));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "foo bar          | there is no command foo, and bar is no KRL value",
+        "$OV_PRO = fifty  | fifty is no KRL value",
+        "$OV_PRO =        | the value is missing",
+        "set $OV_PRO      | a write is set NAME VALUE; the value is missing",
+        "get              | get needs the names of variables",
+        "50               | must be the name of a variable",
+        "get $A 5         | must be the name of a variable",
+        "= 50             | must be the name of a variable",
+        "MYSTRING[] \"x   | a text must end with a double quote",
+        "wait             | wait needs one word behind it, has 0",
+        "wait long        | the time to wait must be like 500, 500ms, 3s or 1m, is long",
+        "exit now         | exit needs nothing behind it, has now",
+        "$A $B            | $B is no KRL value",
+        "mock --port 0    | there is no command mock",
+      })
+  void saysWhatIsWrong(String line, String message) {
+    assertThatThrownBy(() -> ShellLine.parse(line))
+        .isInstanceOf(ShellSyntaxException.class)
+        .hasMessageContaining(message);
+  }
+}

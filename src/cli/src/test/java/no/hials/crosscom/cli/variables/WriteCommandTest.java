@@ -1,0 +1,266 @@
+package no.hials.crosscom.cli.variables;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.code.OperatingMode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class WriteCommandTest {
+  private MockServer server;
+
+  @BeforeEach
+  void start() throws IOException {
+    server = MockServer.start();
+  }
+
+  @AfterEach
+  void stop() {
+    server.close();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "$OV_PRO      | 50           | 50",
+        "MYINT        | -5           | -5",
+        "MYREAL       | -5.5         | -5.50000",
+        "MYREAL       | -1.5E-05     | -1.50000E-05",
+        "MYREAL       | -.5          | -0.500000",
+        "MYBOOL       | TRUE         | TRUE",
+        "MYENUM       | #EX          | #EX",
+        "MYCHAR       | \"x\"        | \"x\"",
+        "MYSTRING[]   | \"two words\"| \"two words\"",
+        "MYREALS[2]   | 1            | 1.00000",
+        "MYPOS.X      | -2.5         | -2.50000",
+      })
+  void writesAndPrintsWhatItSent(String name, String value, String stored) {
+    Cli.Result result = Cli.runOn(server, "write", name, value);
+
+    assertThat(result)
+        .isEqualTo(new Cli.Result(0, name + " = " + value + System.lineSeparator(), ""));
+    assertThat(server.variables().get(name)).isEqualTo(stored);
+  }
+
+  @Test
+  void writesSomeFieldsOfAnAggregate() {
+    Cli.Result result = Cli.runOn(server, "write", "MYFRAME", "{X 100.0,Z -20.5}");
+
+    assertThat(result.lines()).containsExactly("MYFRAME = {X 100.0,Z -20.5}");
+    assertThat(server.variables().get("MYFRAME"))
+        .isEqualTo("{FRAME: X 100.000, Y 0.0, Z -20.5000, A 0.0, B 0.0, C 0.0}");
+  }
+
+  @Test
+  void writesToASimulatedControllerOfItsOwn() {
+    assertThat(Cli.run("write", "MYINT", "7", "--mock").lines()).containsExactly("MYINT = 7");
+    assertThat(server.variables().get("MYINT")).isEqualTo("0");
+  }
+
+  @Test
+  void takesAnyValueBehindTwoHyphens() {
+    server.variables().declare("ANY", "INT", "0");
+
+    Cli.Result result = Cli.runOn(server, "write", "--yes", "--", "ANY", "--json");
+
+    assertThat(result.err()).contains("refused to write ANY");
+    assertThat(result.code()).isEqualTo(1);
+    assertThat(server.requests().get(0).toString()).contains("--json");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"$POS_ACT.X,1.0", "NOPE,1", "MYINT,#T1", "MYSTRING[],text"})
+  void saysWhatTheControllerRefused(String name, String value) {
+    Cli.Result result = Cli.runOn(server, "write", name, value);
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines())
+        .singleElement()
+        .asString()
+        .startsWith("jopenshowvar: the controller refused to write " + name);
+    assertThat(result.code()).isEqualTo(1);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {"MYSTRING[]|\"\u0100\"", "MY\u0100|1", "MYINT|` `", "` `|1"})
+  void callsItWrongUsageIfItCannotBeSent(String name, String value) {
+    Cli.Result result = Cli.runOn(server, "write", name, value);
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.err()).startsWith("jopenshowvar: ");
+    assertThat(result.code()).isEqualTo(2);
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void callsItWrongUsageIfItIsTooLongToBeSent() {
+    String value = "{X " + "0".repeat(253) + "}";
+
+    Cli.Result result = Cli.runOn(server, "write", "MYFRAME", value);
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.err())
+        .startsWith(
+            "jopenshowvar: MYFRAME: an aggregate to be written must have at most 255 bytes");
+    assertThat(result.code()).isEqualTo(2);
+    assertThat(server.requestCount()).isZero();
+  }
+
+  @Test
+  void doesNotTakeAnArgumentForAFileOfArguments(@TempDir Path dir) throws IOException {
+    Path file = Files.writeString(dir.resolve("value"), "5");
+
+    Cli.Result result = Cli.runOn(server, "write", "MYINT", "@" + file);
+
+    assertThat(result.code()).isEqualTo(1);
+    assertThat(server.variables().get("MYINT")).isEqualTo("0");
+  }
+
+  @Test
+  void saysThatTheOutcomeOfATimedOutWriteIsUnknown() {
+    server.enqueue(Fault.none(), Fault.dropAnswer());
+
+    Cli.Result result = Cli.runOn(server, "write", "--timeout", "50ms", "MYINT", "5");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.err())
+        .startsWith("jopenshowvar: no answer to the write of MYINT within 50 ms")
+        .contains("the outcome is unknown");
+    assertThat(result.code()).isEqualTo(4);
+  }
+
+  @Test
+  void neverRepeatsAWriteWhoseAnswerWasLost() {
+    server.enqueue(Fault.none(), Fault.closeDuring(5));
+
+    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
+
+    assertThat(result.err()).contains("the outcome is unknown");
+    assertThat(result.code()).isEqualTo(4);
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
+  }
+
+  @Test
+  void printsTypedJsonOfWhatItSent() {
+    assertThat(Cli.runOn(server, "write", "--json", "MYFRAME", "{X 1.0,Y -2}").lines())
+        .containsExactly(
+            "{\"name\":\"MYFRAME\",\"type\":\"STRUC\",\"struc\":null,\"value\":{\"X\":1.00000,\"Y\":-2}}");
+  }
+
+  @Test
+  void doesNotSendWhatJsonCannotShow() {
+    Cli.Result result = Cli.runOn(server, "write", "--json", "MYFRAME", "{X 1.0");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.err()).startsWith("jopenshowvar: VALUE is no KRL value: ");
+    assertThat(result.code()).isEqualTo(2);
+    assertThat(server.requestCount()).isZero();
+  }
+
+  @ParameterizedTest
+  @EnumSource(
+      value = OperatingMode.class,
+      names = {"T2", "AUT", "EXT"})
+  void doesNotWriteOutsideT1WhereNobodyCanBeAsked(OperatingMode mode) {
+    server.controller().setMode(mode);
+
+    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines())
+        .containsExactly(
+            "jopenshowvar: did not write MYINT: $MODE_OP is #"
+                + mode.constant()
+                + ", which needs --yes");
+    assertThat(result.code()).isEqualTo(5);
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void doesNotWriteWhereTheModeIsNotToBeHad() {
+    server.enqueue(Fault.answer("", Tail.SUCCESS));
+
+    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
+
+    assertThat(result.err()).contains("$MODE_OP is unknown, which needs --yes");
+    assertThat(result.code()).isEqualTo(5);
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void keepsWhatAControllerSaysFromSteeringTheTerminal() {
+    server.enqueue(Fault.answer("\u001B[2J#T1", Tail.SUCCESS));
+
+    assertThat(Cli.runOn(server, "write", "MYINT", "5").err())
+        .isEqualTo(
+            "jopenshowvar: did not write MYINT: $MODE_OP is \\x1B[2J#T1, which needs --yes"
+                + System.lineSeparator());
+  }
+
+  @Test
+  void doesNotWriteIfTheConnectionIsLostBefore() {
+    server.enqueue(Fault.closeBefore());
+
+    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
+
+    assertThat(result.err()).contains("read of $MODE_OP").doesNotContain("outcome");
+    assertThat(result.code()).isEqualTo(4);
+    assertThat(server.requestCount()).isEqualTo(1);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--yes", "-y"})
+  void neitherReadsTheModeNorAsksIfYesIsGiven(String option) {
+    server.controller().setMode(OperatingMode.AUT);
+
+    Cli.Result result = Cli.runOn(server, "write", option, "MYINT", "5");
+
+    assertThat(result.lines()).containsExactly("MYINT = 5");
+    assertThat(result.code()).isZero();
+    assertThat(server.requests()).singleElement().matches(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void doesNotEvenConnectIfOnlyReadingIsAllowed() {
+    server.refuseConnections();
+
+    Cli.Result result = Cli.runOn(server, "write", "--read-only", "--yes", "MYINT", "5");
+
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines())
+        .containsExactly("jopenshowvar: did not write MYINT: --read-only is given");
+    assertThat(result.code()).isEqualTo(5);
+  }
+
+  @Test
+  void findsWrongUsageBeforeItSaysThatItIsNotAllowed() {
+    assertThat(Cli.run("write", "--read-only", "--mock", "--json", "MYINT", "{").code())
+        .isEqualTo(2);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"kukavarproxy", "c3"})
+  void writesThroughBothServers(String kind) {
+    assertThat(Cli.run("write", "MYINT", "7", "--mock", "--server", kind))
+        .isEqualTo(new Cli.Result(0, "MYINT = 7" + System.lineSeparator(), ""));
+  }
+}

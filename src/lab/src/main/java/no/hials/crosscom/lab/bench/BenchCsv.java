@@ -1,0 +1,56 @@
+package no.hials.crosscom.lab.bench;
+
+import de.siegmar.fastcsv.writer.CsvWriter;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Objects;
+import java.util.concurrent.locks.ReentrantLock;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.OutputException;
+import no.hials.crosscom.cell.Times;
+
+/** Writes each access that {@code bench} measures as a line of a CSV file. */
+public final class BenchCsv implements Bench.Sink, AutoCloseable {
+  private final Path file;
+  private final CsvWriter csv;
+  private final ReentrantLock lock = new ReentrantLock();
+
+  public BenchCsv(Path file) throws FileException {
+    this.file = file;
+    try {
+      csv = CsvWriter.builder().build(file);
+      csv.writeRecord("seconds", "client", "access", "name", "access_ms", "failure");
+    } catch (IOException e) {
+      throw FileException.cannot("write", file, e);
+    }
+  }
+
+  @Override
+  public void add(long nanos, int client, BenchAccess access, long took, String failure) {
+    lock.lock();
+    try {
+      csv.writeRecord(
+          Times.seconds(Duration.ofNanos(nanos)),
+          Integer.toString(client),
+          access.verb(),
+          access.name(),
+          failure.isEmpty() ? Times.millis(Duration.ofNanos(took)) : "",
+          failure);
+    } catch (UncheckedIOException e) {
+      throw new OutputException(file.toString(), Objects.requireNonNull(e.getCause()));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void close() {
+    try {
+      csv.close();
+    } catch (IOException e) {
+      throw new OutputException(file.toString(), e);
+    }
+  }
+}

@@ -1,0 +1,79 @@
+package no.hials.crosscom.lab.bench;
+
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import no.hials.crosscom.CrossComAccessException;
+import no.hials.crosscom.CrossComConnectException;
+import no.hials.crosscom.CrossComConnectionLostException;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComTimeoutException;
+import no.hials.crosscom.CrossComValueException;
+import org.HdrHistogram.Histogram;
+
+/** How long accesses took, and how many failed. For one thread. */
+public final class BenchTally {
+  private static final String REFUSED = "refused";
+
+  /** Steps of 100 ns, and three digits. */
+  private final Histogram times = new Histogram(100, 1_000_000, 3);
+
+  private final Map<String, Long> failures = new TreeMap<>();
+
+  BenchTally() {
+    times.setAutoResize(true);
+  }
+
+  void add(long nanos) {
+    times.recordValue(nanos);
+  }
+
+  void addFailure(String kind) {
+    failures.merge(kind, 1L, Long::sum);
+  }
+
+  void add(BenchTally other) {
+    times.add(other.times);
+    other.failures.forEach((kind, count) -> failures.merge(kind, count, Long::sum));
+  }
+
+  /** Gives the times, in ns. */
+  public Histogram times() {
+    return times;
+  }
+
+  /** Gives how many accesses failed, by what went wrong. */
+  public Map<String, Long> failures() {
+    return failures;
+  }
+
+  public long failureCount() {
+    return failures.values().stream().mapToLong(Long::longValue).sum();
+  }
+
+  /** Says in a word or two what went wrong. */
+  static String kind(CrossComException e) {
+    if (e instanceof CrossComAccessException) {
+      return REFUSED;
+    } else if (e instanceof CrossComTimeoutException) {
+      return "timed out";
+    } else if (e instanceof CrossComConnectionLostException) {
+      return "connection lost";
+    } else if (e instanceof CrossComConnectException) {
+      return "not connected";
+    } else if (e instanceof CrossComValueException) {
+      return "not sent";
+    }
+    return "wrong answer";
+  }
+
+  /** Returns whether failures of these kinds are refusals of the controller only. */
+  public static boolean isRefused(Set<String> kinds) {
+    return kinds.stream().allMatch(kind -> kind.equals(REFUSED));
+  }
+
+  /** Says whether the connection is as good as before. */
+  static boolean keepsConnection(CrossComException e) {
+    return e instanceof CrossComAccessException || e instanceof CrossComValueException;
+  }
+}

@@ -1,0 +1,111 @@
+package no.hials.crosscom.lab.experiment;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.control.ControlRefusedException;
+import no.hials.crosscom.control.Law;
+import no.hials.crosscom.control.State;
+import no.hials.crosscom.control.Trace;
+import no.hials.crosscom.lab.plot.Axis;
+import no.hials.crosscom.lab.plot.Chart;
+import no.hials.crosscom.lab.plot.Panel;
+import no.hials.crosscom.lab.plot.Series;
+
+/** Draws circles for a long time in the shortest useful period, and finds who missed a cycle. */
+final class Endurance implements Experiment {
+  private static final Control CONTROL = Control.POSITION;
+  private static final int HEIGHT = 800;
+
+  @Override
+  public String name() {
+    return "endurance";
+  }
+
+  @Override
+  public String description() {
+    return "Circles for 10 minutes with a period of 12 ms, and whose fault each missed cycle is.";
+  }
+
+  @Override
+  public Settings usual() {
+    return new Settings(
+        Duration.ofMinutes(10),
+        Duration.ofSeconds(10),
+        Duration.ofMillis(12),
+        Duration.ofMillis(12),
+        "krc4");
+  }
+
+  @Override
+  public Outcome run(Settings settings) throws ControlRefusedException, IOException {
+    try (Pauses pauses = new Pauses()) {
+      Law.CartesianPosition circles =
+          (Law.CartesianPosition) CONTROL.law(Shape.CIRCLE, settings.lapSeconds());
+      Law standing = Law.cartesianPosition(state -> circles.position(beforeStart(state)));
+      Law law =
+          Law.cartesianPosition(
+              state -> {
+                pauses.begin();
+                return circles.position(state);
+              });
+      Run run = Run.of("", settings, KrlPrograms.START, CONTROL.program(), standing, law);
+      // the law was asked first when the first reading had come
+      List<Pauses.Pause> seen = pauses.seen(run.cycles().get(0).read() / 1e3);
+      Misses misses = Misses.of(run.cycles(), seen, settings.period());
+      return new Outcome(List.of(run), figures(misses, seen), chart(run, seen, settings), HEIGHT);
+    }
+  }
+
+  /** Gives the state in which the law wants the robot to be where it starts. */
+  private static State beforeStart(State state) {
+    return new State(
+        -state.period(), state.period(), state.axes(), state.position(), state.input());
+  }
+
+  private static List<Outcome.Figure> figures(Misses misses, List<Pauses.Pause> pauses) {
+    double[] lengths = pauses.stream().mapToDouble(pause -> pause.length() * 1e3).toArray();
+    double sum = 0;
+    for (double length : lengths) {
+      sum += length;
+    }
+    return List.of(
+        new Outcome.Figure(
+            "missed, the accesses left less than 0.2 ms of the period", misses.byAccess(), ""),
+        new Outcome.Figure(
+            "missed, woken too late by the computer for the accesses", misses.byWaking(), ""),
+        new Outcome.Figure("missed, garbage collection", misses.byCollection(), ""),
+        new Outcome.Figure("missed, anything else", misses.byOther(), ""),
+        new Outcome.Figure("garbage collections", lengths.length, ""),
+        new Outcome.Figure("garbage collections, together", sum, "ms"),
+        new Outcome.Figure("garbage collections, longest", Errors.most(lengths), "ms"));
+  }
+
+  private static Chart chart(Run run, List<Pauses.Pause> pauses, Settings settings) {
+    List<Trace.Cycle> cycles = run.cycles();
+    List<Series> series = new ArrayList<>();
+    series.add(
+        Series.of(
+            "period",
+            Series.Style.POINTS,
+            Plots.times(cycles),
+            Plots.values(cycles, Trace.Cycle::period)));
+    series.add(
+        Series.of(
+            "reading and writing",
+            Series.Style.POINTS,
+            Plots.times(cycles),
+            Plots.values(cycles, cycle -> cycle.read() + cycle.write())));
+    series.add(
+        Series.of(
+            "garbage collection",
+            Series.Style.POINTS,
+            pauses.stream().mapToDouble(Pauses.Pause::begin).toArray(),
+            pauses.stream().mapToDouble(pause -> pause.length() * 1e3).toArray()));
+    Panel histogram = Plots.accessHistogram(cycles);
+    return Chart.stacked(
+        settings.title("endurance: circles by ACTUATOR"),
+        List.of(Plots.overTime("each cycle", new Axis("time", "ms"), series), histogram));
+  }
+}

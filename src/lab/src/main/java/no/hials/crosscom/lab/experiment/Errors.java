@@ -1,0 +1,31 @@
+package no.hials.crosscom.lab.experiment;
+
+import java.util.List;
+
+/** Computes figures of errors. */
+final class Errors {
+  private Errors() {}
+
+  static double rootMeanSquare(double... errors) {
+    double sum = 0;
+    for (double error : errors) {
+      sum += error * error;
+    }
+    return errors.length == 0 ? 0 : Math.sqrt(sum / errors.length);
+  }
+
+  static double most(double... errors) {
+    double most = 0;
+    for (double error : errors) {
+      most = Math.max(most, Math.abs(error));
+    }
+    return most;
+  }
+
+  /** Gives both figures. */
+  static List<Outcome.Figure> figures(String name, String unit, double... errors) {
+    return List.of(
+        new Outcome.Figure(name + ", RMS", rootMeanSquare(errors), unit),
+        new Outcome.Figure(name + ", max", most(errors), unit));
+  }
+}

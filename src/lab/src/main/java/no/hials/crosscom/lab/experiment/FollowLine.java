@@ -1,0 +1,252 @@
+package no.hials.crosscom.lab.experiment;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import no.hials.crosscom.control.ControlRefusedException;
+import no.hials.crosscom.control.DampedLeastSquares;
+import no.hials.crosscom.control.Law;
+import no.hials.crosscom.control.Trace;
+import no.hials.crosscom.control.Twist;
+import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.UnreachableException;
+import no.hials.crosscom.lab.plot.Axis;
+import no.hials.crosscom.lab.plot.Chart;
+import no.hials.crosscom.lab.plot.Panel;
+import no.hials.crosscom.lab.plot.Series;
+
+/**
+ * Follows a straight line twice by the same velocity of the tool: once the controller finds the
+ * axes, once damped least squares do.
+ */
+final class FollowLine implements Experiment {
+  private static final String KRC = "controller's kinematics";
+  private static final String OWN = "damped least squares";
+  private static final String KRC_LOOP = "krc";
+  private static final String OWN_LOOP = "dls";
+  private static final double DAMPING = 0.1;
+
+  /** How much of the distance from the line is made up for, 1/s. */
+  private static final double GAIN = 2;
+
+  /** The whole way in a lap, mm. */
+  private static final Twist WAY = Twist.linear(0, 240, 0);
+
+  /** Half way: near the singularity of the wrist at A5 = 0. */
+  private static final Axes HALF_WAY = Axes.of(0, -90, 90, 0, 10, 0);
+
+  private static final Axes START_AXES = start();
+  private static final Frame START = SimulatedRobot.MODEL.forward(START_AXES);
+  private static final int AXES = 6;
+  private static final int HEIGHT = 1700;
+
+  /** What both runs have in common: where axes and tool were, and when. */
+  private record Motion(Run run, List<Axes> axes, List<Frame> tool) {
+    double[] times() {
+      return Plots.times(run.cycles());
+    }
+
+    Series line(String name, double... values) {
+      return Series.of(name, Series.Style.LINE, times(), values);
+    }
+
+    double[] each(ToDoubleFunction<Frame> value) {
+      return tool.stream().mapToDouble(value).toArray();
+    }
+  }
+
+  @Override
+  public String name() {
+    return "line-dls";
+  }
+
+  @Override
+  public String description() {
+    return "A straight line by damped least squares (EXT_MOVE_AXIS), beside the controller's own"
+        + " kinematics (ACTUATOR).";
+  }
+
+  @Override
+  public List<String> loops() {
+    return List.of(KRC_LOOP, OWN_LOOP);
+  }
+
+  @Override
+  public Settings usual() {
+    return Settings.OF_THE_PAPERS;
+  }
+
+  @Override
+  public Outcome run(Settings settings) throws ControlRefusedException, IOException {
+    double lap = settings.lapSeconds();
+    Run krc =
+        Run.of(
+            KRC_LOOP,
+            settings,
+            START_AXES,
+            RobotProgram.ACTUATOR,
+            Law.cartesianVelocity(state -> wanted(state.position(), state.time(), lap)));
+    DampedLeastSquares solver = new DampedLeastSquares(SimulatedRobot.MODEL, DAMPING);
+    Run own =
+        Run.of(
+            OWN_LOOP,
+            settings,
+            START_AXES,
+            RobotProgram.EXT_MOVE_AXIS,
+            Law.jointVelocity(
+                state -> {
+                  Frame tool = SimulatedRobot.MODEL.forward(state.axes());
+                  return solver.velocity(state.axes(), wanted(tool, state.time(), lap));
+                }));
+    return outcome(ofTool(krc), ofAxes(own), settings);
+  }
+
+  /** Goes back from half way, so that the arm has the same configuration at the start. */
+  private static Axes start() {
+    Frame middle = SimulatedRobot.MODEL.forward(HALF_WAY);
+    Axes axes = HALF_WAY;
+    int steps = 50;
+    for (int i = 1; i <= steps; i++) {
+      axes = inverse(WAY.move(middle, -0.5 * i / steps), axes);
+    }
+    return axes;
+  }
+
+  private static Axes inverse(Frame tool, Axes near) {
+    try {
+      return SimulatedRobot.MODEL.inverse(tool, near);
+    } catch (UnreachableException e) {
+      throw new IllegalStateException("the robot cannot be at " + tool, e);
+    }
+  }
+
+  /** Gives where on the line the tool is to be. */
+  private static Frame line(double time, double lap) {
+    return WAY.move(START, Math.min(1, time / lap));
+  }
+
+  private static Twist wanted(Frame tool, double time, double lap) {
+    Twist back = Twist.between(tool, line(time, lap)).times(GAIN);
+    return time < lap ? back.plus(WAY.times(1 / lap)) : back;
+  }
+
+  // where axes and tool were, of a run that has measured one of them
+
+  private static Motion ofAxes(Run run) {
+    List<Axes> axes = run.cycles().stream().map(FollowLine::axes).toList();
+    List<Frame> tool = axes.stream().map(SimulatedRobot.MODEL::forward).toList();
+    return new Motion(run, axes, tool);
+  }
+
+  private static Axes axes(Trace.Cycle cycle) {
+    return Axes.of(cycle.actual().stream().mapToDouble(Double::doubleValue).toArray());
+  }
+
+  private static Motion ofTool(Run run) {
+    List<Frame> tool = new ArrayList<>();
+    List<Axes> axes = new ArrayList<>();
+    Axes near = START_AXES;
+    for (Trace.Cycle cycle : run.cycles()) {
+      List<Double> p = cycle.actual();
+      Frame frame = new Frame(p.get(0), p.get(1), p.get(2), p.get(3), p.get(4), p.get(5));
+      near = inverse(frame, near);
+      tool.add(frame);
+      axes.add(near);
+    }
+    return new Motion(run, axes, tool);
+  }
+
+  // what is measured
+
+  /** Gives how far from the line the tool was, at the nearest point of the line. */
+  private static double deviation(Frame tool) {
+    double x = tool.x() - START.x();
+    double y = tool.y() - START.y();
+    double z = tool.z() - START.z();
+    double along = (x * WAY.x() + y * WAY.y() + z * WAY.z()) / WAY.speed();
+    return Math.sqrt(Math.max(0, x * x + y * y + z * z - along * along));
+  }
+
+  private static double[] lag(Motion motion, double lap) {
+    double[] lag = motion.times();
+    for (int i = 0; i < lag.length; i++) {
+      lag[i] = motion.tool.get(i).distance(line(lag[i], lap));
+    }
+    return lag;
+  }
+
+  private static Outcome outcome(Motion krc, Motion own, Settings settings) {
+    List<Outcome.Figure> figures = new ArrayList<>();
+    for (Motion motion : List.of(krc, own)) {
+      String name = ", " + motion.run.name();
+      figures.addAll(
+          Errors.figures("tracking error" + name, "mm", lag(motion, settings.lapSeconds())));
+      figures.addAll(Errors.figures("deviation" + name, "mm", motion.each(FollowLine::deviation)));
+      figures.addAll(
+          Errors.figures("rotation" + name, "°", motion.each(tool -> tool.angle(START))));
+    }
+    return new Outcome(
+        List.of(krc.run, own.run),
+        figures,
+        new Chart(settings.title("line-dls: two kinematics"), panels(krc, own, settings), 2),
+        HEIGHT);
+  }
+
+  private static List<Panel> panels(Motion krc, Motion own, Settings settings) {
+    List<Panel> panels = new ArrayList<>();
+    panels.add(
+        Panel.of(
+            "path from the front",
+            new Axis("Y", "mm"),
+            new Axis("Z", "mm"),
+            Panel.Scale.EQUAL,
+            List.of(
+                Series.of(
+                    "desired",
+                    Series.Style.GUIDE,
+                    new double[] {START.y(), START.y() + WAY.y()},
+                    new double[] {START.z(), START.z() + WAY.z()}),
+                Series.of(KRC, Series.Style.LINE, krc.each(Frame::y), krc.each(Frame::z)),
+                Series.of(OWN, Series.Style.LINE, own.each(Frame::y), own.each(Frame::z)))));
+    panels.add(
+        pair(
+            "deviation from the line",
+            new Axis("distance", "mm"),
+            krc.line(KRC, krc.each(FollowLine::deviation)),
+            own.line(OWN, own.each(FollowLine::deviation))));
+    panels.add(
+        pair(
+            "tracking error",
+            new Axis("distance", "mm"),
+            krc.line(KRC, lag(krc, settings.lapSeconds())),
+            own.line(OWN, lag(own, settings.lapSeconds()))));
+    panels.add(
+        pair(
+            "rotation of the tool, which should be none",
+            new Axis("angle", "°"),
+            krc.line(KRC, krc.each(tool -> tool.angle(START))),
+            own.line(OWN, own.each(tool -> tool.angle(START)))));
+    for (int i = 0; i < AXES; i++) {
+      int axis = i;
+      panels.add(
+          pair(
+              "A" + (i + 1),
+              new Axis("A" + (i + 1), "°"),
+              krc.line(KRC, krc.axes.stream().mapToDouble(axes -> axes.get(axis)).toArray()),
+              own.line(OWN, own.axes.stream().mapToDouble(axes -> axes.get(axis)).toArray())));
+    }
+    panels.add(
+        pair(
+            "access times of each cycle, reading and writing",
+            new Axis("time", "ms"),
+            Plots.line(KRC, krc.run.cycles(), cycle -> cycle.read() + cycle.write()),
+            Plots.line(OWN, own.run.cycles(), cycle -> cycle.read() + cycle.write())));
+    return panels;
+  }
+
+  private static Panel pair(String title, Axis y, Series krc, Series own) {
+    return Plots.overTime(title, y, List.of(krc, own));
+  }
+}

@@ -1,0 +1,62 @@
+package no.hials.crosscom.lab.experiment;
+
+import java.time.Duration;
+import java.util.List;
+import no.hials.crosscom.control.Trace;
+
+/**
+ * The cycles that were left out since the one before took too long, by what took it so long.
+ *
+ * @param byAccess those that the accesses to the controller alone would have missed, without the
+ *     pauses in them: they left less than 0.2 ms of the period
+ * @param byWaking the others that the accesses would have missed together with the time by which
+ *     the computer woke the loop too late, again without the pauses
+ * @param byCollection the others, if there was a pause for the collection of garbage
+ * @param byOther none of these: the law, the loop, or a computer that had other things to do
+ */
+record Misses(long byAccess, long byWaking, long byCollection, long byOther) {
+  /** What a cycle may need itself, ms. */
+  private static final double OWN = 0.2;
+
+  static Misses of(List<Trace.Cycle> cycles, List<Pauses.Pause> pauses, Duration period) {
+    double dt = period.toNanos() / 1e6;
+    Misses sum = new Misses(0, 0, 0, 0);
+    for (int i = 1; i < cycles.size(); i++) {
+      Trace.Cycle before = cycles.get(i - 1);
+      // a cycle that begins late is not a missed one
+      long missed = slot(cycles.get(i), dt) - slot(before, dt) - 1;
+      if (missed > 0) {
+        sum = sum.plus(between(before, cycles.get(i), missed, pauses, dt));
+      }
+    }
+    return sum;
+  }
+
+  private static Misses between(
+      Trace.Cycle before, Trace.Cycle next, long missed, List<Pauses.Pause> pauses, double dt) {
+    double due = slot(before, dt) * dt / 1e3;
+    double pausedBefore = Pauses.millisBetween(pauses, due, before.time());
+    double pausedIn = Pauses.millisBetween(pauses, before.time(), next.time());
+    double access = Math.max(0, before.read() + before.write() - pausedIn);
+    double late = Math.max(0, (before.time() - due) * 1e3 - pausedBefore);
+    long byAccess = Math.min(missed, (long) Math.floor((access + OWN) / dt));
+    long byBoth = Math.min(missed, (long) Math.floor((late + access + OWN) / dt));
+    long rest = missed - byBoth;
+    return pausedBefore + pausedIn > 0
+        ? new Misses(byAccess, byBoth - byAccess, rest, 0)
+        : new Misses(byAccess, byBoth - byAccess, 0, rest);
+  }
+
+  private Misses plus(Misses other) {
+    return new Misses(
+        byAccess + other.byAccess,
+        byWaking + other.byWaking,
+        byCollection + other.byCollection,
+        byOther + other.byOther);
+  }
+
+  /** Gives which of all periods a cycle began in. */
+  private static long slot(Trace.Cycle cycle, double dt) {
+    return (long) Math.floor(cycle.time() * 1e3 / dt + 1e-6);
+  }
+}

@@ -1,0 +1,95 @@
+package no.hials.crosscom.lab.experiment;
+
+import com.sun.management.GarbageCollectionNotificationInfo;
+import java.lang.management.GarbageCollectorMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+import javax.management.ListenerNotFoundException;
+import javax.management.Notification;
+import javax.management.NotificationEmitter;
+import javax.management.NotificationListener;
+import javax.management.openmbean.CompositeData;
+
+/** Notes the pauses of this process for the collection of garbage, to a millisecond. */
+final class Pauses implements AutoCloseable {
+  /** These of ZGC are whole collections, in which the process goes on. */
+  private static final String NOT_PAUSES = "Cycles";
+
+  private final List<Pause> pauses = new ArrayList<>();
+  private final List<NotificationEmitter> emitters = new ArrayList<>();
+  private final NotificationListener listener = (notification, handback) -> note(notification);
+
+  /** When {@link #begin} was called, ms by the clock of the computer. */
+  private long begin = -1;
+
+  /**
+   * A pause.
+   *
+   * @param begin s since the begin of the loop
+   * @param length s
+   */
+  record Pause(double begin, double length) {}
+
+  Pauses() {
+    for (GarbageCollectorMXBean bean : ManagementFactory.getGarbageCollectorMXBeans()) {
+      if (bean instanceof NotificationEmitter emitter && !bean.getName().endsWith(NOT_PAUSES)) {
+        emitter.addNotificationListener(listener, null, null);
+        emitters.add(emitter);
+      }
+    }
+  }
+
+  /** Says that the loop is at its first cycle; what comes later is no news. */
+  synchronized void begin() {
+    if (begin < 0) {
+      begin = System.currentTimeMillis();
+    }
+  }
+
+  private synchronized void note(Notification notification) {
+    if (begin < 0
+        || !notification
+            .getType()
+            .equals(GarbageCollectionNotificationInfo.GARBAGE_COLLECTION_NOTIFICATION)) {
+      return;
+    }
+    long length =
+        GarbageCollectionNotificationInfo.from((CompositeData) notification.getUserData())
+            .getGcInfo()
+            .getDuration();
+    // made at the end of the pause; the start in the data is by a clock that starts sooner or
+    // later than every other one
+    pauses.add(new Pause((notification.getTimeStamp() - length - begin) / 1e3, length / 1e3));
+  }
+
+  /**
+   * Gives those since {@link #begin}.
+   *
+   * @param past how long the loop had run then, s
+   */
+  synchronized List<Pause> seen(double past) {
+    return pauses.stream().map(pause -> new Pause(pause.begin() + past, pause.length())).toList();
+  }
+
+  /** Gives for how many ms there were pauses in a time. */
+  static double millisBetween(List<Pause> pauses, double from, double to) {
+    double sum = 0;
+    for (Pause pause : pauses) {
+      double overlap = Math.min(to, pause.begin() + pause.length()) - Math.max(from, pause.begin());
+      sum += Math.max(0, overlap) * 1e3;
+    }
+    return sum;
+  }
+
+  @Override
+  public void close() {
+    for (NotificationEmitter emitter : emitters) {
+      try {
+        emitter.removeNotificationListener(listener);
+      } catch (ListenerNotFoundException e) {
+        throw new IllegalStateException("it was added", e);
+      }
+    }
+  }
+}

@@ -1,0 +1,71 @@
+package no.hials.crosscom.lab.experiment;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import no.hials.crosscom.control.Trace;
+import no.hials.crosscom.lab.plot.Axis;
+import no.hials.crosscom.lab.plot.Panel;
+import no.hials.crosscom.lab.plot.Series;
+
+/** Makes the panels that several experiments have. */
+final class Plots {
+  static final Axis TIME = new Axis("time", "s");
+  private static final double LONGEST_SHOWN = 25;
+  private static final double BIN = 0.5;
+
+  private Plots() {}
+
+  /** Gives a number of each cycle. */
+  static double[] values(List<Trace.Cycle> cycles, ToDoubleFunction<Trace.Cycle> value) {
+    return cycles.stream().mapToDouble(value).toArray();
+  }
+
+  static double[] times(List<Trace.Cycle> cycles) {
+    return values(cycles, Trace.Cycle::time);
+  }
+
+  static Series line(String name, List<Trace.Cycle> cycles, ToDoubleFunction<Trace.Cycle> value) {
+    return Series.of(name, Series.Style.LINE, times(cycles), values(cycles, value));
+  }
+
+  static Panel overTime(String title, Axis y, List<Series> series) {
+    return Panel.of(title, TIME, y, Panel.Scale.FREE, series);
+  }
+
+  /** Shows how long reading and writing took in each cycle, and the period. */
+  static Panel accessTimes(List<Trace.Cycle> cycles, Duration period) {
+    double[] ends = {0, cycles.isEmpty() ? 0 : cycles.get(cycles.size() - 1).time()};
+    double dt = period.toNanos() / 1e6;
+    return overTime(
+        "access times of each cycle",
+        new Axis("time of the access", "ms"),
+        List.of(
+            Series.of("period", Series.Style.GUIDE, ends, new double[] {dt, dt}),
+            line("reading", cycles, Trace.Cycle::read),
+            line("writing", cycles, Trace.Cycle::write)));
+  }
+
+  /** Shows how often reading and writing took how long. */
+  static Panel accessHistogram(List<Trace.Cycle> cycles) {
+    List<Series> series = new ArrayList<>();
+    series.add(histogram("reading", values(cycles, Trace.Cycle::read)));
+    series.add(histogram("writing", values(cycles, Trace.Cycle::write)));
+    return Panel.of(
+        "how often an access took how long",
+        new Axis("time of the access", "ms"),
+        new Axis("cycles", ""),
+        Panel.Scale.FREE,
+        series);
+  }
+
+  /** Counts in bins; what is longer than the axis is in the last one. */
+  static Series histogram(String name, double... values) {
+    long[] counts = new long[(int) (LONGEST_SHOWN / BIN)];
+    for (double value : values) {
+      counts[Math.min(counts.length - 1, (int) (value / BIN))]++;
+    }
+    return Series.histogram(name, 0, BIN, counts);
+  }
+}

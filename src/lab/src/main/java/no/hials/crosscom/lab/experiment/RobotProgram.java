@@ -1,0 +1,35 @@
+package no.hials.crosscom.lab.experiment;
+
+import no.hials.crosscom.control.Law;
+import no.hials.crosscom.control.Target;
+import no.hials.crosscom.control.Twist;
+import no.hials.crosscom.kinematics.Axes;
+
+/** The programs of {@code krl} that move by increments, as those of the papers did. */
+enum RobotProgram {
+  ACTUATOR("MYPOS") {
+    @Override
+    Law standing() {
+      return Law.cartesianVelocity(state -> Twist.linear(0, 0, 0));
+    }
+  },
+  EXT_MOVE_AXIS("MYAXIS") {
+    @Override
+    Law standing() {
+      return Law.jointVelocity(state -> Axes.ZERO);
+    }
+  };
+
+  private final String variable;
+
+  RobotProgram(String variable) {
+    this.variable = variable;
+  }
+
+  Target target() {
+    return Target.increment(variable);
+  }
+
+  /** Makes a law of the kind that suits the program, by which the robot stands. */
+  abstract Law standing();
+}

@@ -1,0 +1,183 @@
+package no.hials.crosscom.lab.plot;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import java.util.Locale;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.XYStyler;
+import org.knowm.xchart.style.lines.SeriesLines;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/**
+ * Draws the plot of a panel: XChart its axes, this class what is in them. XChart draws a line piece
+ * by piece, so that dashes begin anew at each point and an SVG becomes long.
+ */
+final class PanelPainter {
+  /**
+   * The least width and height within the axes. XChart does not say where points are in a plot that
+   * is smaller than the distance of ticks on the x axis.
+   */
+  private static final int MIN_PLOT = 40;
+
+  private static final BasicStroke THIN = new BasicStroke(1);
+
+  private final Panel panel;
+  private final int width;
+  private final int height;
+  private final boolean xTitle;
+  private Range x;
+  private Range y;
+  private int axisWidth;
+
+  /**
+   * Makes a painter.
+   *
+   * @param xTitle whether the x axis is named
+   */
+  PanelPainter(Panel panel, Range x, Range y, int width, int height, boolean xTitle) {
+    this.panel = panel;
+    this.x = x;
+    this.y = y;
+    this.width = width;
+    this.height = height;
+    this.xTitle = xTitle;
+    if (panel.scale() != Panel.Scale.FREE) {
+      makeScalesEqual();
+    }
+  }
+
+  /** Gives how wide everything left of the plot is. */
+  double axisWidth() {
+    return laidOut().getYAxisLeftWidth();
+  }
+
+  void setAxisWidth(double newWidth) {
+    axisWidth = (int) Math.ceil(newWidth);
+    if (panel.scale() != Panel.Scale.FREE) {
+      makeScalesEqual();
+    }
+  }
+
+  void paint(Graphics2D g) {
+    XYChart chart = xyChart();
+    chart.paint(g, width, height);
+    Rectangle2D plot = plot(chart);
+    AffineTransform toScreen = AffineTransform.getTranslateInstance(plot.getX(), plot.getMaxY());
+    toScreen.scale(plot.getWidth() / x.span(), -plot.getHeight() / y.span());
+    toScreen.translate(-x.min(), -y.min());
+    Shape clip = g.getClip();
+    g.setClip(plot);
+    List<Look> looks = Legend.looks(panel);
+    for (int i = 0; i < looks.size(); i++) {
+      SeriesPainter.paint(panel.series().get(i), looks.get(i), g, toScreen);
+    }
+    g.setClip(clip);
+    for (Panel.Label label : panel.labels()) {
+      double[] at = {label.x(), label.y()};
+      toScreen.transform(at, 0, at, 0, 1);
+      double half = Typeface.width(label.text(), Typeface.HEADING) / 2;
+      Typeface.draw(g, label.text(), Typeface.HEADING, Look.INK, at[0] - half, at[1] + 5);
+    }
+  }
+
+  /** Lets the axis with more pixels a unit show more. */
+  private void makeScalesEqual() {
+    Rectangle2D plot = plot(laidOut());
+    double unit = Math.max(x.span() / plot.getWidth(), y.span() / plot.getHeight());
+    x = x.ofSpan(unit * plot.getWidth());
+    y = y.ofSpan(unit * plot.getHeight());
+  }
+
+  /** Gives what is within the axes of a chart that was drawn. */
+  private Rectangle2D plot(XYChart chart) {
+    double left = chart.getScreenXFromChart(x.min());
+    double top = chart.getScreenYFromChart(y.max());
+    Rectangle2D plot =
+        new Rectangle2D.Double(
+            left,
+            top,
+            chart.getScreenXFromChart(x.max()) - left,
+            chart.getScreenYFromChart(y.min()) - top);
+    if (plot.getWidth() < MIN_PLOT || plot.getHeight() < MIN_PLOT) {
+      throw new IllegalArgumentException(
+          "the picture is too small: " + width + "x" + height + " pixels are left for a panel");
+    }
+    return plot;
+  }
+
+  /** Gives the chart after it was drawn once, when it knows where things are. */
+  private XYChart laidOut() {
+    XYChart chart = xyChart();
+    Graphics2D g = Format.image(new Chart.Size(300, 200)).createGraphics();
+    try {
+      chart.paint(g, width, height);
+    } finally {
+      g.dispose();
+    }
+    return chart;
+  }
+
+  private XYChart xyChart() {
+    boolean axes = panel.scale() != Panel.Scale.VIEW;
+    XYChart chart =
+        new XYChartBuilder()
+            .width(width)
+            .height(height)
+            .xAxisTitle(axes && xTitle ? panel.x().label() : "")
+            .yAxisTitle(axes ? panel.y().label() : "")
+            .build();
+    style(chart.getStyler(), axes);
+    XYSeries frame = chart.addSeries("frame", spread(x), spread(y));
+    frame.setLineStyle(SeriesLines.NONE);
+    frame.setMarker(SeriesMarkers.NONE);
+    return chart;
+  }
+
+  /**
+   * Gives the points of the series without which XChart draws no axes. If they had the same
+   * distances, XChart would put its ticks there.
+   */
+  private static double[] spread(Range range) {
+    return new double[] {range.min(), range.min() + range.span() / 3, range.max()};
+  }
+
+  private void style(XYStyler styler, boolean axes) {
+    styler.setLocale(Locale.ROOT);
+    styler.setDecimalPattern("0.#########");
+    styler.setBaseFont(Typeface.TEXT);
+    styler.setChartBackgroundColor(Color.WHITE);
+    styler.setChartFontColor(Look.INK);
+    styler.setChartPadding(2);
+    styler.setChartTitleVisible(false);
+    styler.setLegendVisible(false);
+    styler.setPlotBackgroundColor(Color.WHITE);
+    styler.setPlotBorderColor(axes ? Color.GRAY : Look.GRID);
+    styler.setPlotContentSize(1);
+    styler.setAxisTitleFont(Typeface.TEXT);
+    styler.setAxisTickLabelsFont(Typeface.TEXT);
+    styler.setAxisTickLabelsColor(Look.INK);
+    styler.setAxisTickMarksColor(Color.GRAY);
+    styler.setAxisTicksVisible(axes);
+    styler.setAxisTitlesVisible(axes);
+    styler.setPlotGridLinesVisible(axes);
+    styler.setPlotGridLinesColor(Look.GRID);
+    styler.setPlotGridLinesStroke(THIN);
+    styler.setPlotMargin(0);
+    // XChart may set them at two thirds of the hint, where longer numbers would touch
+    styler.setXAxisTickMarkSpacingHint(Math.max(MIN_PLOT, width / 12));
+    styler.setYAxisTickMarkSpacingHint(MIN_PLOT);
+    styler.setXAxisMin(x.min());
+    styler.setXAxisMax(x.max());
+    styler.setYAxisMin(y.min());
+    styler.setYAxisMax(y.max());
+    styler.setXAxisTitleVisible(axes && xTitle);
+    styler.setYAxisLeftWidthHint(axisWidth);
+  }
+}

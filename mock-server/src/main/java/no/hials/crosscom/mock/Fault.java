@@ -11,258 +11,236 @@ import no.hials.crosscom.mock.internal.KukavarproxyHandler;
 import no.hials.crosscom.protocol.Tail;
 
 /**
- * Something that goes wrong with one request: how it is answered instead of properly.
+ * A fault of the server or the network in the answer to one request.
  *
  * <p>A fault is set with {@link MockServer#enqueue}, {@link MockServer#fault} or {@link
- * MockServer#faults}; a {@link FaultRule} chooses the requests by number, name or chance, and can
- * be read from text. It says by {@link #executes} whether the controller still does what the
- * request asks, which decides what a client finds when it looks again after a lost write. Delays
- * and pauses hold up the one connection, not the server; {@link MockServer#close} ends them.
+ * MockServer#faults}; a {@link FaultRule} chooses the requests by number, name or probability, and
+ * can be parsed from text. {@link #executes} decides the value that a client finds when it reads
+ * again after a lost write. Delays and pauses hold up one connection, not the server; {@link
+ * MockServer#close} ends them.
  */
 public sealed interface Fault {
 
-  /**
-   * Says whether the request is executed on the variables before the fault.
-   *
-   * @return true if a write takes effect
-   */
-  boolean executes();
+  /** Returns whether the controller executes the request in spite of the fault. */
+  default boolean executes() {
+    return true;
+  }
 
-  // the factories, in the order of the records below
-
-  /**
-   * Makes a fault that is none: the request is executed and answered.
-   *
-   * @return the fault
-   */
+  /** Returns a fault that changes nothing: the request is executed and answered. */
   static Fault none() {
-    return new None();
+    return Simple.NONE;
   }
 
   /**
-   * Answers with these bytes instead. Not executed.
+   * Returns a fault that sends these bytes instead of the answer. Does not execute the request.
    *
-   * @param segments hexadecimal digits, blanks between them or not; each text is sent in a write of
-   *     its own
-   * @return the fault
+   * @param segments hexadecimal digits, with or without blanks; each text is sent by its own write
    */
   static Fault raw(String... segments) {
     return new Raw(List.of(segments));
   }
 
   /**
-   * Answers id and function of the request with this value and tail. Not executed.
+   * Returns a fault that answers the id and function of the request with this value and tail. Does
+   * not execute the request.
    *
-   * <p>In an answer that only C3 Bridge gives, the value is its text; the value of every item, each
-   * with the tail's code, of a batch; the names of a directory, one a line; the computer name of
-   * type 13; the features of type 14 as {@code @PROXY_FEATURES} has them. In UTF-16 it is cut to
-   * what the answer holds. Other answers leave it out, and have nothing but what they repeat of the
-   * request, and the tail.
+   * <p>In an answer that only C3 Bridge sends, the value stands for the text; for the value of each
+   * item of a batch, with the tail's code; for the names of a directory, one in a line; for the
+   * computer name in type 13; for the features in type 14, as {@code @PROXY_FEATURES} shows them.
+   * In UTF-16 it is cut to the longest text that fits. Other answers only repeat the request and
+   * end with the tail.
    *
    * @param value the value; for an array of 16-bit numbers their decimal text
    * @param tail the tail
-   * @return the fault
    */
   static Fault answer(String value, Tail tail) {
     return new Answer(value, tail);
   }
 
   /**
-   * Answers with the id and nothing else, as an unknown function is answered. Not executed.
-   *
-   * @return the fault
+   * Returns a fault that answers only the id, as KUKAVARPROXY answers an unknown function. Does not
+   * execute the request.
    */
   static Fault emptyAnswer() {
-    return new EmptyAnswer();
+    return Simple.EMPTY_ANSWER;
   }
 
   /**
-   * Drops the request without an answer, as KUKAVARPROXY does while it serves another. Not
-   * executed.
-   *
-   * @return the fault
+   * Returns a fault that drops the request without an answer, as KUKAVARPROXY does while it serves
+   * another one. Does not execute the request.
    */
   static Fault drop() {
-    return new Drop(false);
+    return Simple.DROP;
   }
 
-  /**
-   * Executes the request, and never answers.
-   *
-   * @return the fault
-   */
+  /** Returns a fault that executes the request and never answers. */
   static Fault dropAnswer() {
-    return new Drop(true);
+    return Simple.DROP_ANSWER;
   }
 
   /**
-   * Closes the connection instead of an answer. Not executed.
-   *
-   * @return the fault
+   * Returns a fault that closes the connection instead of answering. Does not execute the request.
    */
   static Fault closeBefore() {
-    return new CloseBefore(false);
+    return Simple.CLOSE_BEFORE;
   }
 
   /**
-   * Resets the connection (TCP RST) instead of an answer. Not executed.
-   *
-   * @return the fault
+   * Returns a fault that resets the connection (TCP RST) instead of answering. Does not execute the
+   * request.
    */
   static Fault resetBefore() {
-    return new CloseBefore(true);
+    return Simple.RESET_BEFORE;
   }
 
   /**
-   * Executes the request, and closes the connection within its answer.
+   * Returns a fault that closes the connection within the answer.
    *
-   * @param bytes how many bytes of the answer are sent; 0 for none
-   * @return the fault
+   * @param bytes the number of bytes of the answer that are sent, from 0
    */
   static Fault closeDuring(int bytes) {
     return new CloseDuring(bytes);
   }
 
-  /**
-   * Executes and answers the request, and then closes the connection.
-   *
-   * @return the fault
-   */
+  /** Returns a fault that closes the connection after the answer. */
   static Fault closeAfter() {
-    return new CloseAfter();
+    return Simple.CLOSE_AFTER;
   }
 
   /**
-   * Executes the request at once, and answers later.
+   * Returns a fault that executes the request at once and delays the answer.
    *
-   * @param time how much later
-   * @return the fault
+   * @param time the delay
    */
   static Fault delay(Duration time) {
     return new Delay(time);
   }
 
   /**
-   * Executes the request at once, and answers when a test says so: a stall without a clock.
+   * Returns a fault that executes the request at once and holds the answer back until a test
+   * releases it.
    *
-   * @param released the answer is sent when it is counted down
-   * @return the fault
+   * @param released the answer is sent when this is counted down
    */
   static Fault hold(CountDownLatch released) {
     return new Hold(released);
   }
 
   /**
-   * Executes the request, and cuts its answer into pieces, each sent by a write of its own. What is
-   * left behind the last piece is one more.
+   * Returns a fault that cuts the answer into pieces, each sent by its own write.
    *
-   * @param sizes the lengths of the pieces
-   * @return the fault
+   * @param sizes the lengths of the pieces; the rest of the answer is one more
    */
   static Fault split(int... sizes) {
     return new Split(Arrays.stream(sizes).boxed().toList(), Duration.ZERO);
   }
 
-  /**
-   * Executes the request, and sends its answer one byte at a time, without a pause.
-   *
-   * @return the fault
-   */
+  /** Returns a fault that sends the answer one byte at a time, without a pause. */
   static Fault oneByteAtATime() {
-    return new OneByteAtATime(Duration.ZERO);
+    return oneByteAtATime(Duration.ZERO);
   }
 
   /**
-   * Executes the request, and sends its answer one byte at a time.
+   * Returns a fault that sends the answer one byte at a time.
    *
-   * @param pause how long to wait between two bytes, so that they do not arrive together
-   * @return the fault
+   * @param pause the time between two bytes, so that they do not arrive together
    */
   static Fault oneByteAtATime(Duration pause) {
     return new OneByteAtATime(pause);
   }
 
-  /**
-   * Executes the request once, and sends its answer twice in one piece.
-   *
-   * @return the fault
-   */
+  /** Returns a fault that executes the request once and sends the answer twice, in one piece. */
   static Fault answerTwice() {
-    return new AnswerTwice();
+    return Simple.ANSWER_TWICE;
   }
 
   /**
-   * Executes the request, holds its answer back, and sends it in one piece with the next answer on
-   * the same connection.
-   *
-   * @return the fault
+   * Returns a fault that holds the answer back and sends it in one piece with the next answer of
+   * the connection.
    */
   static Fault glueToNext() {
-    return new GlueToNext();
+    return Simple.GLUE_TO_NEXT;
   }
 
-  /**
-   * Executes the request, and answers with the id that follows its own.
-   *
-   * @return the fault
-   */
+  /** Returns a fault that answers with the next id. */
   static Fault wrongId() {
     return new WrongId(1);
   }
 
   /**
-   * Executes the request, and answers with another function byte.
+   * Returns a fault that answers with another function byte.
    *
    * @param function 0 to 255
-   * @return the fault
    */
   static Fault wrongFunction(int function) {
     return new WrongFunction(function);
   }
 
   /**
-   * Executes the request, and answers with a wrong length field.
+   * Returns a fault that answers with a wrong length field.
    *
-   * @param difference what is added to the true length
-   * @return the fault
+   * @param difference the number that is added to the true length
    */
   static Fault wrongLength(int difference) {
     return new WrongLength(difference);
   }
 
   /**
-   * Executes the request, sends the beginning of its answer only, and leaves the connection open.
+   * Returns a fault that sends only the start of the answer and leaves the connection open.
    *
-   * @param bytes how many bytes are sent
-   * @return the fault
+   * @param bytes the number of bytes that are sent, from 0
    */
   static Fault truncate(int bytes) {
     return new Truncate(bytes);
   }
 
   /**
-   * Executes the request, and answers with random bytes.
+   * Returns a fault that answers with random bytes.
    *
    * @param seed the same seed gives the same bytes
-   * @param length how many
-   * @return the fault
+   * @param length the number of bytes, from 0
    */
   static Fault garbage(long seed, int length) {
     return new Garbage(seed, length);
   }
 
-  /** A proper answer. Executed. */
-  record None() implements Fault {
+  /** The faults without an argument. The factory method of the same name describes each. */
+  enum Simple implements Fault {
+    /** See {@link Fault#none}. */
+    NONE(true),
+    /** See {@link Fault#emptyAnswer}. */
+    EMPTY_ANSWER(false),
+    /** See {@link Fault#drop}. */
+    DROP(false),
+    /** See {@link Fault#dropAnswer}. */
+    DROP_ANSWER(true),
+    /** See {@link Fault#closeBefore}. */
+    CLOSE_BEFORE(false),
+    /** See {@link Fault#resetBefore}. */
+    RESET_BEFORE(false),
+    /** See {@link Fault#closeAfter}. */
+    CLOSE_AFTER(true),
+    /** See {@link Fault#answerTwice}. */
+    ANSWER_TWICE(true),
+    /** See {@link Fault#glueToNext}. */
+    GLUE_TO_NEXT(true);
+
+    private final boolean executes;
+
+    Simple(boolean executes) {
+      this.executes = executes;
+    }
+
     @Override
     public boolean executes() {
-      return true;
+      return executes;
     }
   }
 
   /**
-   * Other bytes instead of an answer. Not executed.
+   * See {@link Fault#raw}.
    *
-   * @param segments hexadecimal digits; each text is sent by a write of its own
+   * @param segments pairs of hexadecimal digits with a blank between them
    */
   record Raw(List<String> segments) implements Fault {
     /** Checks the digits. */
@@ -281,7 +259,7 @@ public sealed interface Fault {
   }
 
   /**
-   * An answer of the right form with another value and tail. Not executed.
+   * See {@link Fault#answer}.
    *
    * @param value the value
    * @param tail the tail
@@ -305,92 +283,42 @@ public sealed interface Fault {
     }
   }
 
-  /** The answer to an unknown function. Not executed. */
-  record EmptyAnswer() implements Fault {
-    @Override
-    public boolean executes() {
-      return false;
-    }
-  }
-
   /**
-   * No answer.
+   * See {@link Fault#closeDuring}.
    *
-   * @param executes whether the request is executed
-   */
-  record Drop(boolean executes) implements Fault {}
-
-  /**
-   * No answer, and the end of the connection. Not executed.
-   *
-   * @param reset whether the connection is reset instead of closed
-   */
-  record CloseBefore(boolean reset) implements Fault {
-    @Override
-    public boolean executes() {
-      return false;
-    }
-  }
-
-  /**
-   * The beginning of the answer, and the end of the connection. Executed.
-   *
-   * @param bytes how many bytes are sent
+   * @param bytes the number of bytes that are sent
    */
   record CloseDuring(int bytes) implements Fault {
     /** Checks the range. */
     public CloseDuring {
       Checks.notNegative("bytes", bytes);
     }
-
-    @Override
-    public boolean executes() {
-      return true;
-    }
-  }
-
-  /** The answer, and the end of the connection. Executed. */
-  record CloseAfter() implements Fault {
-    @Override
-    public boolean executes() {
-      return true;
-    }
   }
 
   /**
-   * A late answer. Executed when the request comes.
+   * See {@link Fault#delay}.
    *
-   * @param time how late
+   * @param time the delay
    */
   record Delay(Duration time) implements Fault {
     /** Checks the range. */
     public Delay {
       Checks.notNegative("time", time);
     }
-
-    @Override
-    public boolean executes() {
-      return true;
-    }
   }
 
   /**
-   * An answer that waits. Executed when the request comes.
+   * See {@link Fault#hold}.
    *
-   * @param released what it waits for
+   * @param released releases the answer
    */
-  record Hold(CountDownLatch released) implements Fault {
-    @Override
-    public boolean executes() {
-      return true;
-    }
-  }
+  record Hold(CountDownLatch released) implements Fault {}
 
   /**
-   * An answer in pieces. Executed.
+   * See {@link Fault#split}.
    *
-   * @param sizes the lengths of the pieces
-   * @param pause how long to wait between two, so that they do not arrive together
+   * @param sizes the lengths of the pieces, at least 1
+   * @param pause the time between two pieces, so that they do not arrive together
    */
   record Split(List<Integer> sizes, Duration pause) implements Fault {
     /** Checks the ranges. */
@@ -403,60 +331,29 @@ public sealed interface Fault {
       }
       Checks.notNegative("pause", pause);
     }
-
-    @Override
-    public boolean executes() {
-      return true;
-    }
   }
 
   /**
-   * An answer in pieces of one byte. Executed.
+   * See {@link Fault#oneByteAtATime(Duration)}.
    *
-   * @param pause how long to wait between two, so that they do not arrive together
+   * @param pause the time between two bytes
    */
   record OneByteAtATime(Duration pause) implements Fault {
     /** Checks the range. */
     public OneByteAtATime {
       Checks.notNegative("pause", pause);
     }
-
-    @Override
-    public boolean executes() {
-      return true;
-    }
-  }
-
-  /** The answer twice in one piece. Executed once. */
-  record AnswerTwice() implements Fault {
-    @Override
-    public boolean executes() {
-      return true;
-    }
-  }
-
-  /** The answer in one piece with the next one of the connection. Executed. */
-  record GlueToNext() implements Fault {
-    @Override
-    public boolean executes() {
-      return true;
-    }
   }
 
   /**
-   * An answer with another id. Executed.
+   * See {@link Fault#wrongId}.
    *
-   * @param difference what is added to the id, modulo 65536
+   * @param difference the number that is added to the id, modulo 65536
    */
-  record WrongId(int difference) implements Fault {
-    @Override
-    public boolean executes() {
-      return true;
-    }
-  }
+  record WrongId(int difference) implements Fault {}
 
   /**
-   * An answer with another function byte. Executed.
+   * See {@link Fault#wrongFunction}.
    *
    * @param function the byte, 0 to 255
    */
@@ -467,57 +364,37 @@ public sealed interface Fault {
         throw new IllegalArgumentException("function must be 0 to 255, is " + function);
       }
     }
-
-    @Override
-    public boolean executes() {
-      return true;
-    }
   }
 
   /**
-   * An answer with another length field. Executed.
+   * See {@link Fault#wrongLength}.
    *
-   * @param difference what is added to the length, modulo 65536
+   * @param difference the number that is added to the length, modulo 65536
    */
-  record WrongLength(int difference) implements Fault {
-    @Override
-    public boolean executes() {
-      return true;
-    }
-  }
+  record WrongLength(int difference) implements Fault {}
 
   /**
-   * The beginning of the answer. Executed; the connection stays open, its framing is lost.
+   * See {@link Fault#truncate}.
    *
-   * @param bytes how many bytes are sent
+   * @param bytes the number of bytes that are sent
    */
   record Truncate(int bytes) implements Fault {
     /** Checks the range. */
     public Truncate {
       Checks.notNegative("bytes", bytes);
     }
-
-    @Override
-    public boolean executes() {
-      return true;
-    }
   }
 
   /**
-   * Random bytes instead of an answer. Executed.
+   * See {@link Fault#garbage}.
    *
-   * @param seed the same seed gives the same bytes
-   * @param length how many
+   * @param seed the seed of the random bytes
+   * @param length their number
    */
   record Garbage(long seed, int length) implements Fault {
     /** Checks the range. */
     public Garbage {
       Checks.notNegative("length", length);
-    }
-
-    @Override
-    public boolean executes() {
-      return true;
     }
   }
 }

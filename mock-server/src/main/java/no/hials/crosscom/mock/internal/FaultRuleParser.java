@@ -1,7 +1,5 @@
 package no.hials.crosscom.mock.internal;
 
-import static java.util.Map.entry;
-
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -11,6 +9,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.FaultRule;
 import no.hials.crosscom.protocol.Tail;
@@ -20,16 +20,10 @@ import org.jspecify.annotations.Nullable;
 public final class FaultRuleParser {
   /** The faults without an argument; the others are in {@link #fault}. */
   private static final Map<String, Fault> PLAIN =
-      Map.ofEntries(
-          entry("none", Fault.none()),
-          entry("emptyanswer", Fault.emptyAnswer()),
-          entry("drop", Fault.drop()),
-          entry("dropanswer", Fault.dropAnswer()),
-          entry("closebefore", Fault.closeBefore()),
-          entry("resetbefore", Fault.resetBefore()),
-          entry("closeafter", Fault.closeAfter()),
-          entry("answertwice", Fault.answerTwice()),
-          entry("gluetonext", Fault.glueToNext()));
+      Stream.of(Fault.Simple.values())
+          .collect(
+              Collectors.toMap(
+                  fault -> fault.name().replace("_", "").toLowerCase(Locale.ROOT), fault -> fault));
 
   private static final String NAMES =
       "none, raw, answer, failure, emptyAnswer, drop, dropAnswer, closeBefore, resetBefore,"

@@ -56,30 +56,44 @@ public final class RequestDispatcher {
     turn = new ReentrantLock(!(config.latency() instanceof Latency.None));
   }
 
-  /**
-   * What the bytes of a request are.
-   *
-   * @param request the message, null if they are none
-   * @param hex the bytes in hex if there is no message
-   * @param malformed why they are none, if only the fields are not
-   * @param response the answer if that is all the request needs
-   * @param fault what the server does on its own if nothing else goes wrong
-   */
-  private record Decoded(
-      @Nullable Request request,
-      @Nullable String hex,
-      @Nullable MalformedRequestException malformed,
-      @Nullable Response response,
-      Fault fault) {}
+  /** The bytes of a request, decoded. */
+  private sealed interface Decoded {
+    default @Nullable Request request() {
+      return null;
+    }
+
+    /** Returns the bytes in hex if there is no message. */
+    default @Nullable String hex() {
+      return null;
+    }
+  }
+
+  /** A message. */
+  private record Message(Request request) implements Decoded {}
+
+  /** A message of a known type whose fields are malformed. */
+  private record Malformed(String hex, MalformedRequestException reason) implements Decoded {}
+
+  /** A message of a type that the server does not know. */
+  private record Unknown(String hex, int id) implements Decoded {}
+
+  /** Bytes that are no message. */
+  private record NoMessage(String hex) implements Decoded {}
 
   /**
-   * What came of a request.
+   * The result of a request.
    *
-   * @param fault what goes wrong with its answer
+   * @param fault the fault of the server, if no other fault is set
    * @param response the answer, if there is one
-   * @param nanos how long the controller took
+   * @param refused the reason why the controller refused the access, if it did
+   * @param nanos the time that the controller took
    */
-  private record Served(Fault fault, @Nullable Response response, long nanos) {}
+  private record Served(
+      Fault fault, @Nullable Response response, @Nullable RefusedException refused, long nanos) {
+    Served(@Nullable Response response) {
+      this(Fault.none(), response, null, 0);
+    }
+  }
 
   /** Makes what executes the requests of a connection; the connection has to close it. */
   RequestHandler open() {
@@ -106,9 +120,16 @@ public final class RequestDispatcher {
       drop(connection, frame.length, "another request is served");
       return ResponsePlan.NOTHING;
     }
+    Fault fault;
     Served result;
     try {
-      result = execute(handler, connection, decoded);
+      RecordedRequest recorded =
+          new RecordedRequest(
+              served + 1, connection, Instant.now(), decoded.request(), decoded.hex(), null);
+      fault = faults.next(recorded);
+      result = answer(handler, decoded, fault.executes());
+      served++;
+      requests.add(result.refused() == null ? recorded : refused(recorded, result.refused()));
       if (config.oneAtATime()) {
         Pause.ofNanos(result.nanos());
       }
@@ -118,30 +139,29 @@ public final class RequestDispatcher {
     if (!config.oneAtATime()) {
       Pause.ofNanos(result.nanos());
     }
-    return deliver(result.fault(), decoded.request(), result.response());
+    return deliver(
+        fault == Fault.none() ? result.fault() : fault, decoded.request(), result.response());
   }
 
-  /** Executes and records a request, in its turn. */
-  private Served execute(RequestHandler handler, int connection, Decoded decoded) {
-    Request request = decoded.request();
-    RecordedRequest recorded =
-        new RecordedRequest(served + 1, connection, Instant.now(), request, decoded.hex(), null);
-    Fault fault = faults.next(recorded);
-    Fault own = decoded.fault();
-    Response response = decoded.response();
-    long nanos = 0;
-    if (fault.executes() && request != null) {
-      RequestHandler.Outcome outcome = handler.handle(request);
-      response = outcome.response();
-      own = response == null ? Fault.closeBefore() : own;
-      recorded = afterwards(recorded, outcome.refused());
-      nanos = handler.isForServer(request) ? 0 : times.getAsLong();
-    } else if (fault.executes() && decoded.malformed() != null) {
-      response = handler.malformed(decoded.malformed());
+  /** Answers a request in its turn. An unknown function is answered in any case. */
+  private Served answer(RequestHandler handler, Decoded decoded, boolean executes) {
+    if (decoded instanceof Unknown unknown) {
+      boolean closes = config.unknownFunction() == UnknownFunction.CLOSE;
+      return new Served(
+          closes ? Fault.closeBefore() : Fault.none(), new EmptyResponse(unknown.id()), null, 0);
     }
-    served++;
-    requests.add(recorded);
-    return new Served(fault instanceof Fault.None ? own : fault, response, nanos);
+    if (executes && decoded instanceof Message message) {
+      RequestHandler.Outcome outcome = handler.handle(message.request());
+      return new Served(
+          outcome.response() == null ? Fault.closeBefore() : Fault.none(),
+          outcome.response(),
+          outcome.refused(),
+          handler.isForServer(message.request()) ? 0 : times.getAsLong());
+    }
+    return new Served(
+        executes && decoded instanceof Malformed malformed
+            ? handler.malformed(malformed.reason())
+            : null);
   }
 
   private Decoded decode(RequestHandler handler, int connection, byte[] frame) {
@@ -150,19 +170,19 @@ public final class RequestDispatcher {
           config.server() == ServerType.C3_BRIDGE ? Strictness.LENIENT : Strictness.STRICT;
       Request request = Codec.decodeRequest(frame, config.server(), strictness);
       return handler.knows(request.type())
-          ? new Decoded(request, null, null, null, Fault.none())
-          : unknown(request.id(), frame);
+          ? new Message(request)
+          : new Unknown(hex(frame), request.id());
     } catch (UnknownFunctionException e) {
       log.debug("connection {}: {}", connection, e.getMessage());
-      return unknown(e.id(), frame);
+      return new Unknown(hex(frame), e.id());
     } catch (MalformedRequestException e) {
       log.debug("connection {}: {}", connection, e.getMessage());
       return handler.knows(e.type())
-          ? new Decoded(null, hex(frame), e, null, Fault.none())
-          : unknown(e.id(), frame);
+          ? new Malformed(hex(frame), e)
+          : new Unknown(hex(frame), e.id());
     } catch (MalformedFrameException e) {
       log.debug("connection {}: {}", connection, e.getMessage());
-      return new Decoded(null, hex(frame), null, null, Fault.none());
+      return new NoMessage(hex(frame));
     }
   }
 
@@ -170,17 +190,7 @@ public final class RequestDispatcher {
     return MalformedFrameException.hex(frame, frame.length);
   }
 
-  private Decoded unknown(int id, byte[] frame) {
-    boolean closes = config.unknownFunction() == UnknownFunction.CLOSE;
-    return new Decoded(
-        null, hex(frame), null, new EmptyResponse(id), closes ? Fault.closeBefore() : Fault.none());
-  }
-
-  private static RecordedRequest afterwards(
-      RecordedRequest recorded, @Nullable RefusedException refused) {
-    if (refused == null) {
-      return recorded;
-    }
+  private static RecordedRequest refused(RecordedRequest recorded, RefusedException refused) {
     log.debug(
         "connection {}: {} refused: {}",
         recorded.connection(),
@@ -197,12 +207,10 @@ public final class RequestDispatcher {
 
   private static ResponsePlan deliver(
       Fault fault, @Nullable Request request, @Nullable Response response) {
-    byte[] answer = response == null ? null : Codec.encode(response);
-    if (fault instanceof Fault.None) {
-      return answer == null ? ResponsePlan.NOTHING : ResponsePlan.of(answer);
+    if (fault != Fault.none()) {
+      log.debug("fault: {}", fault);
     }
-    log.debug("fault: {}", fault);
-    return ResponsePlan.of(fault, request, answer);
+    return ResponsePlan.of(fault, request, response == null ? null : Codec.encode(response));
   }
 
   /** Notes that bytes were dropped without an answer. */

@@ -9,10 +9,12 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Function;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.EmptyResponse;
 import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.Response;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -72,80 +74,120 @@ public record ResponsePlan(
     return new ResponsePlan(segments, pause, delay, gate, holdBack, newEnding);
   }
 
+  /** Plans the response to a request; both are null if there is none. */
+  private interface Effect {
+    ResponsePlan plan(@Nullable Request request, byte @Nullable [] answer);
+
+    static Effect always(ResponsePlan plan) {
+      return (request, answer) -> plan;
+    }
+
+    /** Sends nothing if the request was not executed or has no answer. */
+    static Effect on(Function<byte[], ResponsePlan> change) {
+      return (request, answer) -> answer == null ? NOTHING : change.apply(answer);
+    }
+
+    /** Sends the proper answer, if there is one, to bytes that are no request. */
+    static Effect instead(Function<Request, Response> scripted) {
+      return (request, answer) ->
+          request == null
+              ? on(ResponsePlan::of).plan(null, answer)
+              : of(Codec.encode(scripted.apply(request)));
+    }
+  }
+
+  private static final SealedSwitch<Fault, Effect> EFFECTS =
+      SealedSwitch.<Fault, Effect>over(Fault.class)
+          .on(Fault.Simple.class, ResponsePlan::effect)
+          .on(
+              Fault.Raw.class,
+              raw ->
+                  Effect.always(
+                      of(
+                          raw.segments().stream()
+                              .map(HexFormat.ofDelimiter(" ")::parseHex)
+                              .toList())))
+          .on(Fault.Garbage.class, garbage -> Effect.always(of(random(garbage))))
+          .on(
+              Fault.Answer.class,
+              scripted ->
+                  Effect.instead(
+                      request ->
+                          KukavarproxyHandler.answer(request, scripted.value(), scripted.tail())))
+          .on(
+              Fault.CloseDuring.class,
+              close -> Effect.on(answer -> of(first(answer, close.bytes())).then(Ending.CLOSE)))
+          .on(Fault.Truncate.class, cut -> Effect.on(answer -> of(first(answer, cut.bytes()))))
+          .on(Fault.Delay.class, late -> Effect.on(answer -> of(answer).after(late.time(), null)))
+          .on(
+              Fault.Hold.class,
+              hold -> Effect.on(answer -> of(answer).after(Duration.ZERO, hold.released())))
+          .on(
+              Fault.Split.class,
+              split ->
+                  Effect.on(answer -> of(pieces(answer, split.sizes())).spacedBy(split.pause())))
+          .on(
+              Fault.OneByteAtATime.class,
+              bytes ->
+                  Effect.on(
+                      answer ->
+                          of(pieces(answer, Collections.nCopies(answer.length, 1)))
+                              .spacedBy(bytes.pause())))
+          .on(Fault.WrongId.class, wrong -> Effect.on(answer -> of(withId(answer, wrong))))
+          .on(Fault.WrongLength.class, wrong -> Effect.on(answer -> of(withLength(answer, wrong))))
+          .on(
+              Fault.WrongFunction.class,
+              wrong -> Effect.on(answer -> of(withFunction(answer, wrong))))
+          .complete();
+
   /**
    * Applies a fault.
    *
-   * @param fault what goes wrong
    * @param request the message, null if the bytes were none
    * @param answer the proper answer; null if the request was not executed, or has none
    */
   public static ResponsePlan of(Fault fault, @Nullable Request request, byte @Nullable [] answer) {
-    if (fault instanceof Fault.Raw raw) {
-      return of(raw.segments().stream().map(HexFormat.ofDelimiter(" ")::parseHex).toList());
-    }
-    if (fault instanceof Fault.Garbage garbage) {
-      byte[] bytes = new byte[garbage.length()];
-      new Random(garbage.seed()).nextBytes(bytes);
-      return of(bytes);
-    }
-    if (fault instanceof Fault.CloseBefore close) {
-      return NOTHING.then(close.reset() ? Ending.RESET : Ending.CLOSE);
-    }
-    if (fault instanceof Fault.Answer scripted && request != null) {
-      return of(
-          Codec.encode(KukavarproxyHandler.answer(request, scripted.value(), scripted.tail())));
-    }
-    if (fault instanceof Fault.EmptyAnswer && request != null) {
-      return of(Codec.encode(new EmptyResponse(request.id())));
-    }
-    if (fault instanceof Fault.CloseAfter && answer == null) {
-      return NOTHING.then(Ending.CLOSE);
-    }
-    if (answer == null || fault instanceof Fault.Drop) {
-      return NOTHING;
-    }
-    return cut(fault, answer);
+    return EFFECTS.apply(fault).plan(request, answer);
   }
 
-  /** Applies a fault that needs the proper answer. */
-  private static ResponsePlan cut(Fault fault, byte[] answer) {
-    if (fault instanceof Fault.Delay late) {
-      return of(answer).after(late.time(), null);
-    }
-    if (fault instanceof Fault.Hold hold) {
-      return of(answer).after(Duration.ZERO, hold.released());
-    }
-    if (fault instanceof Fault.CloseDuring close) {
-      return of(first(answer, close.bytes())).then(Ending.CLOSE);
-    }
-    if (fault instanceof Fault.CloseAfter) {
-      return of(answer).then(Ending.CLOSE);
-    }
-    if (fault instanceof Fault.Split split) {
-      return of(pieces(answer, split.sizes())).spacedBy(split.pause());
-    }
-    if (fault instanceof Fault.OneByteAtATime bytes) {
-      List<Integer> ones = new ArrayList<>(Collections.nCopies(answer.length, 1));
-      return of(pieces(answer, ones)).spacedBy(bytes.pause());
-    }
-    if (fault instanceof Fault.AnswerTwice) {
-      return of(ByteBuffer.allocate(2 * answer.length).put(answer).put(answer).array());
-    }
-    if (fault instanceof Fault.GlueToNext) {
-      return of(answer).heldBack();
-    }
-    if (fault instanceof Fault.Truncate truncate) {
-      return of(first(answer, truncate.bytes()));
-    }
-    if (fault instanceof Fault.WrongId wrong) {
-      Codec.setId(answer, (Short.toUnsignedInt(u16(answer, 0)) + wrong.difference()) & U16);
-    } else if (fault instanceof Fault.WrongLength wrong) {
-      ByteBuffer.wrap(answer)
-          .putShort(LENGTH_FIELD, (short) (u16(answer, LENGTH_FIELD) + wrong.difference()));
-    } else if (fault instanceof Fault.WrongFunction wrong && answer.length > FUNCTION_FIELD) {
+  private static Effect effect(Fault.Simple fault) {
+    return switch (fault) {
+      case NONE -> Effect.on(ResponsePlan::of);
+      case EMPTY_ANSWER -> Effect.instead(request -> new EmptyResponse(request.id()));
+      case DROP, DROP_ANSWER -> Effect.always(NOTHING);
+      case CLOSE_BEFORE -> Effect.always(NOTHING.then(Ending.CLOSE));
+      case RESET_BEFORE -> Effect.always(NOTHING.then(Ending.RESET));
+      case CLOSE_AFTER ->
+          (request, answer) -> (answer == null ? NOTHING : of(answer)).then(Ending.CLOSE);
+      case ANSWER_TWICE ->
+          Effect.on(
+              answer -> of(ByteBuffer.allocate(2 * answer.length).put(answer).put(answer).array()));
+      case GLUE_TO_NEXT -> Effect.on(answer -> of(answer).heldBack());
+    };
+  }
+
+  private static byte[] random(Fault.Garbage garbage) {
+    byte[] bytes = new byte[garbage.length()];
+    new Random(garbage.seed()).nextBytes(bytes);
+    return bytes;
+  }
+
+  private static byte[] withId(byte[] answer, Fault.WrongId wrong) {
+    Codec.setId(answer, (Short.toUnsignedInt(u16(answer, 0)) + wrong.difference()) & U16);
+    return answer;
+  }
+
+  private static byte[] withLength(byte[] answer, Fault.WrongLength wrong) {
+    ByteBuffer.wrap(answer)
+        .putShort(LENGTH_FIELD, (short) (u16(answer, LENGTH_FIELD) + wrong.difference()));
+    return answer;
+  }
+
+  private static byte[] withFunction(byte[] answer, Fault.WrongFunction wrong) {
+    if (answer.length > FUNCTION_FIELD) {
       answer[FUNCTION_FIELD] = (byte) wrong.function();
     }
-    return of(answer);
+    return answer;
   }
 
   private static short u16(byte[] bytes, int offset) {

@@ -219,7 +219,9 @@ class UploadTest extends FilesRobotTest {
     // looking whether it is there is repeated on a new connection, and what is stored is stored
     boolean repeated =
         step == Step.EXISTS
-            && (fault instanceof Fault.CloseBefore || fault instanceof Fault.CloseDuring);
+            && (fault == Fault.closeBefore()
+                || fault == Fault.resetBefore()
+                || fault instanceof Fault.CloseDuring);
     boolean stored = repeated || (step == Step.END && fault.executes());
     assertThat(tree.exists(FILE)).isEqualTo(stored);
     if (stored) {

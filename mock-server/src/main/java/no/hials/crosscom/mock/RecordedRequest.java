@@ -2,6 +2,7 @@ package no.hials.crosscom.mock;
 
 import java.time.Instant;
 import java.util.List;
+import no.hials.crosscom.mock.internal.SealedSwitch;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.variable.Assignment;
 import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
@@ -10,6 +11,7 @@ import no.hials.crosscom.protocol.variable.ReadArrayRequest;
 import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
 import no.hials.crosscom.protocol.variable.ReadRequest;
 import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.VariableRequest;
 import no.hials.crosscom.protocol.variable.WriteArrayRequest;
 import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import no.hials.crosscom.protocol.variable.WriteRequest;
@@ -37,6 +39,20 @@ public record RecordedRequest(
     @Nullable String hex,
     @Nullable Refusal refusal) {
 
+  private static final SealedSwitch<VariableRequest, List<String>> NAMES =
+      SealedSwitch.<VariableRequest, List<String>>over(VariableRequest.class)
+          .on(ReadRequest.class, read -> List.of(read.name()))
+          .on(WriteRequest.class, write -> List.of(write.name()))
+          .on(ReadArrayRequest.class, read -> List.of(read.name()))
+          .on(WriteArrayRequest.class, write -> List.of(write.name()))
+          .on(ReadUtf16Request.class, read -> List.of(read.name()))
+          .on(WriteUtf16Request.class, write -> List.of(write.name()))
+          .on(ReadMultipleRequest.class, ReadMultipleRequest::names)
+          .on(WriteMultipleRequest.class, write -> names(write.assignments()))
+          .on(BenchmarkReadRequest.class, BenchmarkReadRequest::names)
+          .on(BenchmarkWriteRequest.class, write -> names(write.assignments()))
+          .complete();
+
   /**
    * Gives the name of the variable.
    *
@@ -54,41 +70,11 @@ public record RecordedRequest(
    *     bytes are no message
    */
   public List<String> names() {
-    if (request instanceof ReadRequest read) {
-      return List.of(read.name());
-    }
-    if (request instanceof WriteRequest write) {
-      return List.of(write.name());
-    }
-    if (request instanceof ReadArrayRequest read) {
-      return List.of(read.name());
-    }
-    if (request instanceof WriteArrayRequest write) {
-      return List.of(write.name());
-    }
-    if (request instanceof ReadUtf16Request read) {
-      return List.of(read.name());
-    }
-    if (request instanceof WriteUtf16Request write) {
-      return List.of(write.name());
-    }
-    return namesOfSeveral();
+    return request instanceof VariableRequest access ? NAMES.apply(access) : List.of();
   }
 
-  private List<String> namesOfSeveral() {
-    if (request instanceof ReadMultipleRequest read) {
-      return read.names();
-    }
-    if (request instanceof BenchmarkReadRequest read) {
-      return read.names();
-    }
-    if (request instanceof WriteMultipleRequest write) {
-      return write.assignments().stream().map(Assignment::name).toList();
-    }
-    if (request instanceof BenchmarkWriteRequest write) {
-      return write.assignments().stream().map(Assignment::name).toList();
-    }
-    return List.of();
+  private static List<String> names(List<Assignment> assignments) {
+    return assignments.stream().map(Assignment::name).toList();
   }
 
   /**

@@ -14,7 +14,6 @@ import java.time.Instant;
 import no.hials.crosscom.mock.internal.C3FileHandler;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.CopyFlag;
@@ -31,6 +30,7 @@ import no.hials.crosscom.protocol.file.DeleteFileRequest;
 import no.hials.crosscom.protocol.file.FileProperties;
 import no.hials.crosscom.protocol.file.FilePropertiesRequest;
 import no.hials.crosscom.protocol.file.FilePropertiesResponse;
+import no.hials.crosscom.protocol.file.FileRequest;
 import no.hials.crosscom.protocol.file.ListDirectoryRequest;
 import no.hials.crosscom.protocol.file.ListDirectoryResponse;
 import no.hials.crosscom.protocol.file.SetAttributesRequest;
@@ -140,7 +140,7 @@ final class FileTreeTest {
       return folder.resolve("R1").resolve("Program").resolve(name);
     }
 
-    private ErrorCode code(Request request) {
+    private ErrorCode code(FileRequest request) {
       TypedResponse response = messages.handle(request);
       return ErrorCode.from(response.tail().code()).orElseThrow();
     }

@@ -21,7 +21,6 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.file.BeginReadRequest;
 import no.hials.crosscom.protocol.file.BeginWriteRequest;
-import no.hials.crosscom.protocol.file.Bytes;
 import no.hials.crosscom.protocol.file.ContentRequest;
 import no.hials.crosscom.protocol.file.ContentResponse;
 import no.hials.crosscom.protocol.file.ContentSizeResponse;
@@ -33,6 +32,7 @@ import no.hials.crosscom.protocol.file.FileNameRequest;
 import no.hials.crosscom.protocol.file.FileProperties;
 import no.hials.crosscom.protocol.file.FilePropertiesRequest;
 import no.hials.crosscom.protocol.file.FilePropertiesResponse;
+import no.hials.crosscom.protocol.file.FileRequest;
 import no.hials.crosscom.protocol.file.ItemTime;
 import no.hials.crosscom.protocol.file.ListDirectoryRequest;
 import no.hials.crosscom.protocol.file.ListDirectoryResponse;
@@ -59,6 +59,7 @@ public final class C3FileHandler implements AutoCloseable {
   private final Predicate<String> selected;
   private final TransferBuffer writing;
   private final TransferBuffer reading;
+  private final SealedSwitch<FileRequest, TypedResponse> requests;
 
   /**
    * Begins a connection.
@@ -72,6 +73,7 @@ public final class C3FileHandler implements AutoCloseable {
     this.selected = selected;
     writing = new TransferBuffer(tree);
     reading = new TransferBuffer(tree);
+    requests = requests();
   }
 
   /** Ends the connection. */
@@ -82,31 +84,52 @@ public final class C3FileHandler implements AutoCloseable {
   }
 
   /** Answers a request of a type from 20 to 30. */
-  public TypedResponse handle(Request request) {
-    if (request instanceof ListDirectoryRequest list) {
-      return list(list);
-    } else if (request instanceof FilePropertiesRequest properties) {
-      return properties(properties);
-    } else if (request instanceof FileNameRequest name) {
-      return name(name);
-    } else if (request instanceof WriteDataRequest data) {
-      int written = writing.write(data.offset(), data.data());
-      return new WriteDataResponse(data.id(), data.offset(), written, Tail.SUCCESS);
-    } else if (request instanceof ReadDataRequest data) {
-      Bytes found = reading.read(data.offset(), data.size());
-      return new ReadDataResponse(data.id(), data.offset(), found, Tail.SUCCESS);
-    } else if (request instanceof BeginWriteRequest begin) {
-      Tail tail = run(() -> writing.begin(begin.size()));
-      return size(begin, ContentOperation.BEGIN, tail);
-    } else if (request instanceof BeginReadRequest begin) {
-      return beginRead(begin);
-    } else if (request instanceof EndWriteRequest end) {
-      Tail tail = run(() -> end(end));
-      return content(end, Code.of(ContentOperation.END), tail);
-    } else if (request instanceof ContentRequest content) {
-      return content(content);
-    }
-    return new PlainResponse(request.id(), request.type(), run(() -> change(request)));
+  public TypedResponse handle(FileRequest request) {
+    return requests.apply(request);
+  }
+
+  private SealedSwitch<FileRequest, TypedResponse> requests() {
+    return SealedSwitch.<FileRequest, TypedResponse>over(FileRequest.class)
+        .on(ListDirectoryRequest.class, this::list)
+        .on(FilePropertiesRequest.class, this::properties)
+        .on(FileNameRequest.class, this::name)
+        .on(
+            WriteDataRequest.class,
+            data ->
+                new WriteDataResponse(
+                    data.id(),
+                    data.offset(),
+                    writing.write(data.offset(), data.data()),
+                    Tail.SUCCESS))
+        .on(
+            ReadDataRequest.class,
+            data ->
+                new ReadDataResponse(
+                    data.id(),
+                    data.offset(),
+                    reading.read(data.offset(), data.size()),
+                    Tail.SUCCESS))
+        .on(
+            BeginWriteRequest.class,
+            begin -> size(begin, ContentOperation.BEGIN, run(() -> writing.begin(begin.size()))))
+        .on(BeginReadRequest.class, this::beginRead)
+        .on(
+            EndWriteRequest.class,
+            end -> content(end, Code.of(ContentOperation.END), run(() -> end(end))))
+        .on(ContentRequest.class, this::content)
+        .on(
+            SetAttributesRequest.class,
+            set -> plain(set, () -> tree.setAttributes(set.name(), set.attributes(), set.mask())))
+        .on(CreateFileRequest.class, create -> plain(create, () -> create(create)))
+        .on(
+            DeleteFileRequest.class,
+            delete -> plain(delete, () -> tree.delete(delete.name(), delete.always(), selected)))
+        .on(CopyFileRequest.class, copy -> plain(copy, () -> copy(copy)))
+        .complete();
+  }
+
+  private static PlainResponse plain(Request request, Work change) {
+    return new PlainResponse(request.id(), request.type(), run(change));
   }
 
   private interface Work {
@@ -130,24 +153,18 @@ public final class C3FileHandler implements AutoCloseable {
     return new Tail(code.code(), 0);
   }
 
-  private void change(Request request) throws IOException {
-    if (request instanceof SetAttributesRequest set) {
-      tree.setAttributes(set.name(), set.attributes(), set.mask());
-    } else if (request instanceof CreateFileRequest create) {
-      // measured for 0, assumed for unknown numbers
-      ItemType type = create.itemType().known().orElse(ItemType.UNKNOWN);
-      tree.create(
-          create.name(), type, create.parts(), create.always(), create.template(), selected);
-    } else if (request instanceof DeleteFileRequest delete) {
-      tree.delete(delete.name(), delete.always(), selected);
-    } else if (request instanceof CopyFileRequest copy) {
-      if (copy.type() == MessageType.COPY_FILE) {
-        tree.copy(copy.source(), copy.destination(), copy.flags(), selected);
-      } else {
-        tree.move(copy.source(), copy.destination(), copy.flags(), selected);
-      }
+  private void create(CreateFileRequest request) throws IOException {
+    // measured for 0, assumed for unknown numbers
+    ItemType type = request.itemType().known().orElse(ItemType.UNKNOWN);
+    tree.create(
+        request.name(), type, request.parts(), request.always(), request.template(), selected);
+  }
+
+  private void copy(CopyFileRequest request) throws IOException {
+    if (request.type() == MessageType.COPY_FILE) {
+      tree.copy(request.source(), request.destination(), request.flags(), selected);
     } else {
-      throw new IllegalArgumentException("the type must be 20 to 30, is " + request.type());
+      tree.move(request.source(), request.destination(), request.flags(), selected);
     }
   }
 

@@ -6,15 +6,19 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.file.FileRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest;
 import no.hials.crosscom.protocol.server.FeaturesResponse;
 import no.hials.crosscom.protocol.server.InformationResponse;
+import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest;
 
 /** Executes requests as C3 Bridge does, in one of its versions (docs/reference/c3-messages.md). */
 public final class C3Handler implements RequestHandler {
   private final C3ProxyVariables bridge;
-  private final C3VariableHandler variables;
   private final C3ProgramHandler control;
   private final C3FileHandler files;
+  private final SealedSwitch<Request, Outcome> requests;
 
   public C3Handler(
       C3ProxyVariables bridge,
@@ -22,9 +26,15 @@ public final class C3Handler implements RequestHandler {
       C3ProgramHandler control,
       C3FileHandler files) {
     this.bridge = bridge;
-    this.variables = variables;
     this.control = control;
     this.files = files;
+    requests =
+        SealedSwitch.<Request, Outcome>over(Request.class)
+            .on(VariableRequest.class, variables::handle)
+            .on(ProgramRequest.class, request -> new Outcome(control.handle(request), null))
+            .on(FileRequest.class, this::answer)
+            .on(ServerRequest.class, this::answer)
+            .complete();
   }
 
   @Override
@@ -34,20 +44,23 @@ public final class C3Handler implements RequestHandler {
 
   @Override
   public Outcome handle(Request request) {
+    return requests.apply(request);
+  }
+
+  private Outcome answer(FileRequest request) {
+    control.watchFiles();
+    return new Outcome(files.handle(request), null);
+  }
+
+  private Outcome answer(ServerRequest request) {
     int id = request.id();
-    return switch (request.type()) {
-      case READ, WRITE, READ_UTF16, WRITE_UTF16, READ_MULTIPLE, WRITE_MULTIPLE, BENCHMARK ->
-          variables.handle(request);
-      case PROGRAM_CONTROL, MOTION, PENDANT_KEY, CONFIRM_ALL ->
-          new Outcome(control.handle(request), null);
-      case INFORMATION ->
-          new Outcome(new InformationResponse(id, bridge.information(), Tail.SUCCESS), null);
-      case FEATURES -> new Outcome(new FeaturesResponse(id, bridge.features(), Tail.SUCCESS), null);
-      default -> {
-        control.watchFiles();
-        yield new Outcome(files.handle(request), null);
-      }
-    };
+    Response response =
+        switch (request.type()) {
+          case INFORMATION -> new InformationResponse(id, bridge.information(), Tail.SUCCESS);
+          case FEATURES -> new FeaturesResponse(id, bridge.features(), Tail.SUCCESS);
+          default -> control.confirmAll(request);
+        };
+    return new Outcome(response, null);
   }
 
   /** Types 0 and 1 have no codes but 0 and 1 (docs/reference/c3-messages.md#error-codes). */

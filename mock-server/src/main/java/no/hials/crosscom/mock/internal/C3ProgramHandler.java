@@ -20,6 +20,7 @@ import no.hials.crosscom.protocol.program.PendantKeyRequest;
 import no.hials.crosscom.protocol.program.PendantKeyResponse;
 import no.hials.crosscom.protocol.program.ProgramControlRequest;
 import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramRequest;
 import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.value.KrlReal;
@@ -57,6 +58,14 @@ public final class C3ProgramHandler {
 
   private final Supplier<Controller> controller;
 
+  private final SealedSwitch<ProgramRequest, Response> requests =
+      SealedSwitch.<ProgramRequest, Response>over(ProgramRequest.class)
+          .on(ProgramControlRequest.class, this::answer)
+          .on(ProgramSelectRequest.class, this::answer)
+          .on(MotionRequest.class, this::answer)
+          .on(PendantKeyRequest.class, this::answer)
+          .complete();
+
   /** Creates the handler of all connections. */
   public C3ProgramHandler(Supplier<Controller> controller) {
     this.controller = controller;
@@ -72,27 +81,34 @@ public final class C3ProgramHandler {
     ErrorCode run() throws KrlFileException, KrlExecutionException;
   }
 
-  Response handle(Request request) {
-    if (request instanceof ProgramControlRequest control) {
-      Tail tail = attempt(request, () -> control(control));
-      return new ProgramControlResponse(request.id(), control.command(), tail);
-    }
-    if (request instanceof ProgramSelectRequest select) {
-      Tail tail = attempt(request, () -> select(select));
-      return new ProgramControlResponse(request.id(), select.command(), tail);
-    }
-    if (request instanceof MotionRequest motion) {
-      return new MotionResponse(
-          request.id(), motion.motion(), attempt(request, () -> move(motion)));
-    }
-    if (request instanceof PendantKeyRequest key) {
-      return new PendantKeyResponse(request.id(), key.key(), attempt(request, () -> press(key)));
-    }
-    if (request instanceof ServerRequest plain) {
-      controller.get().confirmAll();
-      return new PlainResponse(request.id(), plain.type(), Tail.SUCCESS);
-    }
-    throw new IllegalArgumentException("no request for the controller: " + request);
+  Response handle(ProgramRequest request) {
+    return requests.apply(request);
+  }
+
+  private ProgramControlResponse answer(ProgramControlRequest request) {
+    Tail tail = attempt(request, () -> control(request));
+    return new ProgramControlResponse(request.id(), request.command(), tail);
+  }
+
+  private ProgramControlResponse answer(ProgramSelectRequest request) {
+    Tail tail = attempt(request, () -> select(request));
+    return new ProgramControlResponse(request.id(), request.command(), tail);
+  }
+
+  private MotionResponse answer(MotionRequest request) {
+    Tail tail = attempt(request, () -> move(request));
+    return new MotionResponse(request.id(), request.motion(), tail);
+  }
+
+  private PendantKeyResponse answer(PendantKeyRequest request) {
+    Tail tail = attempt(request, () -> press(request));
+    return new PendantKeyResponse(request.id(), request.key(), tail);
+  }
+
+  /** Answers type 63. */
+  PlainResponse confirmAll(ServerRequest request) {
+    controller.get().confirmAll();
+    return new PlainResponse(request.id(), request.type(), Tail.SUCCESS);
   }
 
   private static Tail attempt(Request request, Work work) {

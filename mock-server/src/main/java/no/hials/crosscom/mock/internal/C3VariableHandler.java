@@ -16,10 +16,13 @@ import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
 import no.hials.crosscom.protocol.variable.BenchmarkResponse;
 import no.hials.crosscom.protocol.variable.BenchmarkWriteRequest;
 import no.hials.crosscom.protocol.variable.MultipleResponse;
+import no.hials.crosscom.protocol.variable.ReadArrayRequest;
 import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
 import no.hials.crosscom.protocol.variable.ReadRequest;
 import no.hials.crosscom.protocol.variable.ReadResponse;
 import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.VariableRequest;
+import no.hials.crosscom.protocol.variable.WriteArrayRequest;
 import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import no.hials.crosscom.protocol.variable.WriteRequest;
 import no.hials.crosscom.protocol.variable.WriteResponse;
@@ -42,6 +45,20 @@ public final class C3VariableHandler {
   private final C3ProxyVariables internal;
   private final MockServerConfig config;
 
+  private final SealedSwitch<VariableRequest, Outcome> requests =
+      SealedSwitch.<VariableRequest, Outcome>over(VariableRequest.class)
+          .on(ReadRequest.class, this::read)
+          .on(WriteRequest.class, this::write)
+          .on(ReadArrayRequest.class, C3VariableHandler::unknown)
+          .on(WriteArrayRequest.class, C3VariableHandler::unknown)
+          .on(ReadUtf16Request.class, this::read)
+          .on(WriteUtf16Request.class, this::write)
+          .on(ReadMultipleRequest.class, this::read)
+          .on(WriteMultipleRequest.class, this::write)
+          .on(BenchmarkReadRequest.class, this::benchmark)
+          .on(BenchmarkWriteRequest.class, this::benchmark)
+          .complete();
+
   public C3VariableHandler(
       VariableTable variables, C3ProxyVariables internal, MockServerConfig config) {
     this.variables = variables;
@@ -62,32 +79,13 @@ public final class C3VariableHandler {
     }
   }
 
-  Outcome handle(Request request) {
-    if (request instanceof ReadRequest read) {
-      return read(read);
-    }
-    if (request instanceof WriteRequest write) {
-      return write(write);
-    }
-    if (request instanceof ReadUtf16Request read) {
-      return read(read);
-    }
-    if (request instanceof WriteUtf16Request write) {
-      return write(write);
-    }
-    if (request instanceof ReadMultipleRequest read) {
-      return read(read);
-    }
-    if (request instanceof WriteMultipleRequest write) {
-      return write(write);
-    }
-    if (request instanceof BenchmarkReadRequest read) {
-      return benchmark(read);
-    }
-    if (request instanceof BenchmarkWriteRequest write) {
-      return benchmark(write);
-    }
-    throw new IllegalArgumentException("no request for variables: " + request);
+  /** Messages 2 and 3 are KUKAVARPROXY's: C3 Bridge does not know them. */
+  private static Outcome unknown(Request request) {
+    throw new IllegalArgumentException("not a request for C3 Bridge: " + request);
+  }
+
+  Outcome handle(VariableRequest request) {
+    return requests.apply(request);
   }
 
   // one access

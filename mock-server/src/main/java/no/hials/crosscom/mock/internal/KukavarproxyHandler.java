@@ -37,6 +37,14 @@ public final class KukavarproxyHandler implements RequestHandler {
   private final VariableTable variables;
   private final MockServerConfig config;
 
+  private final SealedSwitch<Request, Outcome> requests =
+      SealedSwitch.<Request, Outcome>over(Request.class)
+          .on(Request.class, KukavarproxyHandler::unknown)
+          .on(ReadRequest.class, this::read)
+          .on(WriteRequest.class, this::write)
+          .on(ReadArrayRequest.class, this::readArray)
+          .on(WriteArrayRequest.class, this::writeArray);
+
   public KukavarproxyHandler(VariableTable variables, MockServerConfig config) {
     this.variables = variables;
     this.config = config;
@@ -55,19 +63,12 @@ public final class KukavarproxyHandler implements RequestHandler {
 
   @Override
   public Outcome handle(Request request) {
-    if (request instanceof ReadRequest read) {
-      return read(read);
-    }
-    if (request instanceof WriteRequest write) {
-      return write(write);
-    }
-    if (request instanceof ReadArrayRequest read) {
-      return readArray(read);
-    }
-    if (request instanceof WriteArrayRequest write) {
-      return writeArray(write);
-    }
-    throw new IllegalArgumentException("no such request: " + request);
+    return requests.apply(request);
+  }
+
+  /** The codec decodes only the messages that KUKAVARPROXY knows. */
+  private static Outcome unknown(Request request) {
+    throw new IllegalArgumentException("not a request for KUKAVARPROXY: " + request);
   }
 
   private Outcome read(ReadRequest request) {

@@ -26,7 +26,10 @@ public final class SealedSwitch<T, R> {
     return new SealedSwitch<>(family);
   }
 
-  /** Adds the case of a class, or of all classes that a sealed interface permits. */
+  /**
+   * Adds the case of a class, or of all classes that a sealed interface permits. It replaces an
+   * earlier case.
+   */
   public <S extends T> SealedSwitch<T, R> on(Class<S> type, Function<? super S, R> code) {
     classes(type).forEach(leaf -> cases.put(leaf, value -> code.apply(type.cast(value))));
     return this;

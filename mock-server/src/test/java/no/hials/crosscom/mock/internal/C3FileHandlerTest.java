@@ -10,7 +10,6 @@ import static no.hials.crosscom.protocol.ErrorCode.PROTOCOL;
 import static no.hials.crosscom.protocol.ErrorCode.SUCCESS;
 import static no.hials.crosscom.protocol.ErrorCode.UNEXPECTED;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.io.IOException;
@@ -31,7 +30,6 @@ import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Strictness;
 import no.hials.crosscom.protocol.Tail;
@@ -60,6 +58,7 @@ import no.hials.crosscom.protocol.file.FileNameRequest;
 import no.hials.crosscom.protocol.file.FileProperties;
 import no.hials.crosscom.protocol.file.FilePropertiesRequest;
 import no.hials.crosscom.protocol.file.FilePropertiesResponse;
+import no.hials.crosscom.protocol.file.FileRequest;
 import no.hials.crosscom.protocol.file.ListDirectoryRequest;
 import no.hials.crosscom.protocol.file.ListDirectoryResponse;
 import no.hials.crosscom.protocol.file.ReadDataRequest;
@@ -67,7 +66,6 @@ import no.hials.crosscom.protocol.file.ReadDataResponse;
 import no.hials.crosscom.protocol.file.SetAttributesRequest;
 import no.hials.crosscom.protocol.file.WriteDataRequest;
 import no.hials.crosscom.protocol.file.WriteDataResponse;
-import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.FileTree;
 import org.junit.jupiter.api.Nested;
@@ -112,7 +110,7 @@ final class C3FileHandlerTest {
   private final Set<String> selected = new HashSet<>();
   private final C3FileHandler messages = new C3FileHandler(tree, selected::contains);
 
-  private ErrorCode code(Request request) {
+  private ErrorCode code(FileRequest request) {
     TypedResponse response = messages.handle(request);
     ErrorCode code = ErrorCode.from(response.tail().code()).orElseThrow();
     assertThat(response.tail().success()).isEqualTo(code == SUCCESS);
@@ -193,13 +191,6 @@ final class C3FileHandlerTest {
 
   private Bytes read(long offset, long count) {
     return ((ReadDataResponse) messages.handle(new ReadDataRequest(13, offset, count))).data();
-  }
-
-  @Test
-  void refusesARequestThatIsNotAboutFiles() {
-    assertThatIllegalArgumentException()
-        .isThrownBy(() -> messages.handle(new ServerRequest(1, MessageType.CONFIRM_ALL)))
-        .withMessage("the type must be 20 to 30, is CONFIRM_ALL");
   }
 
   @Nested

@@ -9,13 +9,16 @@ public sealed interface Expression {
   /** Returns the position of the first token; for an operation, of its operator. */
   Position position();
 
+  /** A value that is written out. */
+  sealed interface Literal extends Expression {}
+
   /**
    * A whole number: {@code 100}, {@code 'B0101'}, {@code 'HFF'}.
    *
    * @param position where it is
    * @param value the number
    */
-  record IntLiteral(Position position, int value) implements Expression {}
+  record IntLiteral(Position position, int value) implements Literal {}
 
   /**
    * A number with a decimal point or an exponent.
@@ -23,7 +26,7 @@ public sealed interface Expression {
    * @param position where it is
    * @param value the number, rounded to a 32-bit float
    */
-  record RealLiteral(Position position, double value) implements Expression {}
+  record RealLiteral(Position position, double value) implements Literal {}
 
   /**
    * {@code TRUE} or {@code FALSE}.
@@ -31,7 +34,7 @@ public sealed interface Expression {
    * @param position where it is
    * @param value the value
    */
-  record BoolLiteral(Position position, boolean value) implements Expression {}
+  record BoolLiteral(Position position, boolean value) implements Literal {}
 
   /**
    * A text in double quotes; a text of one character can be a CHAR.
@@ -39,7 +42,7 @@ public sealed interface Expression {
    * @param position where it is
    * @param text the characters between the quotes
    */
-  record TextLiteral(Position position, String text) implements Expression {}
+  record TextLiteral(Position position, String text) implements Literal {}
 
   /**
    * {@code #NAME}.
@@ -47,7 +50,7 @@ public sealed interface Expression {
    * @param position where it is
    * @param name the constant, without {@code #}
    */
-  record EnumLiteral(Position position, String name) implements Expression {}
+  record EnumLiteral(Position position, String name) implements Literal {}
 
   /**
    * An aggregate: {@code {X 10,Y 2*I}} or {@code {POS: X 10}}.

@@ -5,43 +5,64 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A switch over the classes of a sealed family, with a case for each class. A missing case is
  * reported when the switch is created; the compiler of Java 17 cannot report it.
  *
- * <p>Immutable, so thread-safe if its cases are.
+ * <p>Immutable, so thread-safe if its cases are. A class keeps its switch in a static field, whose
+ * cases are methods such as {@code Compiler::branch}.
  *
+ * @param <C> the context that the cases use, such as the object whose methods they are
  * @param <T> the sealed family, such as {@link Statement}
+ * @param <R> the result; {@link Void} for cases without a result
  * @param <E> the exception that a case may throw
  */
-public final class TypeSwitch<T, E extends Exception> {
-  private final Map<Class<?>, Case<? super T, E>> cases;
+public final class TypeSwitch<C, T, R, E extends Exception> {
+  private final Map<Class<?>, Case<C, ? super T, R, E>> cases;
 
-  private TypeSwitch(Map<Class<?>, Case<? super T, E>> cases) {
+  private TypeSwitch(Map<Class<?>, Case<C, ? super T, R, E>> cases) {
     this.cases = Map.copyOf(cases);
   }
 
   /**
    * The code for the values of a class.
    *
+   * @param <C> the context
+   * @param <T> the class
+   * @param <R> the result
+   * @param <E> the exception that the code may throw
+   */
+  @FunctionalInterface
+  public interface Case<C, T, R, E extends Exception> {
+    /** Returns the result for a value; null without a result. */
+    @Nullable R apply(C context, T value) throws E;
+  }
+
+  /**
+   * The code for the values of a class, without a result.
+   *
+   * @param <C> the context
    * @param <T> the class
    * @param <E> the exception that the code may throw
    */
   @FunctionalInterface
-  public interface Case<T, E extends Exception> {
+  public interface Action<C, T, E extends Exception> {
     /** Handles a value. */
-    void handle(T value) throws E;
+    void run(C context, T value) throws E;
   }
 
   /**
    * The cases of a switch that is being created.
    *
+   * @param <C> the context
    * @param <T> the sealed family
+   * @param <R> the result
    * @param <E> the exception that a case may throw
    */
-  public static final class Cases<T, E extends Exception> {
-    private final Map<Class<?>, Case<? super T, E>> cases = new HashMap<>();
+  public static final class Cases<C, T, R, E extends Exception> {
+    private final Map<Class<?>, Case<C, ? super T, R, E>> cases = new HashMap<>();
 
     private Cases() {}
 
@@ -50,15 +71,30 @@ public final class TypeSwitch<T, E extends Exception> {
      *
      * @throws IllegalArgumentException if a class has a case already
      */
-    public <S extends T> Cases<T, E> on(Class<S> type, Case<? super S, E> code) {
+    public <S extends T> Cases<C, T, R, E> on(Class<S> type, Case<C, ? super S, R, E> code) {
       leaves(type)
           .forEach(
               leaf -> {
-                if (cases.put(leaf, value -> code.handle(type.cast(value))) != null) {
+                Case<C, T, R, E> cast = (context, value) -> code.apply(context, type.cast(value));
+                if (cases.put(leaf, cast) != null) {
                   throw new IllegalArgumentException("two cases for " + leaf.getName());
                 }
               });
       return this;
+    }
+
+    /**
+     * Adds a case without a result.
+     *
+     * @throws IllegalArgumentException if a class has a case already
+     */
+    public <S extends T> Cases<C, T, R, E> run(Class<S> type, Action<C, ? super S, E> code) {
+      return on(
+          type,
+          (context, value) -> {
+            code.run(context, value);
+            return null;
+          });
     }
   }
 
@@ -69,9 +105,9 @@ public final class TypeSwitch<T, E extends Exception> {
    * @param options adds the cases
    * @throws IllegalArgumentException if a class of the family has no case, or two
    */
-  public static <T, E extends Exception> TypeSwitch<T, E> create(
-      Class<T> family, Consumer<Cases<T, E>> options) {
-    Cases<T, E> cases = new Cases<>();
+  public static <C, T, R, E extends Exception> TypeSwitch<C, T, R, E> create(
+      Class<T> family, Consumer<Cases<C, T, R, E>> options) {
+    Cases<C, T, R, E> cases = new Cases<>();
     options.accept(cases);
     leaves(family)
         .filter(leaf -> !cases.cases.containsKey(leaf))
@@ -83,9 +119,18 @@ public final class TypeSwitch<T, E extends Exception> {
     return new TypeSwitch<>(cases.cases);
   }
 
+  /** Returns the result of the case of the class of a value. */
+  public R apply(C context, T value) throws E {
+    return Objects.requireNonNull(find(value).apply(context, value));
+  }
+
   /** Runs the case of the class of a value. */
-  public void handle(T value) throws E {
-    Objects.requireNonNull(cases.get(value.getClass())).handle(value);
+  public void run(C context, T value) throws E {
+    find(value).apply(context, value);
+  }
+
+  private Case<C, ? super T, R, E> find(T value) {
+    return Objects.requireNonNull(cases.get(value.getClass()));
   }
 
   private static Stream<Class<?>> leaves(Class<?> type) {

@@ -22,32 +22,31 @@ class TypeSwitchTest {
 
   @Test
   void runsTheCaseOfTheClass() {
-    TypeSwitch<Shape, RuntimeException> shapes =
+    TypeSwitch<List<String>, Shape, Void, RuntimeException> shapes =
         TypeSwitch.create(
             Shape.class,
             cases ->
                 cases
-                    .on(Square.class, square -> handled.add("square " + square.side()))
-                    .on(Circle.class, circle -> handled.add("circle " + circle.radius()))
-                    .on(Ellipse.class, ellipse -> handled.add("ellipse " + ellipse.height())));
-    shapes.handle(new Ellipse(1, 2));
-    shapes.handle(new Square(3));
-    shapes.handle(new Circle(4));
+                    .run(Square.class, (list, square) -> list.add("square " + square.side()))
+                    .run(Circle.class, (list, circle) -> list.add("circle " + circle.radius()))
+                    .run(Ellipse.class, (list, it) -> list.add("ellipse " + it.height())));
+    shapes.run(handled, new Ellipse(1, 2));
+    shapes.run(handled, new Square(3));
+    shapes.run(handled, new Circle(4));
     assertThat(handled).containsExactly("ellipse 2", "square 3", "circle 4");
   }
 
   @Test
   void runsTheCaseOfASealedInterfaceForEachClassOfIt() {
-    TypeSwitch<Shape, RuntimeException> shapes =
+    TypeSwitch<String, Shape, String, RuntimeException> shapes =
         TypeSwitch.create(
             Shape.class,
             cases ->
                 cases
-                    .on(Round.class, round -> handled.add("round"))
-                    .on(Square.class, square -> handled.add("square")));
-    shapes.handle(new Circle(1));
-    shapes.handle(new Ellipse(1, 2));
-    assertThat(handled).containsExactly("round", "round");
+                    .on(Round.class, (prefix, round) -> prefix + "round")
+                    .on(Square.class, (prefix, square) -> prefix + "square"));
+    assertThat(shapes.apply("a ", new Circle(1))).isEqualTo("a round");
+    assertThat(shapes.apply("an ", new Ellipse(1, 2))).isEqualTo("an round");
   }
 
   @Test
@@ -55,9 +54,9 @@ class TypeSwitchTest {
     assertThatIllegalArgumentException()
         .isThrownBy(
             () ->
-                TypeSwitch.<Shape, RuntimeException>create(
+                TypeSwitch.<String, Shape, Void, RuntimeException>create(
                     Shape.class,
-                    cases -> cases.on(Circle.class, c -> {}).on(Square.class, s -> {})))
+                    cases -> cases.run(Circle.class, (x, c) -> {}).run(Square.class, (x, s) -> {})))
         .withMessage("no case for " + Ellipse.class.getName());
   }
 
@@ -66,8 +65,9 @@ class TypeSwitchTest {
     assertThatIllegalArgumentException()
         .isThrownBy(
             () ->
-                TypeSwitch.<Shape, RuntimeException>create(
-                    Shape.class, cases -> cases.on(Round.class, r -> {}).on(Circle.class, c -> {})))
+                TypeSwitch.<String, Shape, Void, RuntimeException>create(
+                    Shape.class,
+                    cases -> cases.run(Round.class, (x, r) -> {}).run(Circle.class, (x, c) -> {})))
         .withMessage("two cases for " + Circle.class.getName());
   }
 }

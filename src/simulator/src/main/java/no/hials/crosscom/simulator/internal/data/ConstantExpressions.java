@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -20,6 +21,22 @@ import no.hials.crosscom.simulator.RefusedException;
  * differences, products and quotients of literals and CONST variables.
  */
 public final class ConstantExpressions {
+  private static final TypeSwitch<Scope, Expression, KrlValue, KrlErrorException> VALUES =
+      TypeSwitch.create(
+          Expression.class,
+          cases ->
+              cases
+                  .on(Expression.IntLiteral.class, (scope, it) -> new KrlInt(it.value()))
+                  .on(Expression.RealLiteral.class, (scope, it) -> KrlReal.of(it.value()))
+                  .on(Expression.BoolLiteral.class, (scope, it) -> new KrlBool(it.value()))
+                  .on(Expression.TextLiteral.class, (scope, it) -> new KrlString(it.text()))
+                  .on(Expression.EnumLiteral.class, (scope, it) -> new KrlEnum(it.name()))
+                  .on(Expression.Aggregate.class, ConstantExpressions::struct)
+                  .on(Expression.Variable.class, ConstantExpressions::constant)
+                  .on(Expression.Unary.class, ConstantExpressions::signed)
+                  .on(Expression.Binary.class, ConstantExpressions::computed)
+                  .on(Expression.Call.class, ConstantExpressions::refused));
+
   private ConstantExpressions() {}
 
   /**
@@ -32,42 +49,10 @@ public final class ConstantExpressions {
    */
   public static KrlValue evaluate(Expression expression, Scope scope) throws KrlErrorException {
     try {
-      return value(expression, scope);
-    } catch (IllegalArgumentException | KrlExecutionException e) {
+      return VALUES.apply(scope, expression);
+    } catch (IllegalArgumentException e) {
       throw new KrlErrorException(expression.position(), String.valueOf(e.getMessage()));
     }
-  }
-
-  private static KrlValue value(Expression expression, Scope scope)
-      throws KrlErrorException, KrlExecutionException {
-    if (expression instanceof Expression.IntLiteral literal) {
-      return new KrlInt(literal.value());
-    }
-    if (expression instanceof Expression.RealLiteral literal) {
-      return KrlReal.of(literal.value());
-    }
-    if (expression instanceof Expression.BoolLiteral literal) {
-      return new KrlBool(literal.value());
-    }
-    if (expression instanceof Expression.TextLiteral literal) {
-      return new KrlString(literal.text());
-    }
-    if (expression instanceof Expression.EnumLiteral literal) {
-      return new KrlEnum(literal.name());
-    }
-    if (expression instanceof Expression.Aggregate aggregate) {
-      return struct(aggregate, scope);
-    }
-    if (expression instanceof Expression.Variable variable) {
-      return constant(variable, scope);
-    }
-    if (expression instanceof Expression.Unary unary) {
-      return signed(unary, scope);
-    }
-    if (expression instanceof Expression.Binary binary) {
-      return computed(binary, scope);
-    }
-    throw notConstant(expression.position(), "a call of a function");
   }
 
   private static KrlErrorException notConstant(Position position, String found) {
@@ -78,7 +63,7 @@ public final class ConstantExpressions {
             + found);
   }
 
-  private static KrlStruct struct(Expression.Aggregate aggregate, Scope scope)
+  private static KrlStruct struct(Scope scope, Expression.Aggregate aggregate)
       throws KrlErrorException {
     List<KrlStruct.Field> fields = new ArrayList<>();
     for (Expression.Field field : aggregate.fields()) {
@@ -92,7 +77,7 @@ public final class ConstantExpressions {
     return new KrlStruct(aggregate.type(), fields);
   }
 
-  private static KrlValue constant(Expression.Variable expression, Scope scope)
+  private static KrlValue constant(Scope scope, Expression.Variable expression)
       throws KrlErrorException {
     VariablePath path = path(expression, scope);
     VariableEntry variable = scope.lookup(path.first().name());
@@ -150,24 +135,38 @@ public final class ConstantExpressions {
         expression.position(), "an index is an INT, expected one, found " + value.print());
   }
 
-  private static KrlValue signed(Expression.Unary unary, Scope scope)
-      throws KrlErrorException, KrlExecutionException {
+  private static KrlValue signed(Scope scope, Expression.Unary unary) throws KrlErrorException {
     KrlValue operand = evaluate(unary.operand(), scope);
     return switch (unary.operator()) {
       case PLUS -> number(unary.operand(), operand);
-      case MINUS -> Operators.negative(number(unary.operand(), operand));
+      case MINUS -> {
+        try {
+          yield Operators.negative(number(unary.operand(), operand));
+        } catch (KrlExecutionException e) {
+          throw new KrlErrorException(unary.position(), String.valueOf(e.getMessage()));
+        }
+      }
       default -> throw notConstant(unary.position(), unary.operator().toString());
     };
   }
 
-  private static KrlValue computed(Expression.Binary binary, Scope scope)
-      throws KrlErrorException, KrlExecutionException {
+  private static KrlValue computed(Scope scope, Expression.Binary binary) throws KrlErrorException {
     KrlValue left = number(binary.left(), evaluate(binary.left(), scope));
     KrlValue right = number(binary.right(), evaluate(binary.right(), scope));
     return switch (binary.operator()) {
-      case PLUS, MINUS, TIMES, DIVIDED -> Operators.of(binary.operator()).apply(left, right);
+      case PLUS, MINUS, TIMES, DIVIDED -> {
+        try {
+          yield Operators.of(binary.operator()).apply(left, right);
+        } catch (KrlExecutionException e) {
+          throw new KrlErrorException(binary.position(), String.valueOf(e.getMessage()));
+        }
+      }
       default -> throw notConstant(binary.position(), binary.operator().toString());
     };
+  }
+
+  private static KrlValue refused(Scope scope, Expression.Call call) throws KrlErrorException {
+    throw notConstant(call.position(), "a call of a function");
   }
 
   private static KrlValue number(Expression expression, KrlValue value) throws KrlErrorException {

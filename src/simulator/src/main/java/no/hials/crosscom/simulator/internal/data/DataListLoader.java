@@ -31,6 +31,19 @@ import org.jspecify.annotations.Nullable;
  * names must be global already, under the same name.
  */
 public final class DataListLoader {
+  private static final TypeSwitch<DataListLoader, Declaration, Void, KrlErrorException>
+      DECLARATIONS =
+          TypeSwitch.create(
+              Declaration.class,
+              cases ->
+                  cases
+                      .run(Declaration.Variables.class, DataListLoader::declareVariables)
+                      .run(Declaration.Struc.class, DataListLoader::declareStruc)
+                      .run(Declaration.Enumeration.class, DataListLoader::declareEnum)
+                      .run(Declaration.Signal.class, DataListLoader::declareSignal)
+                      .run(Declaration.InitialValue.class, DataListLoader::initialise)
+                      .run(Declaration.External.class, DataListLoader::checkExternal));
+
   private final DataList list;
   private final boolean isSystem;
   private final Scope module;
@@ -66,9 +79,8 @@ public final class DataListLoader {
    */
   public static void load(DataList list, Scope module, Scope globals, Consumer<KrlError> errors) {
     DataListLoader loader = new DataListLoader(list, module, globals, errors);
-    TypeSwitch<Declaration, KrlErrorException> cases = loader.cases();
     for (Declaration declaration : list.declarations()) {
-      loader.tell(() -> cases.handle(declaration));
+      loader.tell(() -> DECLARATIONS.run(loader, declaration));
     }
   }
 
@@ -96,19 +108,6 @@ public final class DataListLoader {
       errors.accept(e.error());
       return false;
     }
-  }
-
-  private TypeSwitch<Declaration, KrlErrorException> cases() {
-    return TypeSwitch.create(
-        Declaration.class,
-        cases ->
-            cases
-                .on(Declaration.Variables.class, this::declareVariables)
-                .on(Declaration.Struc.class, this::declareStruc)
-                .on(Declaration.Enumeration.class, this::declareEnum)
-                .on(Declaration.Signal.class, this::declareSignal)
-                .on(Declaration.InitialValue.class, this::initialise)
-                .on(Declaration.External.class, this::checkExternal));
   }
 
   private Scope target(boolean global, Position position) {

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Access;
@@ -19,6 +20,15 @@ import org.jspecify.annotations.Nullable;
  * with all their digits, arrays element by element, what has no value without one.
  */
 public final class DataListWriter {
+  private static final TypeSwitch<DataListWriter, Type, Void, RuntimeException> TYPES =
+      TypeSwitch.create(
+          Type.class,
+          cases ->
+              cases
+                  .run(Type.Base.class, (writer, type) -> {}) // every controller has them
+                  .run(Type.Enumeration.class, DataListWriter::declareEnum)
+                  .run(Type.Struc.class, DataListWriter::declareStruc));
+
   /** KSS ends its lines so (docs/reference/krl-language.md#files). */
   private static final String LINE_END = "\r\n";
 
@@ -76,7 +86,7 @@ public final class DataListWriter {
 
     line("&ACCESS RVP");
     line("DEFDAT " + name + " PUBLIC");
-    fold("TYPES", () -> types.values().forEach(this::declareType));
+    fold("TYPES", () -> types.values().forEach(type -> TYPES.run(this, type)));
     fold("VARIABLES", () -> contents.forEach(this::declareVariable));
     fold("SIGNALS", () -> signals.forEach(this::declareSignal));
     line("ENDDAT");
@@ -123,24 +133,24 @@ public final class DataListWriter {
     }
   }
 
-  private void declareType(Type type) {
-    if (type instanceof Type.Enumeration enumeration) {
-      TreeSet<String> constants = new TreeSet<>();
-      enumeration.constants().values().forEach(constant -> constants.add(constant.name()));
-      line("ENUM " + type.name() + " " + String.join(",", constants));
-    } else if (type instanceof Type.Struc struc) {
-      StringBuilder text = new StringBuilder("STRUC " + type.name());
-      String before = "";
-      String separator = " ";
-      for (Type.Component component : struc.components()) {
-        String own = component.type().element().name();
-        text.append(separator).append(own.equals(before) ? "" : own + " ");
-        text.append(component.name()).append(component.type().printDimensions());
-        before = own;
-        separator = ",";
-      }
-      line(text.toString());
+  private void declareEnum(Type.Enumeration type) {
+    TreeSet<String> constants = new TreeSet<>();
+    type.constants().values().forEach(constant -> constants.add(constant.name()));
+    line("ENUM " + type.name() + " " + String.join(",", constants));
+  }
+
+  private void declareStruc(Type.Struc type) {
+    StringBuilder text = new StringBuilder("STRUC " + type.name());
+    String before = "";
+    String separator = " ";
+    for (Type.Component component : type.components()) {
+      String own = component.type().element().name();
+      text.append(separator).append(own.equals(before) ? "" : own + " ");
+      text.append(component.name()).append(component.type().printDimensions());
+      before = own;
+      separator = ",";
     }
+    line(text.toString());
   }
 
   // variables

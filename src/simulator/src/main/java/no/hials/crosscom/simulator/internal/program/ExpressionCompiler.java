@@ -21,10 +21,36 @@ import org.jspecify.annotations.Nullable;
 
 /** Compiles expressions: their instructions leave the value on the stack. */
 final class ExpressionCompiler {
+  private static final TypeSwitch<ExpressionCompiler, Expression, Void, RuntimeException>
+      EXPRESSIONS =
+          TypeSwitch.create(
+              Expression.class,
+              cases ->
+                  cases
+                      .run(
+                          Expression.IntLiteral.class,
+                          (c, it) -> c.code.constant(it.position(), new KrlInt(it.value())))
+                      .run(Expression.RealLiteral.class, ExpressionCompiler::real)
+                      .run(
+                          Expression.BoolLiteral.class,
+                          (c, it) -> c.code.constant(it.position(), new KrlBool(it.value())))
+                      .run(
+                          Expression.TextLiteral.class,
+                          (c, it) -> c.code.constant(it.position(), new KrlString(it.text())))
+                      .run(
+                          Expression.EnumLiteral.class,
+                          (c, it) -> c.code.constant(it.position(), new KrlEnum(it.name())))
+                      .run(Expression.Aggregate.class, ExpressionCompiler::aggregate)
+                      .run(Expression.Variable.class, ExpressionCompiler::read)
+                      .run(
+                          Expression.Call.class,
+                          (c, it) -> c.call(it.position(), it.name(), it.arguments(), true))
+                      .run(Expression.Unary.class, ExpressionCompiler::unary)
+                      .run(Expression.Binary.class, ExpressionCompiler::binary));
+
   private final RoutineContext context;
   private final CodeBuilder code;
   private final boolean mayCall;
-  private final TypeSwitch<Expression, RuntimeException> cases = cases();
 
   /**
    * @param context the routine
@@ -44,28 +70,7 @@ final class ExpressionCompiler {
   }
 
   void compile(Expression expression) {
-    cases.handle(expression);
-  }
-
-  private TypeSwitch<Expression, RuntimeException> cases() {
-    return TypeSwitch.create(
-        Expression.class,
-        cases ->
-            cases
-                .on(Expression.IntLiteral.class, e -> constant(e, new KrlInt(e.value())))
-                .on(Expression.RealLiteral.class, this::real)
-                .on(Expression.BoolLiteral.class, e -> constant(e, new KrlBool(e.value())))
-                .on(Expression.TextLiteral.class, e -> constant(e, new KrlString(e.text())))
-                .on(Expression.EnumLiteral.class, e -> constant(e, new KrlEnum(e.name())))
-                .on(Expression.Aggregate.class, this::aggregate)
-                .on(Expression.Variable.class, this::read)
-                .on(Expression.Call.class, e -> call(e.position(), e.name(), e.arguments(), true))
-                .on(Expression.Unary.class, this::unary)
-                .on(Expression.Binary.class, this::binary));
-  }
-
-  private void constant(Expression expression, KrlValue value) {
-    code.constant(expression.position(), value);
+    EXPRESSIONS.run(this, expression);
   }
 
   private void real(Expression.RealLiteral literal) {

@@ -7,11 +7,35 @@ import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import org.jspecify.annotations.Nullable;
 
 /** What the compiler knows of the routine that it compiles. */
 final class RoutineContext {
+  private static final TypeSwitch<RoutineContext, Expression, Boolean, RuntimeException> STOPS =
+      TypeSwitch.create(
+          Expression.class,
+          cases ->
+              cases
+                  .on(Expression.Literal.class, (context, it) -> false)
+                  .on(Expression.Variable.class, (context, it) -> context.stopsAdvanceRun(it))
+                  .on(
+                      Expression.Unary.class,
+                      (context, it) -> context.stopsAdvanceRun(it.operand()))
+                  .on(
+                      Expression.Binary.class,
+                      (context, it) ->
+                          context.stopsAdvanceRun(it.left()) || context.stopsAdvanceRun(it.right()))
+                  .on(
+                      Expression.Call.class,
+                      (context, it) -> context.stopAdvanceRun(it.arguments()))
+                  .on(
+                      Expression.Aggregate.class,
+                      (context, it) ->
+                          it.fields().stream()
+                              .anyMatch(field -> context.stopsAdvanceRun(field.value()))));
+
   private final SymbolTable symbols;
   private final List<Map<String, CompiledRoutine>> routines;
   private final Predicate<String> stopsAdvanceRun;
@@ -75,22 +99,11 @@ final class RoutineContext {
   }
 
   private boolean stopsAdvanceRun(Expression expression) {
-    if (expression instanceof Expression.Variable variable) {
-      return symbols.ofController(variable).filter(stopsAdvanceRun).isPresent()
-          || variable.steps().stream().anyMatch(step -> stopAdvanceRun(step.indices()));
-    }
-    if (expression instanceof Expression.Unary unary) {
-      return stopsAdvanceRun(unary.operand());
-    }
-    if (expression instanceof Expression.Binary binary) {
-      return stopsAdvanceRun(binary.left()) || stopsAdvanceRun(binary.right());
-    }
-    if (expression instanceof Expression.Call call) {
-      return stopAdvanceRun(call.arguments());
-    }
-    if (expression instanceof Expression.Aggregate aggregate) {
-      return aggregate.fields().stream().anyMatch(field -> stopsAdvanceRun(field.value()));
-    }
-    return false;
+    return STOPS.apply(this, expression);
+  }
+
+  private boolean stopsAdvanceRun(Expression.Variable variable) {
+    return symbols.ofController(variable).filter(stopsAdvanceRun).isPresent()
+        || variable.steps().stream().anyMatch(step -> stopAdvanceRun(step.indices()));
   }
 }

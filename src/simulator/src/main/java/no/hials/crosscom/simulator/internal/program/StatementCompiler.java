@@ -6,9 +6,7 @@ import java.util.Arrays;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
@@ -16,7 +14,6 @@ import no.hials.crosscom.lang.Statement;
 import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
-import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.data.Operators;
@@ -26,11 +23,61 @@ import org.jspecify.annotations.Nullable;
 
 /** Compiles the statements of a routine. The stack is as high after each as it was before. */
 final class StatementCompiler {
+  private static final TypeSwitch<StatementCompiler, Statement, Void, RuntimeException> STATEMENTS =
+      TypeSwitch.create(
+          Statement.class,
+          cases ->
+              cases
+                  .run(Statement.Assignment.class, StatementCompiler::assignment)
+                  .run(Statement.Call.class, StatementCompiler::call)
+                  .run(Statement.Pulse.class, StatementCompiler::pulse)
+                  .run(Statement.If.class, StatementCompiler::branch)
+                  .run(Statement.Switch.class, StatementCompiler::branch)
+                  .run(Statement.For.class, StatementCompiler::loop)
+                  .run(Statement.While.class, StatementCompiler::loop)
+                  .run(Statement.Repeat.class, StatementCompiler::loop)
+                  .run(Statement.Loop.class, StatementCompiler::loop)
+                  .run(
+                      Statement.Exit.class,
+                      (c, it) -> c.code.jump(it.position(), c.loopEnds.element()))
+                  .run(
+                      Statement.Goto.class,
+                      (c, it) -> c.code.jump(it.position(), c.label(it.label())))
+                  .run(Statement.Label.class, (c, it) -> c.code.mark(c.label(it.name())))
+                  .run(Statement.Return.class, StatementCompiler::leave)
+                  .run(Statement.Halt.class, StatementCompiler::halt)
+                  .run(Statement.Continue.class, (c, it) -> {}) // see statements()
+                  .run(Statement.WaitFor.class, StatementCompiler::waitFor)
+                  .run(Statement.WaitSec.class, StatementCompiler::waitSeconds)
+                  .run(Statement.InterruptDeclaration.class, StatementCompiler::declare)
+                  .run(Statement.Interrupt.class, StatementCompiler::interrupt)
+                  .run(
+                      Statement.Resume.class,
+                      (c, it) -> c.code.emit(it.position(), KrlVirtualMachine::resume))
+                  .run(
+                      Statement.Brake.class,
+                      (c, it) -> c.code.emit(it.position(), machine -> machine.brake(it.maximum())))
+                  .run(Statement.Motion.class, StatementCompiler::motion)
+                  .run(
+                      Statement.Trigger.class,
+                      (c, it) -> c.motions.trigger(it, c.detached(it.action()))));
+
+  /** Compiles an action without the stop of the advance run. */
+  private static final TypeSwitch<StatementCompiler, Statement.Action, Void, RuntimeException>
+      ACTIONS =
+          TypeSwitch.create(
+              Statement.Action.class,
+              cases ->
+                  cases
+                      .run(Statement.Assignment.class, StatementCompiler::assign)
+                      .run(
+                          Statement.Call.class,
+                          (c, it) ->
+                              c.expressions.call(it.position(), it.name(), it.arguments(), false))
+                      .run(Statement.Pulse.class, StatementCompiler::sendPulse));
+
   private static final KrlInt ZERO = new KrlInt(0);
   private static final KrlInt ONE = new KrlInt(1);
-
-  /** The priority of a trigger's subprogram that the controller is to choose (assumed). */
-  private static final KrlInt AUTOMATIC = new KrlInt(-1);
 
   private static final double MILLIS = 1000;
 
@@ -41,9 +88,9 @@ final class StatementCompiler {
   private final boolean function;
   private final CodeBuilder code;
   private final ExpressionCompiler expressions;
+  private final MotionCompiler motions;
   private final Deque<CodeBuilder.Label> loopEnds = new ArrayDeque<>();
   private final Map<String, CodeBuilder.Label> labels = new HashMap<>();
-  private final TypeSwitch<Statement, RuntimeException> cases = cases();
 
   /** Whether CONTINUE stands ahead of the statement. */
   private boolean goOn;
@@ -57,6 +104,7 @@ final class StatementCompiler {
     this.function = function;
     this.code = new CodeBuilder();
     this.expressions = new ExpressionCompiler(context, code, true);
+    this.motions = new MotionCompiler(code, expressions);
   }
 
   /** Compiles the body of a routine. */
@@ -81,52 +129,9 @@ final class StatementCompiler {
     goOn = false;
     for (Statement statement : body) {
       code.statement();
-      cases.handle(statement);
+      STATEMENTS.run(this, statement);
       goOn = statement instanceof Statement.Continue;
     }
-  }
-
-  private TypeSwitch<Statement, RuntimeException> cases() {
-    return TypeSwitch.create(
-        Statement.class,
-        cases ->
-            cases
-                .on(
-                    Statement.Action.class,
-                    action -> {
-                      awaitFor(action);
-                      action(action);
-                    })
-                .on(Statement.If.class, this::branch)
-                .on(Statement.Switch.class, this::branch)
-                .on(Statement.For.class, this::loop)
-                .on(Statement.While.class, this::loop)
-                .on(Statement.Repeat.class, this::loop)
-                .on(Statement.Loop.class, this::loop)
-                .on(Statement.Exit.class, exit -> code.jump(exit.position(), loopEnds.element()))
-                .on(Statement.Goto.class, jump -> code.jump(jump.position(), label(jump.label())))
-                .on(Statement.Label.class, label -> code.mark(label(label.name())))
-                .on(Statement.Return.class, this::leave)
-                .on(Statement.Continue.class, next -> {}) // see statements()
-                .on(Statement.Motion.class, this::motion)
-                .on(Statement.Halt.class, this::halt)
-                .on(Statement.WaitFor.class, this::waitFor)
-                .on(Statement.WaitSec.class, this::waitSeconds)
-                .on(Statement.InterruptDeclaration.class, this::declare)
-                .on(Statement.Interrupt.class, this::interrupt)
-                .on(Statement.Trigger.class, this::trigger)
-                .on(
-                    Statement.Resume.class,
-                    resume -> code.emit(resume.position(), KrlVirtualMachine::resume))
-                .on(
-                    Statement.Brake.class,
-                    brake ->
-                        code.emit(brake.position(), machine -> machine.brake(brake.maximum()))));
-  }
-
-  private void halt(Statement.Halt halt) {
-    code.emit(halt.position(), KrlVirtualMachine::awaitMotion);
-    code.emit(halt.position(), KrlVirtualMachine::halt);
   }
 
   // the advance run
@@ -144,36 +149,33 @@ final class StatementCompiler {
     }
   }
 
-  private void awaitFor(Statement.Action action) {
-    if (action instanceof Statement.Assignment assignment) {
-      awaitFor(assignment.position(), assignment.target(), assignment.value());
-    } else if (action instanceof Statement.Call call) {
-      awaitFor(call.position(), call.arguments().toArray(new Expression[0]));
-    } else {
-      await(action.position());
-    }
-  }
-
   // assignment, call, PULSE
 
-  private void action(Statement.Action action) {
-    if (action instanceof Statement.Assignment assignment) {
-      if (Scope.key(assignment.target().name()).equals("$CYCFLAG")) {
-        // its expression would have to be looked at again in each cycle
-        // (docs/reference/system-variables.md#inputs-outputs-and-timers)
-        context.error(assignment.position(), "cyclic flags are not supported by this simulation");
-      }
-      expressions.write(assignment.target(), () -> expressions.compile(assignment.value()));
-    } else if (action instanceof Statement.Call call) {
-      expressions.call(call.position(), call.name(), call.arguments(), false);
-    } else if (action instanceof Statement.Pulse pulse) {
-      pulse(pulse);
-    } else {
-      throw new AssertionError(action);
-    }
+  private void assignment(Statement.Assignment assignment) {
+    awaitFor(assignment.position(), assignment.target(), assignment.value());
+    assign(assignment);
+  }
+
+  private void call(Statement.Call call) {
+    awaitFor(call.position(), call.arguments().toArray(new Expression[0]));
+    ACTIONS.run(this, call);
   }
 
   private void pulse(Statement.Pulse pulse) {
+    await(pulse.position());
+    sendPulse(pulse);
+  }
+
+  private void assign(Statement.Assignment assignment) {
+    if (Scope.key(assignment.target().name()).equals("$CYCFLAG")) {
+      // its expression would have to be evaluated again in each cycle
+      // (docs/reference/system-variables.md#inputs-outputs-and-timers)
+      context.error(assignment.position(), "cyclic flags are not supported by this simulation");
+    }
+    expressions.write(assignment.target(), () -> expressions.compile(assignment.value()));
+  }
+
+  private void sendPulse(Statement.Pulse pulse) {
     if (context.symbols().resolve(pulse.signal()) == null) {
       return;
     }
@@ -200,7 +202,7 @@ final class StatementCompiler {
   /** Compiles the action of an interrupt or a trigger, which uses the routine's variables. */
   private CompiledCode detached(Statement.Action action) {
     StatementCompiler compiler = new StatementCompiler(context, false);
-    compiler.action(action);
+    ACTIONS.run(compiler, action);
     compiler.code.emit(action.position(), KrlVirtualMachine::returnNothing);
     return compiler.code.build();
   }
@@ -386,6 +388,11 @@ final class StatementCompiler {
 
   // waiting
 
+  private void halt(Statement.Halt halt) {
+    code.emit(halt.position(), KrlVirtualMachine::awaitMotion);
+    code.emit(halt.position(), KrlVirtualMachine::halt);
+  }
+
   private void waitFor(Statement.WaitFor wait) {
     Position position = wait.position();
     CodeBuilder.Label look = new CodeBuilder.Label();
@@ -422,7 +429,7 @@ final class StatementCompiler {
     return Math.round(Math.min(seconds * MILLIS, LONGEST_WAIT));
   }
 
-  // interrupts and triggers
+  // interrupts
 
   private void declare(Statement.InterruptDeclaration declaration) {
     CodeBuilder conditionCode = new CodeBuilder();
@@ -453,76 +460,10 @@ final class StatementCompiler {
         machine -> machine.interrupts().command(interrupt.command(), machine.popInt(), machine));
   }
 
-  private void trigger(Statement.Trigger trigger) {
-    CompiledCode action = detached(trigger.action());
-    boolean calls = trigger.action() instanceof Statement.Call;
-    expressions.compile(trigger.distance());
-    optional(trigger.position(), trigger.delay(), ZERO);
-    optional(trigger.position(), trigger.priority(), AUTOMATIC);
-    code.emit(
-        trigger.position(),
-        machine -> {
-          // an assignment or a pulse interrupts everything, since it ends at once
-          int priority = TriggerOrder.priority(calls, machine.popInt());
-          double delay = machine.popNumber();
-          double distance = machine.popNumber();
-          Interruption interruption = new Interruption(priority, machine.frame(), action, true);
-          machine.trigger(new TriggerOrder(trigger.onPath(), distance, delay, interruption));
-        });
-  }
-
-  private void optional(Position position, @Nullable Expression expression, KrlValue otherwise) {
-    if (expression == null) {
-      code.constant(position, otherwise);
-    } else {
-      expressions.compile(expression);
-    }
-  }
-
   // motions
 
   private void motion(Statement.Motion motion) {
-    Position position = motion.position();
-    awaitFor(position, motion.auxiliary(), motion.target(), motion.circularAngle());
-    // the target is evaluated as late as possible, when the motion can be planned (assumed)
-    code.emit(position, KrlVirtualMachine::awaitAdvance);
-    if (motion.auxiliary() != null) {
-      expressions.compile(motion.auxiliary());
-    }
-    expressions.compile(motion.target());
-    if (motion.circularAngle() != null) {
-      expressions.compile(motion.circularAngle());
-    }
-    code.emit(position, machine -> machine.environment().move(order(machine, motion)));
-    code.emit(position, KrlVirtualMachine::awaitMotionWithoutAdvance);
-  }
-
-  private static MotionOrder order(KrlVirtualMachine machine, Statement.Motion motion)
-      throws KrlExecutionException {
-    OptionalDouble angle =
-        motion.circularAngle() == null
-            ? OptionalDouble.empty()
-            : OptionalDouble.of(machine.popNumber());
-    KrlStruct target = point(machine.pop());
-    KrlStruct auxiliary = motion.auxiliary() == null ? null : point(machine.pop());
-    String coordinates = motion.coordinates();
-    return new MotionOrder(
-        motion.kind(),
-        auxiliary,
-        target,
-        angle,
-        motion.approximations(),
-        coordinates == null ? null : coordinates.replace("#", "").toUpperCase(Locale.ROOT),
-        motion.target() instanceof Expression.Variable variable ? variable.name() : "",
-        machine.module(),
-        motion.position(),
-        machine.takeTriggers());
-  }
-
-  private static KrlStruct point(KrlValue value) throws KrlExecutionException {
-    if (value instanceof KrlStruct struct) {
-      return struct;
-    }
-    throw Operators.wrongType("a position", value);
+    awaitFor(motion.position(), motion.auxiliary(), motion.target(), motion.circularAngle());
+    motions.motion(motion);
   }
 }

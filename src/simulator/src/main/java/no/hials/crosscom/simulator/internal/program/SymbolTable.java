@@ -3,16 +3,19 @@ package no.hials.crosscom.simulator.internal.program;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.BiConsumer;
 import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.Declaration.Declarator;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Routine;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.simulator.Access;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Declarations;
@@ -25,6 +28,36 @@ import org.jspecify.annotations.Nullable;
 
 /** The variables that a routine can name: its own, its module's, and those of the controller. */
 final class SymbolTable {
+  /** Declares the types, which parameters and variables need. */
+  private static final TypeSwitch<SymbolTable, Declaration, Void, KrlErrorException> TYPES =
+      TypeSwitch.create(
+          Declaration.class,
+          cases ->
+              cases
+                  .run(Declaration.Struc.class, (table, it) -> Declarations.declare(table.own, it))
+                  .run(
+                      Declaration.Enumeration.class,
+                      (table, it) -> Declarations.declare(table.own, it))
+                  .run(Declaration.Variables.class, (table, it) -> {})
+                  .run(Declaration.Signal.class, (table, it) -> {})
+                  .run(Declaration.External.class, (table, it) -> {})
+                  .run(Declaration.InitialValue.class, SymbolTable::refuse));
+
+  /** Declares everything but the types. */
+  private static final TypeSwitch<SymbolTable, Declaration, Void, KrlErrorException> VARIABLES =
+      TypeSwitch.create(
+          Declaration.class,
+          cases ->
+              cases
+                  .run(Declaration.Struc.class, (table, it) -> {})
+                  .run(Declaration.Enumeration.class, (table, it) -> {})
+                  .run(Declaration.Variables.class, SymbolTable::declareVariables)
+                  .run(
+                      Declaration.Signal.class,
+                      (table, it) -> Declarations.declare(table.own, it, Access.READ_WRITE))
+                  .run(Declaration.External.class, SymbolTable::importVariable)
+                  .run(Declaration.InitialValue.class, (table, it) -> {}));
+
   private final KrlModule module;
   private final Scope globals;
   private final Map<String, KrlModule> modules;
@@ -32,6 +65,9 @@ final class SymbolTable {
 
   /** What the routine declares, without values. */
   private final Scope own;
+
+  /** The names of the parameters in upper case. */
+  private final Set<String> parameters = new HashSet<>();
 
   private final Map<String, StorageLocation> locations = new HashMap<>();
   private final List<Storage> locals = new ArrayList<>();
@@ -66,9 +102,8 @@ final class SymbolTable {
   // declarations
 
   void declare(Routine routine) {
-    Map<String, Routine.Parameter> parameters = new HashMap<>();
     for (Routine.Parameter parameter : routine.parameters()) {
-      if (parameters.put(Scope.key(parameter.name()), parameter) != null) {
+      if (!parameters.add(Scope.key(parameter.name()))) {
         errors.accept(parameter.position(), "parameter " + parameter.name() + " stands here twice");
       }
     }
@@ -76,32 +111,26 @@ final class SymbolTable {
     for (Declaration declaration : routine.declarations()) {
       if (declaration instanceof Declaration.Variables variables) {
         for (Declarator variable : variables.variables()) {
-          if (parameters.containsKey(Scope.key(variable.name()))) {
+          if (parameters.contains(Scope.key(variable.name()))) {
             ofParameters.put(Scope.key(variable.name()), variables);
           }
         }
       }
     }
-    declareTypes(routine);
+    routine.declarations().forEach(declaration -> declare(TYPES, declaration));
     for (Routine.Parameter parameter : routine.parameters()) {
       declareParameter(parameter, ofParameters.get(Scope.key(parameter.name())));
     }
-    for (Declaration declaration : routine.declarations()) {
-      declareVariables(declaration, parameters);
-    }
+    routine.declarations().forEach(declaration -> declare(VARIABLES, declaration));
   }
 
-  private void declareTypes(Routine routine) {
-    for (Declaration declaration : routine.declarations()) {
-      try {
-        if (declaration instanceof Declaration.Struc struc) {
-          Declarations.declare(own, struc);
-        } else if (declaration instanceof Declaration.Enumeration enumeration) {
-          Declarations.declare(own, enumeration);
-        }
-      } catch (KrlErrorException e) {
-        errors.accept(e.error().position(), e.error().message());
-      }
+  private void declare(
+      TypeSwitch<SymbolTable, Declaration, Void, KrlErrorException> declarations,
+      Declaration declaration) {
+    try {
+      declarations.run(this, declaration);
+    } catch (KrlErrorException e) {
+      errors.accept(e.error().position(), e.error().message());
     }
   }
 
@@ -130,24 +159,20 @@ final class SymbolTable {
     }
   }
 
-  private void declareVariables(
-      Declaration declaration, Map<String, Routine.Parameter> parameters) {
-    if (declaration instanceof Declaration.Variables variables) {
-      if (variables.global() || variables.constant()) {
-        errors.accept(
-            variables.position(), "GLOBAL and CONST are for variables of data lists only");
-      }
-      for (Declarator variable : variables.variables()) {
-        if (!parameters.containsKey(Scope.key(variable.name()))) {
-          checkDimensions(variable);
-          declareLocal(variable, variables.type(), new StorageLocation.Local(locals.size()));
-        }
-      }
-    } else if (declaration instanceof Declaration.Signal signal) {
-      declareSignal(signal);
-    } else if (declaration instanceof Declaration.External external) {
-      importVariable(external);
+  private void declareVariables(Declaration.Variables variables) {
+    if (variables.global() || variables.constant()) {
+      errors.accept(variables.position(), "GLOBAL and CONST are for variables of data lists only");
     }
+    for (Declarator variable : variables.variables()) {
+      if (!parameters.contains(Scope.key(variable.name()))) {
+        checkDimensions(variable);
+        declareLocal(variable, variables.type(), new StorageLocation.Local(locals.size()));
+      }
+    }
+  }
+
+  private void refuse(Declaration.InitialValue value) throws KrlErrorException {
+    throw new KrlErrorException(value.position(), "only a data list sets initial values");
   }
 
   private void checkDimensions(Declarator variable) {
@@ -186,14 +211,6 @@ final class SymbolTable {
           dimension == null ? new Expression.IntLiteral(variable.position(), 1) : dimension);
     }
     return new Declarator(variable.position(), variable.name(), dimensions, null);
-  }
-
-  private void declareSignal(Declaration.Signal signal) {
-    try {
-      Declarations.declare(own, signal, Access.READ_WRITE);
-    } catch (KrlErrorException e) {
-      errors.accept(e.error().position(), e.error().message());
-    }
   }
 
   /** Makes a variable of another module known: {@code IMPORT ... IS /R1/MODULE..NAME}. */

@@ -216,7 +216,7 @@ public final class DataListLoader {
     Storage contents = DeclaredType.of(module, group.type(), source).uninitialised();
     if (initial != null) {
       contents =
-          contents instanceof Storage.Array
+          contents instanceof ArrayStorage
               ? filled(contents, source, initial)
               : assigned(contents, source.name(), source.position(), initial);
     }
@@ -308,7 +308,7 @@ public final class DataListLoader {
       boolean isElement =
           path.isLast(0)
               && path.first().index().count() == 1
-              && module.storage(path) instanceof Storage.Scalar;
+              && module.storage(path) instanceof ScalarStorage;
       if (isElement) {
         return;
       }
@@ -365,10 +365,10 @@ public final class DataListLoader {
   /** Gives contents with a value assigned; of an aggregate with every field that is right. */
   private Storage assigned(Storage storage, String name, Position where, Expression value)
       throws KrlErrorException {
-    if (storage instanceof Storage.Array) {
+    if (storage instanceof ArrayStorage) {
       throw byElement(where, name);
     }
-    if (value instanceof Expression.Aggregate aggregate && storage instanceof Storage.Struc struc) {
+    if (value instanceof Expression.Aggregate aggregate && storage instanceof StrucStorage struc) {
       return withFields(struc, name, aggregate);
     }
     KrlValue evaluated = ConstantExpressions.evaluate(value, module);
@@ -379,7 +379,7 @@ public final class DataListLoader {
     }
   }
 
-  private Storage withFields(Storage.Struc struc, String name, Expression.Aggregate aggregate)
+  private Storage withFields(StrucStorage struc, String name, Expression.Aggregate aggregate)
       throws KrlErrorException {
     String typeName = aggregate.type();
     if (typeName != null && !typeName.equalsIgnoreCase(struc.type().name())) {

@@ -165,12 +165,12 @@ public final class DataListWriter {
   private void declareVariable(VariableEntry variable, Storage contents) {
     DeclaredType shape = DeclaredType.of(contents);
     String name = variable.name();
-    Storage.Array array = contents instanceof Storage.Array elements ? elements : null;
+    ArrayStorage array = contents instanceof ArrayStorage elements ? elements : null;
     String value = array == null ? inline(name, contents) : null;
-    boolean isText = contents instanceof Storage.Text;
+    boolean isText = contents instanceof TextStorage;
     boolean constant =
         variable.access() == Access.READ_ONLY
-            && contents instanceof Storage.Scalar
+            && contents instanceof ScalarStorage
             && value != null
             && !name.startsWith("$");
     String filling = array != null && name.startsWith("$") ? filling(name, array) : null;
@@ -197,7 +197,7 @@ public final class DataListWriter {
    * nothing of that has a value.
    */
   private static @Nullable String inline(String path, Storage storage) {
-    if (storage instanceof Storage.Struc struc) {
+    if (storage instanceof StrucStorage struc) {
       StringBuilder text = new StringBuilder();
       List<Storage> parts = struc.parts();
       for (int i = 0; i < parts.size(); i++) {
@@ -206,12 +206,12 @@ public final class DataListWriter {
         String value = inline(path + "." + name, part);
         if (value != null) {
           text.append(text.length() == 0 ? "{" : ",").append(name);
-          text.append(part instanceof Storage.Text ? "[] " : " ").append(value);
+          text.append(part instanceof TextStorage ? "[] " : " ").append(value);
         }
       }
       return text.length() == 0 ? null : text.append('}').toString();
     }
-    if (storage instanceof Storage.Array || !storage.initialised()) {
+    if (storage instanceof ArrayStorage || !storage.initialised()) {
       return null;
     }
     return scalar(path, value(storage));
@@ -237,14 +237,14 @@ public final class DataListWriter {
 
   /** Writes the elements of the arrays that a structure has inside. */
   private void arraysIn(String path, Storage storage) {
-    if (!(storage instanceof Storage.Struc struc)) {
+    if (!(storage instanceof StrucStorage struc)) {
       return;
     }
     List<Storage> parts = struc.parts();
     for (int i = 0; i < parts.size(); i++) {
       Storage part = parts.get(i);
       String name = path + "." + struc.type().components().get(i).name();
-      if (part instanceof Storage.Array array) {
+      if (part instanceof ArrayStorage array) {
         elements(name, array, null);
       } else {
         arraysIn(name, part);
@@ -252,11 +252,11 @@ public final class DataListWriter {
     }
   }
 
-  private void elements(String path, Storage.Array array, @Nullable String filling) {
+  private void elements(String path, ArrayStorage array, @Nullable String filling) {
     List<Storage> elements = array.elements();
     for (int i = 0; i < elements.size(); i++) {
       Storage element = elements.get(i);
-      String name = path + new Index(array.indicesOf(i), element instanceof Storage.Text);
+      String name = path + new Index(array.indicesOf(i), element instanceof TextStorage);
       String value = inline(name, element);
       if (value != null && !value.equals(filling)) {
         line(name + "=" + value);
@@ -269,7 +269,7 @@ public final class DataListWriter {
    * Gives the value that may stand for all elements of an array, as most of them have it; null if
    * there is none. Only for what has no parts: an element cannot lose a component again.
    */
-  private static @Nullable String filling(String path, Storage.Array array) {
+  private static @Nullable String filling(String path, ArrayStorage array) {
     Map<String, Integer> counts = new HashMap<>();
     List<Storage> elements = array.elements();
     for (Storage element : elements) {
@@ -279,7 +279,7 @@ public final class DataListWriter {
       }
       counts.merge(value, 1, Integer::sum);
     }
-    boolean mayDiffer = !(elements.get(0) instanceof Storage.Struc);
+    boolean mayDiffer = !(elements.get(0) instanceof StrucStorage);
     int needed = mayDiffer ? elements.size() / 2 + 1 : elements.size();
     for (Map.Entry<String, Integer> entry : counts.entrySet()) {
       if (entry.getValue() >= needed) {

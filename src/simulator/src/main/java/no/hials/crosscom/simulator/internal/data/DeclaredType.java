@@ -83,18 +83,18 @@ record DeclaredType(Type element, List<Integer> dimensions) {
   static DeclaredType of(Storage contents) {
     List<Integer> dimensions = new ArrayList<>();
     Storage element = contents;
-    if (contents instanceof Storage.Array array) {
+    if (contents instanceof ArrayStorage array) {
       for (int length : array.lengths()) {
         dimensions.add(length);
       }
       element = array.elements().get(0);
     }
-    if (element instanceof Storage.Text text) {
+    if (element instanceof TextStorage text) {
       dimensions.add(text.capacity());
       return new DeclaredType(Type.Base.CHAR, List.copyOf(dimensions));
     }
     Type type =
-        element instanceof Storage.Struc struc ? struc.type() : ((Storage.Scalar) element).type();
+        element instanceof StrucStorage struc ? struc.type() : ((ScalarStorage) element).type();
     return new DeclaredType(type, List.copyOf(dimensions));
   }
 
@@ -104,7 +104,7 @@ record DeclaredType(Type element, List<Integer> dimensions) {
     Storage first = element.uninitialised();
     if (element == Type.Base.CHAR && depth > 0) {
       depth--;
-      first = new Storage.Text(dimensions.get(depth), null);
+      first = new TextStorage(dimensions.get(depth), null);
     }
     if (depth == 0) {
       return first;
@@ -117,7 +117,7 @@ record DeclaredType(Type element, List<Integer> dimensions) {
     }
     Storage[] elements = new Storage[count];
     Arrays.fill(elements, first);
-    return new Storage.Array(lengths, elements);
+    return new ArrayStorage(lengths, elements);
   }
 
   /** Prints the dimensions as in a declaration: {@code [16,24]}. */

@@ -396,7 +396,7 @@ public final class Scope {
     }
     String key = path.first().name();
     if (writer == Writer.CLIENT) {
-      if (contents.read(path) instanceof Storage.Array) {
+      if (contents.read(path) instanceof ArrayStorage) {
         // before KSS 8 no array can be set as a whole (docs/reference/krl-values.md#arrays);
         // assumed for later versions
         throw new RefusedException(Refusal.WHOLE_ARRAY, "an array is written by element");

@@ -36,7 +36,7 @@ sealed interface Type {
 
     @Override
     default Storage uninitialised() {
-      return new Storage.Scalar(this, null);
+      return new ScalarStorage(this, null);
     }
   }
 
@@ -192,7 +192,7 @@ sealed interface Type {
       for (int i = 0; i < parts.length; i++) {
         parts[i] = components.get(i).type().uninitialised();
       }
-      return new Storage.Struc(this, parts);
+      return new StrucStorage(this, parts);
     }
 
     /**

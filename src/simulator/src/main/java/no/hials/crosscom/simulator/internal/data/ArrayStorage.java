@@ -1,0 +1,182 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.Refusal;
+import no.hials.crosscom.simulator.RefusedException;
+
+/** An array of anything but single characters. */
+final class ArrayStorage extends Storage {
+  private final int[] lengths;
+  private final Storage[] elements;
+
+  /**
+   * @param lengths the length of each dimension, without that of the texts in it
+   * @param elements all of them, the last index counting fastest
+   */
+  ArrayStorage(int[] lengths, Storage[] elements) {
+    this.lengths = lengths;
+    this.elements = elements;
+  }
+
+  /** Gives the length of each dimension, without that of the texts in it. */
+  int[] lengths() {
+    return lengths.clone();
+  }
+
+  /** Gives all elements, the last index counting fastest. */
+  List<Storage> elements() {
+    return List.of(elements);
+  }
+
+  private boolean hasScalars() {
+    return elements[0] instanceof ScalarStorage;
+  }
+
+  @Override
+  public boolean initialised() {
+    for (Storage element : elements) {
+      if (element.initialised()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean allInitialised() {
+    for (Storage element : elements) {
+      if (!element.initialised()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  @Override
+  public KrlValue value() throws RefusedException {
+    if (!hasScalars()) {
+      // no sample of it is known: assumed to fail (docs/reference/krl-values.md#arrays)
+      throw new RefusedException(
+          Refusal.WHOLE_ARRAY, "an array of structures can only be read by element");
+    }
+    List<KrlValue> values = new ArrayList<>(elements.length);
+    for (Storage element : elements) {
+      // no sample of a partly initialised array is known: assumed to fail as a scalar does
+      values.add(element.value());
+    }
+    return new KrlArray(values);
+  }
+
+  /**
+   * Adds this component to the fields of its structure: whole if that is possible, else those
+   * elements that are initialised. The second form is assumed, no sample is known.
+   */
+  void addFields(String name, List<KrlStruct.Field> fields) throws RefusedException {
+    if (lengths.length == 1 && hasScalars() && allInitialised()) {
+      fields.add(new KrlStruct.Field(name + "[]", value()));
+      return;
+    }
+    boolean isText = elements[0] instanceof TextStorage;
+    for (int i = 0; i < elements.length; i++) {
+      if (elements[i].initialised()) {
+        String field = name + new Index(indicesOf(i), isText);
+        fields.add(new KrlStruct.Field(field, elements[i].value()));
+      }
+    }
+  }
+
+  /** Gives the indices of an element by its position among all. */
+  int[] indicesOf(int offset) {
+    int[] numbers = new int[lengths.length];
+    int rest = offset;
+    for (int i = lengths.length - 1; i >= 0; i--) {
+      numbers[i] = rest % lengths[i] + 1;
+      rest /= lengths[i];
+    }
+    return numbers;
+  }
+
+  /** Takes all elements, or one value for every element. */
+  @Override
+  Storage assign(KrlValue value) throws RefusedException {
+    Storage[] changed = new Storage[elements.length];
+    if (value instanceof KrlArray array) {
+      if (array.elements().size() != elements.length) {
+        throw new RefusedException(
+            Refusal.OUT_OF_RANGE,
+            "has " + elements.length + " elements, was given " + array.elements().size());
+      }
+      for (int i = 0; i < changed.length; i++) {
+        changed[i] = elements[i].assign(array.elements().get(i));
+      }
+    } else {
+      for (int i = 0; i < changed.length; i++) {
+        // equal elements stay one object, which matters for thousands of outputs
+        changed[i] =
+            i > 0 && elements[i] == elements[i - 1] ? changed[i - 1] : elements[i].assign(value);
+      }
+    }
+    return new ArrayStorage(lengths, changed);
+  }
+
+  @Override
+  KrlValue rounded(KrlValue value) throws RefusedException {
+    if (!(value instanceof KrlArray array)) {
+      return elements[0].rounded(value);
+    }
+    List<KrlValue> values = new ArrayList<>(array.elements().size());
+    for (KrlValue element : array.elements()) {
+      values.add(elements[0].rounded(element));
+    }
+    return new KrlArray(values);
+  }
+
+  @Override
+  Storage select(Index index) throws RefusedException {
+    if (isWhole(index)) {
+      return this;
+    }
+    return elements[offset(index)].select(index.after(lengths.length));
+  }
+
+  private boolean isWhole(Index index) {
+    return index.isWhole() && lengths.length == 1 && !(elements[0] instanceof TextStorage);
+  }
+
+  private int offset(Index index) throws RefusedException {
+    if (index.count() < lengths.length) {
+      throw badIndex(
+          "an array of "
+              + lengths.length
+              + " dimensions, was given "
+              + (index.isNone() ? "no index" : "index " + index));
+    }
+    int offset = 0;
+    for (int i = 0; i < lengths.length; i++) {
+      int number = index.number(i);
+      if (number < 1 || number > lengths[i]) {
+        throw badIndex("index is one of 1 to " + lengths[i] + ", was given " + index);
+      }
+      offset = offset * lengths[i] + number - 1;
+    }
+    return offset;
+  }
+
+  @Override
+  Storage change(Index index, Change change) throws RefusedException {
+    if (isWhole(index)) {
+      return change.apply(this);
+    }
+    int offset = offset(index);
+    Storage element = elements[offset].change(index.after(lengths.length), change);
+    if (element == elements[offset]) {
+      return this;
+    }
+    Storage[] changed = elements.clone();
+    changed[offset] = element;
+    return new ArrayStorage(lengths, changed);
+  }
+}

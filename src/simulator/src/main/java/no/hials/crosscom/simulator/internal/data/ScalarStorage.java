@@ -1,0 +1,55 @@
+package no.hials.crosscom.simulator.internal.data;
+
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.Refusal;
+import no.hials.crosscom.simulator.RefusedException;
+import org.jspecify.annotations.Nullable;
+
+/** A value without parts. */
+final class ScalarStorage extends Storage {
+  private final Type.Scalar type;
+  private final @Nullable KrlValue value;
+
+  ScalarStorage(Type.Scalar type, @Nullable KrlValue value) {
+    this.type = type;
+    this.value = value;
+  }
+
+  Type type() {
+    return type;
+  }
+
+  @Override
+  public boolean initialised() {
+    return value != null;
+  }
+
+  @Override
+  public KrlValue value() throws RefusedException {
+    if (value == null) {
+      throw notInitialised();
+    }
+    return value;
+  }
+
+  @Override
+  Storage assign(KrlValue newValue) throws RefusedException {
+    KrlValue converted = type.convert(newValue);
+    return converted.equals(value) ? this : new ScalarStorage(type, converted);
+  }
+
+  @Override
+  KrlValue rounded(KrlValue newValue) throws RefusedException {
+    if (type != Type.Base.INT || !(newValue instanceof KrlReal number)) {
+      return newValue;
+    }
+    // assumed: to the nearest, halves upwards (no source says)
+    double nearest = Math.floor(number.value() + 0.5);
+    if (nearest != (int) nearest) {
+      throw new RefusedException(Refusal.OUT_OF_RANGE, "an INT has 32 bits, was given " + number);
+    }
+    return new KrlInt((int) nearest);
+  }
+}

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.simulator.VariableInfo;
 import no.hials.crosscom.simulator.VariableTable;
 import org.junit.jupiter.api.Test;

@@ -1,54 +1,78 @@
 package no.hials.crosscom.cell;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.function.Predicate;
+import java.util.function.BiPredicate;
+import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.KrlParser;
-import no.hials.crosscom.simulator.VariableInfo;
-import no.hials.crosscom.simulator.VariableTable;
+import no.hials.crosscom.lang.VariableNote;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Names that the shell knows: variables, and what their types are made of. Names are found in any
- * case. Not changed after it was made.
+ * The variables of a controller with their types, units, access and meaning. Names are found in any
+ * case. Immutable.
  */
 public final class Catalogue {
+  /** The data lists of the simulated controller, in the order in which they need each other. */
+  private static final List<String> BUILT_IN =
+      List.of("$TYPES.DAT", "$OPERATE.DAT", "$MACHINE.DAT", "$CONFIG.DAT");
+
   private static final String ASSUMED = "assumed";
 
   private final Map<String, CatalogueEntry> variables = new TreeMap<>();
   private final Map<String, List<CatalogueEntry>> structures = new TreeMap<>();
   private final Map<String, List<String>> enumerations = new TreeMap<>();
 
-  /** Says whether a variable of the simulated controller is one that controllers have. */
-  public static boolean isSystemVariable(VariableInfo info) {
-    return info.name().startsWith("$") || !info.source().equals(ASSUMED);
-  }
+  private Catalogue() {}
 
-  /** Gives the system variables of a controller, with their types. Takes some 100 ms. */
+  /** Returns the system variables of a controller, with their types. Takes some 100 ms. */
   public static Catalogue system() {
-    return of(VariableTable.krc4(), Catalogue::isSystemVariable);
+    Catalogue catalogue = new Catalogue();
+    for (String file : BUILT_IN) {
+      catalogue.add(file, resource(file), Catalogue::isSystemVariable);
+    }
+    return catalogue;
   }
 
-  /** Gives the variables of a simulated controller. */
-  public static Catalogue of(VariableTable table, Predicate<VariableInfo> shown) {
-    Catalogue symbols = new Catalogue();
-    // the table tells the types in the form of a data list only
-    KrlParser.parse("$TYPES.DAT", table.toDataList("$TYPES"))
+  /** Returns the variables of a simulated controller, with their types. */
+  public static Catalogue of(String dataList) {
+    Catalogue catalogue = new Catalogue();
+    catalogue.add("$VARIABLES.DAT", dataList, (name, note) -> true);
+    return catalogue;
+  }
+
+  /** Returns whether controllers have a variable, too, and not the simulated one only. */
+  private static boolean isSystemVariable(String name, VariableNote note) {
+    return name.startsWith("$") || !note.source().equals(ASSUMED);
+  }
+
+  private static String resource(String file) {
+    try (InputStream in = Catalogue.class.getResourceAsStream(file)) {
+      return new String(
+          Objects.requireNonNull(in, file).readAllBytes(), StandardCharsets.ISO_8859_1);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private void add(String file, String text, BiPredicate<String, VariableNote> shown) {
+    KrlParser.parse(file, text)
         .file()
         .filter(DataList.class::isInstance)
-        .ifPresent(list -> symbols.add((DataList) list, "", false));
-    table.describeAll().stream()
-        .filter(shown)
-        .forEach(info -> symbols.variables.put(key(info.name()), CatalogueEntry.of(info)));
-    return symbols;
+        .ifPresent(list -> add((DataList) list, "", Access.READ_WRITE, shown));
   }
 
   /**
@@ -62,42 +86,79 @@ public final class Catalogue {
     all.variables.putAll(variables);
     all.structures.putAll(structures);
     all.enumerations.putAll(enumerations);
-    lists.forEach((origin, list) -> all.add(list, origin, true));
+    lists.forEach((origin, list) -> all.add(list, origin, null, (name, note) -> true));
     return all;
   }
 
-  private void add(DataList list, String origin, boolean withVariables) {
+  /**
+   * Adds the declarations of a data list.
+   *
+   * @param access the access to variables whose comment does not name it; null if it is not known
+   * @param shown selects variables by their name and comment
+   */
+  private void add(
+      DataList list,
+      String origin,
+      @Nullable Access access,
+      BiPredicate<String, VariableNote> shown) {
     boolean system = list.name().startsWith("$");
     for (Declaration declaration : list.declarations()) {
       if (declaration instanceof Declaration.Struc struc) {
         structures.putIfAbsent(
             key(struc.name()),
             struc.components().stream()
-                .map(part -> symbol(part.type(), part.declarator(), "", origin))
+                .map(part -> entry(part.type(), part.declarator(), VariableNote.NONE, origin, null))
                 .toList());
       } else if (declaration instanceof Declaration.Enumeration enumeration) {
         enumerations.putIfAbsent(key(enumeration.name()), enumeration.constants());
+      } else if (declaration instanceof Declaration.Signal signal && system) {
+        VariableNote note = VariableNote.of(signal.comment());
+        add(entry("SIGNAL", signal.name(), List.of(), note, origin, access), note, shown);
       } else if (declaration instanceof Declaration.Variables group
-          && withVariables
           && (system || (list.isPublic() && group.global()))) {
-        for (Declaration.Declarator declarator : group.variables()) {
-          variables.putIfAbsent(
-              key(declarator.name()),
-              symbol(group.type(), declarator, group.comment().strip(), origin));
-        }
+        VariableNote note = VariableNote.of(group.comment());
+        group
+            .variables()
+            .forEach(one -> add(entry(group.type(), one, note, origin, access), note, shown));
       }
     }
   }
 
-  private static CatalogueEntry symbol(
-      String type, Declaration.Declarator declarator, String meaning, String origin) {
+  private void add(
+      CatalogueEntry entry, VariableNote note, BiPredicate<String, VariableNote> shown) {
+    if (shown.test(entry.name(), note)) {
+      variables.putIfAbsent(key(entry.name()), entry);
+    }
+  }
+
+  private static CatalogueEntry entry(
+      String type,
+      Declaration.Declarator declarator,
+      VariableNote note,
+      String origin,
+      @Nullable Access access) {
     List<Integer> dimensions = new ArrayList<>();
     for (Expression length : declarator.dimensions()) {
       dimensions.add(length instanceof Expression.IntLiteral number ? number.value() : 0);
     }
-    String upper = type.toUpperCase(Locale.ROOT);
+    return entry(type, declarator.name(), List.copyOf(dimensions), note, origin, access);
+  }
+
+  private static CatalogueEntry entry(
+      String type,
+      String name,
+      List<Integer> dimensions,
+      VariableNote note,
+      String origin,
+      @Nullable Access access) {
     return new CatalogueEntry(
-        declarator.name(), upper, List.copyOf(dimensions), null, "", meaning, origin);
+        name,
+        type.toUpperCase(Locale.ROOT),
+        dimensions,
+        note.access() == null ? access : note.access(),
+        note.unit(),
+        note.meaning(),
+        origin);
   }
 
   public Collection<CatalogueEntry> variables() {

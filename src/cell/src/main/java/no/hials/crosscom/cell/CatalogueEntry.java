@@ -1,8 +1,7 @@
 package no.hials.crosscom.cell;
 
 import java.util.List;
-import no.hials.crosscom.simulator.Access;
-import no.hials.crosscom.simulator.VariableInfo;
+import no.hials.crosscom.lang.Access;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,17 +23,6 @@ public record CatalogueEntry(
     String unit,
     String meaning,
     String origin) {
-
-  public static CatalogueEntry of(VariableInfo info) {
-    return new CatalogueEntry(
-        info.name(),
-        info.type(),
-        info.dimensions(),
-        info.access(),
-        info.unit(),
-        info.meaning(),
-        "");
-  }
 
   /** Gives the name as it is declared, as {@code $TORQUE_AXIS_ACT[12]}. */
   public String declarator() {

@@ -1,8 +1,6 @@
 package no.hials.crosscom.cell;
 
 import java.util.Locale;
-import no.hials.crosscom.simulator.VariableInfo;
-import no.hials.crosscom.simulator.VariableTable;
 
 /**
  * The units of variables, from the table of system variables and, where it does not say, from the
@@ -15,7 +13,7 @@ public final class Units {
   /** The unit of positions in the table: each field has its own. */
   private static final String OF_POSITIONS = "mm/deg";
 
-  private final VariableTable table = VariableTable.krc4();
+  private final Catalogue catalogue = Catalogue.system();
 
   /**
    * Gives the unit of a number.
@@ -28,7 +26,7 @@ public final class Units {
     String base = variable.split("[.\\[]", 2)[0];
     String field = variable.substring(variable.lastIndexOf('.') + 1).toUpperCase(Locale.ROOT);
     boolean isField = variable.indexOf('.') >= 0;
-    String unit = table.describe(base).map(VariableInfo::unit).orElse("");
+    String unit = catalogue.find(base).map(CatalogueEntry::unit).orElse("");
     if (isField && (unit.isEmpty() || unit.equals(OF_POSITIONS))) {
       return ofField(field);
     }

@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator;
 
 import java.util.List;
+import no.hials.crosscom.lang.Access;
 
 /**
  * What is known of a variable besides its value.

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
-import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.lang.Access;
 
 /** The answers of {@code help}. */
 final class ShellHelp {

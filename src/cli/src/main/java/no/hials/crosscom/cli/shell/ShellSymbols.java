@@ -76,7 +76,7 @@ final class ShellSymbols {
     MockServer simulation = Robots.simulation(controller);
     return simulation == null
         ? Catalogue.system()
-        : Catalogue.of(simulation.variables(), variable -> true);
+        : Catalogue.of(simulation.variables().toDataList("$VARIABLES"));
   }
 
   /** Gives what is known without asking the controller. */

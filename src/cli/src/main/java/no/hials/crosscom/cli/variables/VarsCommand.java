@@ -19,7 +19,6 @@ import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
-import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -79,9 +78,7 @@ public final class VarsCommand extends ConsoleCommand {
 
   private ExitCode system() {
     List<CatalogueEntry> found =
-        VariableTable.krc4().describeAll().stream()
-            .filter(Catalogue::isSystemVariable)
-            .map(CatalogueEntry::of)
+        Catalogue.system().variables().stream()
             .filter(
                 symbol ->
                     matches(symbol.declarator(), symbol.type(), symbol.unit(), symbol.meaning()))

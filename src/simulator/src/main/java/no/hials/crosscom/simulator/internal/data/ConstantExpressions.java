@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator.internal.data;
 
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.TypeSwitch;
@@ -12,7 +13,6 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.Access;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
 

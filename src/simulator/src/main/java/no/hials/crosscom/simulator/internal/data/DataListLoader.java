@@ -7,14 +7,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
+import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.TypeSwitch;
+import no.hials.crosscom.lang.VariableNote;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.Access;
 import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 

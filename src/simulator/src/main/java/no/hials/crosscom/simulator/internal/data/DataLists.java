@@ -19,6 +19,7 @@ import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.VariableNote;
 
 /** Data lists as files: their text, their tree, and their names. */
 public final class DataLists {

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.Access;
 import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 

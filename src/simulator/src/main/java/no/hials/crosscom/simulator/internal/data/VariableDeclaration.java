@@ -2,7 +2,7 @@ package no.hials.crosscom.simulator.internal.data;
 
 import java.util.List;
 import java.util.Optional;
-import no.hials.crosscom.simulator.Access;
+import no.hials.crosscom.lang.Access;
 
 /**
  * How a variable is declared.

@@ -1,8 +1,8 @@
 package no.hials.crosscom.simulator.internal.data;
 
 import java.util.function.Supplier;
+import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.simulator.Access;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;

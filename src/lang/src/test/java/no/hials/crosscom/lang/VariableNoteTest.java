@@ -1,8 +1,7 @@
-package no.hials.crosscom.simulator.internal.data;
+package no.hials.crosscom.lang;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import no.hials.crosscom.simulator.Access;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

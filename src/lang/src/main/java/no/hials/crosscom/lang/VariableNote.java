@@ -1,6 +1,5 @@
-package no.hials.crosscom.simulator.internal.data;
+package no.hials.crosscom.lang;
 
-import no.hials.crosscom.simulator.Access;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -49,7 +48,7 @@ public record VariableNote(@Nullable Access access, String unit, String meaning,
   }
 
   /** Writes the comment of a variable that clients may access so; empty if there is nothing. */
-  String comment(Access actual) {
+  public String comment(Access actual) {
     boolean plain =
         actual == Access.READ_WRITE
             && unit.isEmpty()

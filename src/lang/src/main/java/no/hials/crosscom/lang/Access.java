@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator;
+package no.hials.crosscom.lang;
 
 /** What a client may do with a variable. Java code may always do both. */
 public enum Access {

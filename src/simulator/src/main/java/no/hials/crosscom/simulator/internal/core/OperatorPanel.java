@@ -63,7 +63,7 @@ final class OperatorPanel {
    */
   void emergencyStop(boolean pressed, BooleanSupplier stopRobot) {
     if (pressed && !emergency) {
-      stopRobot.getAsBoolean();
+      boolean unused = stopRobot.getAsBoolean();
       show(Message.Kind.ACKNOWLEDGEMENT, MessageWindow.EMERGENCY_STOP, "emergency stop");
     }
     emergency = pressed;

@@ -51,14 +51,12 @@ record DeclaredType(Type element, List<Integer> dimensions) {
 
   private static List<Integer> lengths(Scope scope, Type element, Declaration.Declarator declarator)
       throws KrlErrorException {
-    boolean takesLengthOfText =
-        element == Type.Base.CHAR
-            && declarator.dimensions().size() == 1
-            && declarator.dimensions().get(0) == null
-            && declarator.initial() instanceof Expression.TextLiteral text
-            && !text.text().isEmpty();
-    if (takesLengthOfText) {
-      return List.of(((Expression.TextLiteral) declarator.initial()).text().length());
+    if (element == Type.Base.CHAR
+        && declarator.dimensions().size() == 1
+        && declarator.dimensions().get(0) == null
+        && declarator.initial() instanceof Expression.TextLiteral text
+        && !text.text().isEmpty()) {
+      return List.of(text.text().length());
     }
     List<Integer> lengths = new ArrayList<>();
     for (Expression dimension : declarator.dimensions()) {

@@ -32,7 +32,7 @@ record Builtin(String name, boolean function, List<Kind> parameters, int optiona
     /**
      * Executes it.
      *
-     * @param names what the calling routine can name
+     * @param symbols what the calling routine can name
      * @param arguments one for each parameter; null for one that is left out
      * @return the value of a function
      */

@@ -8,7 +8,7 @@ import no.hials.crosscom.cli.bridge.ConfirmCommand;
 import no.hials.crosscom.cli.bridge.DiscoverCommand;
 import no.hials.crosscom.cli.bridge.FileCommand;
 import no.hials.crosscom.cli.bridge.InfoCommand;
-import no.hials.crosscom.cli.bridge.ProgramCommand;
+import no.hials.crosscom.cli.bridge.ProgramCommands;
 import no.hials.crosscom.cli.drive.DriveCommand;
 import no.hials.crosscom.cli.lab.BenchCommand;
 import no.hials.crosscom.cli.lab.ExperimentCommand;
@@ -64,7 +64,7 @@ public enum Commands {
       case "drive" -> new DriveCommand(console);
       case "info" -> new InfoCommand(console);
       case "discover" -> new DiscoverCommand(console);
-      case "program" -> ProgramCommand.commandLine(console);
+      case "program" -> ProgramCommands.commandLine(console);
       case "file" -> FileCommand.commandLine(console);
       case "confirm" -> new ConfirmCommand(console);
       case "vars" -> new VarsCommand(console);

@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
-import no.hials.crosscom.cell.Declarations;
+import no.hials.crosscom.cell.DeclarationRows;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cli.base.Console;
@@ -107,11 +107,11 @@ public final class VarsCommand extends ConsoleCommand {
     for (KrlError error : result.errors()) {
       console().error(error.toString());
     }
-    List<Declarations.Row> rows =
+    List<DeclarationRows.Row> rows =
         tree.isPresent() && tree.get() instanceof DataList list
-            ? Declarations.of(list)
+            ? DeclarationRows.of(list)
             : noDataList(file, result);
-    List<Declarations.Row> found =
+    List<DeclarationRows.Row> found =
         rows.stream()
             .filter(row -> matches(row.name(), row.type(), row.value(), row.comment()))
             .toList();
@@ -143,7 +143,7 @@ public final class VarsCommand extends ConsoleCommand {
   }
 
   /** Has nothing to list: if the errors do not say why, this does. */
-  private List<Declarations.Row> noDataList(Path file, ParseResult result) throws FileException {
+  private List<DeclarationRows.Row> noDataList(Path file, ParseResult result) throws FileException {
     if (result.errors().isEmpty()) {
       throw new FileException(file + " is a program, and not a data list");
     }
@@ -177,7 +177,7 @@ public final class VarsCommand extends ConsoleCommand {
         });
   }
 
-  private static String json(Declarations.Row row) {
+  private static String json(DeclarationRows.Row row) {
     return JsonLine.object(
         line -> {
           line.writeStringField("name", row.name());

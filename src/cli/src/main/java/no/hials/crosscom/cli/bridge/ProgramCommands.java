@@ -23,12 +23,12 @@ import picocli.CommandLine.Command;
       "",
       "'jopenshowvar program COMMAND --help' tells more, and the exit codes."
     })
-public final class ProgramCommand {
-  private ProgramCommand() {}
+public final class ProgramCommands {
+  private ProgramCommands() {}
 
   /** Makes it, with its commands. */
   public static CommandLine commandLine(Console console) {
-    return new CommandLine(new ProgramCommand())
+    return new CommandLine(new ProgramCommands())
         .addSubcommand(new ProgramChoice.Select(console))
         .addSubcommand(new ProgramOrder.Start(console))
         .addSubcommand(new ProgramOrder.Stop(console))

@@ -10,8 +10,8 @@ import no.hials.crosscom.lang.Expression;
 import org.jspecify.annotations.Nullable;
 
 /** Makes a flat list of what a data list declares. */
-public final class Declarations {
-  private Declarations() {}
+public final class DeclarationRows {
+  private DeclarationRows() {}
 
   /**
    * Something that is declared, or an element or a field that is given its value.
@@ -107,7 +107,7 @@ public final class Declarations {
       return declarator.name();
     }
     return declarator.dimensions().stream()
-        .map(Declarations::text)
+        .map(DeclarationRows::text)
         .collect(Collectors.joining(",", declarator.name() + "[", "]"));
   }
 

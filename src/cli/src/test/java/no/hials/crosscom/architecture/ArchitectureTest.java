@@ -1,0 +1,243 @@
+package no.hials.crosscom.architecture;
+
+import static com.tngtech.archunit.lang.SimpleConditionEvent.violated;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static java.util.stream.Collectors.counting;
+import static java.util.stream.Collectors.groupingBy;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaCodeUnit;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaMember;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.domain.JavaType;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.ArchCondition;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The rules of docs/CONTRIBUTING.md for modules, packages and names. */
+class ArchitectureTest {
+  private static final String ROOT = "no.hials.crosscom";
+  private static final int MOST_FILES = 35;
+
+  /** The client's root has the names of 0.2.2 and 16 exceptions. */
+  private static final Set<String> LARGE_PACKAGES = Set.of(ROOT);
+
+  private static final JavaClasses CLASSES =
+      new ClassFileImporter()
+          .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+          .importPackages(ROOT);
+
+  /** The client's packages are those next to the other modules' packages. */
+  private static final Set<String> CLIENT =
+      Set.of("", "KRL", "c3", "compat", "internal", "networking", "variables");
+
+  private static String module(JavaClass type) {
+    String name = type.getPackageName();
+    String first = name.equals(ROOT) ? "" : name.substring(ROOT.length() + 1).split("\\.")[0];
+    return CLIENT.contains(first) ? "client" : first;
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "protocol, ''",
+    "lang, ''",
+    "kinematics, protocol",
+    "client, protocol",
+    "control, client kinematics protocol",
+    "simulator, lang kinematics protocol",
+    "mock, simulator lang kinematics protocol",
+    "cell, client simulator lang protocol",
+    "lab, cell control client mock simulator lang kinematics protocol"
+  })
+  void aModuleUsesOnlyTheModulesBelowIt(String module, String used) {
+    List<String> allowed = List.of((module + " " + used).split(" "));
+
+    assertThat(CLASSES)
+        .filteredOn(type -> module(type).equals(module))
+        .flatExtracting(JavaClass::getDirectDependenciesFromSelf)
+        .filteredOn(use -> use.getTargetClass().getPackageName().startsWith(ROOT))
+        .filteredOn(use -> !allowed.contains(module(use.getTargetClass().getBaseComponentType())))
+        .isEmpty();
+  }
+
+  @Test
+  void internalPackagesHaveNoCycles() {
+    slices().assignedFrom(internalPackages()).should().beFreeOfCycles().check(CLASSES);
+  }
+
+  private static SliceAssignment internalPackages() {
+    return new SliceAssignment() {
+      @Override
+      public SliceIdentifier getIdentifierOf(JavaClass type) {
+        return isInternal(type)
+            ? SliceIdentifier.of(type.getPackageName())
+            : SliceIdentifier.ignore();
+      }
+
+      @Override
+      public String getDescription() {
+        return "internal packages";
+      }
+    };
+  }
+
+  private static boolean isInternal(JavaClass type) {
+    return (type.getPackageName() + ".").contains(".internal.");
+  }
+
+  @Test
+  void aPackageHasFewFiles() {
+    Map<String, Long> files =
+        CLASSES.stream()
+            .filter(ArchitectureTest::isTopLevel)
+            .collect(groupingBy(JavaClass::getPackageName, counting()));
+
+    files.keySet().removeAll(LARGE_PACKAGES);
+    assertThat(files).allSatisfy((name, count) -> assertThat(count).isLessThanOrEqualTo(MOST_FILES));
+  }
+
+  private static boolean isTopLevel(JavaClass type) {
+    return type.isTopLevelClass() && !type.getSimpleName().equals("package-info");
+  }
+
+  @Test
+  void noTwoPublicTypesHaveOneName() throws IOException {
+    Map<String, List<String>> names =
+        Stream.concat(ourNames(), jdkNames())
+            .collect(groupingBy(name -> name.substring(name.lastIndexOf('.') + 1)));
+
+    assertThat(names.values())
+        .filteredOn(same -> same.stream().anyMatch(name -> name.startsWith(ROOT)))
+        .allSatisfy(same -> assertThat(same).hasSize(1));
+  }
+
+  private static Stream<String> ourNames() {
+    return CLASSES.stream()
+        .filter(ArchitectureTest::isTopLevel)
+        .filter(type -> type.getModifiers().contains(JavaModifier.PUBLIC))
+        .filter(type -> !isOriginal(type))
+        .map(JavaClass::getName);
+  }
+
+  /** Names of JOpenShowVar 0.2.2 stay. */
+  private static boolean isOriginal(JavaClass type) {
+    String name = type.getName().substring(ROOT.length() + 1);
+    return name.startsWith("KRL.")
+        || name.startsWith("variables.")
+        || Set.of("CrossComClient", "Callback", "Request").contains(name);
+  }
+
+  private static Stream<String> jdkNames() throws IOException {
+    FileSystem jdk = FileSystems.getFileSystem(URI.create("jrt:/"));
+    List<String> names = new ArrayList<>();
+    for (String folder : List.of("java/nio/file", "java/time", "java/util")) {
+      try (Stream<Path> files = Files.list(jdk.getPath("modules/java.base/" + folder))) {
+        files
+            .map(file -> file.getFileName().toString())
+            .filter(file -> file.endsWith(".class") && file.indexOf('$') < 0)
+            .map(file -> folder.replace('/', '.') + "." + file.replace(".class", ""))
+            .filter(name -> isPublic(name))
+            .forEach(names::add);
+      }
+    }
+    return names.stream();
+  }
+
+  private static boolean isPublic(String name) {
+    try {
+      return java.lang.reflect.Modifier.isPublic(Class.forName(name).getModifiers());
+    } catch (ClassNotFoundException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Test
+  void thePublicApiNamesNoInternalType() {
+    classes().should(nameNoInternalType()).check(CLASSES);
+  }
+
+  private static ArchCondition<JavaClass> nameNoInternalType() {
+    return new ArchCondition<>("name no internal type in public or protected members") {
+      @Override
+      public void check(JavaClass type, ConditionEvents events) {
+        if (!isApi(type)) {
+          return;
+        }
+        Stream<JavaType> parents =
+            Stream.concat(type.getSuperclass().stream(), type.getInterfaces().stream());
+        Stream<JavaType> members =
+            type.getMembers().stream().filter(member -> isVisible(member)).flatMap(m -> types(m));
+        Stream.concat(parents, members)
+            .flatMap(used -> used.getAllInvolvedRawTypes().stream())
+            .map(JavaClass::getBaseComponentType)
+            .filter(ArchitectureTest::isInternal)
+            .forEach(used -> events.add(violated(type, type.getName() + " names " + used)));
+      }
+    };
+  }
+
+  private static boolean isApi(JavaClass type) {
+    boolean outerIsApi = type.getEnclosingClass().map(ArchitectureTest::isApi).orElse(true);
+    return outerIsApi && !isInternal(type) && isVisible(type.getModifiers());
+  }
+
+  private static boolean isVisible(JavaMember member) {
+    return isVisible(member.getModifiers())
+        && !member.getModifiers().contains(JavaModifier.SYNTHETIC);
+  }
+
+  private static boolean isVisible(Set<JavaModifier> modifiers) {
+    return modifiers.contains(JavaModifier.PUBLIC) || modifiers.contains(JavaModifier.PROTECTED);
+  }
+
+  private static Stream<JavaType> types(JavaMember member) {
+    if (member instanceof JavaField field) {
+      return Stream.of(field.getType());
+    }
+    JavaCodeUnit code = (JavaCodeUnit) member;
+    List<JavaType> types = new ArrayList<>(code.getParameterTypes());
+    types.add(code.getReturnType());
+    types.addAll(code.getThrowsClause().getTypes().stream().collect(Collectors.toList()));
+    return types.stream();
+  }
+
+  @Test
+  void everyTypeOfTheApiPageIsPublic() throws IOException {
+    Set<String> names =
+        CLASSES.stream()
+            .filter(type -> type.getModifiers().contains(JavaModifier.PUBLIC))
+            .filter(type -> !isInternal(type))
+            .map(JavaClass::getSimpleName)
+            .collect(Collectors.toSet());
+
+    String page = Files.readString(Path.of("../../docs/reference/api.md"));
+
+    assertThat(Pattern.compile("`@?([A-Z][A-Za-z0-9]+)`").matcher(page).results())
+        .extracting(name -> name.group(1))
+        .hasSizeGreaterThan(50)
+        .allSatisfy(name -> assertThat(names).contains(name));
+  }
+}

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 if [[ ${1:-} == --javadoc ]]; then
-  mvn -B -q compile javadoc:aggregate -pl '!examples,!src/bench,!src/cli' -DexcludePackageNames='*.internal,*.internal.*'
+  mvn -B -q compile javadoc:aggregate -pl '!examples,!src/bench,!src/cli,!src/lab' -DexcludePackageNames='*.internal,*.internal.*'
 fi
 
 venv=target/site-venv

@@ -83,7 +83,7 @@ final class FileTreeTest {
       assertThat(tree.list("KRC:\\R1\\Program\\a")).containsExactly("B");
       assertThatIOException()
           .isThrownBy(() -> tree.put("KRC:\\R1\\Program\\A\\B\\x.src\\y", ""))
-          .withMessage("KRC:\\R1\\Program\\A\\B\\x.src is no folder");
+          .withMessage("KRC:\\R1\\Program\\A\\B\\x.src is not a folder");
       assertThatIOException()
           .isThrownBy(() -> tree.put("KRC:\\R1", ""))
           .withMessage("KRC:\\R1 is a folder");
@@ -101,10 +101,10 @@ final class FileTreeTest {
       assertThat(tree.text("KRC:\\R1")).isEmpty();
       assertThatIOException()
           .isThrownBy(() -> tree.get("/R1/x.src"))
-          .withMessage("KRC:\\R1\\Program\\x.src is not there");
+          .withMessage("KRC:\\R1\\Program\\x.src does not exist");
       assertThatIOException()
           .isThrownBy(() -> tree.list("/R1/$config.dat"))
-          .withMessage("KRC:\\R1\\System\\$config.dat is no folder");
+          .withMessage("KRC:\\R1\\System\\$config.dat is not a folder");
       assertThatIOException()
           .isThrownBy(() -> tree.delete("KRC:\\R1"))
           .withMessage("KRC:\\R1 belongs to the controller");

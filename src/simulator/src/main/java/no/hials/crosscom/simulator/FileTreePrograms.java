@@ -19,25 +19,28 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Brings the programs and data lists of the file tree into the controller when one of them is to be
- * selected: all that are new or have changed, as one may call another. What a file had is not taken
- * away when it is deleted, but its program cannot be selected any more.
+ * Loads the programs and data lists of the file tree before one of them is selected. All that are
+ * new or have changed are loaded, because one may call another. A program cannot be selected any
+ * more when its file is deleted, but its module stays loaded.
  *
- * <p>The lists of the controller, {@code $config.dat} and the like, are loaded when they have
- * changed since this was made; that a change counts from the next selection on is assumed.
+ * <p>The lists of the controller, {@code $config.dat} and the like, are loaded if they have changed
+ * since this object was created. That a change takes effect at the next selection is assumed.
  *
  * <p>Thread-safe.
  */
 final class FileTreePrograms {
   private static final Logger log = LoggerFactory.getLogger(FileTreePrograms.class);
 
-  /** So that a text that is no program cannot fill the memory; assumed. */
+  /**
+   * The largest file that is loaded, so that a text that is no program cannot fill the memory;
+   * assumed.
+   */
   private static final int MAX_LENGTH = 4 << 20;
 
   private final ControllerFileSystem files;
   private final Controller controller;
 
-  /** What each module was loaded from, by its file's name in capital letters without the end. */
+  /** The loaded modules, by the name of their file in capital letters without the extension. */
   private final Map<String, Module> loaded = new HashMap<>();
 
   FileTreePrograms(FileTree files, Controller controller) {
@@ -58,15 +61,15 @@ final class FileTreePrograms {
 
   /** The files of a module. */
   private static final class Module {
-    /** Their content by their end, in lower case; the data list comes first. */
+    /** Their contents by extension, in lower case; the data list comes first. */
     private final Map<String, byte[]> parts = new LinkedHashMap<>();
 
     private final Map<String, String> names = new HashMap<>();
 
-    /** What is wrong; empty if it could be loaded. */
+    /** The errors; empty if the module was loaded. */
     private List<KrlError> errors = List.of();
 
-    /** The module's name, which may be another than its file's. */
+    /** The name of the module, which can differ from that of its file. */
     private String name = "";
 
     /** Whether it has a program, or had one that was deleted since. */
@@ -84,13 +87,13 @@ final class FileTreePrograms {
   }
 
   /**
-   * Loads what is new, and finds the module that a client means.
+   * Loads new and changed files, and finds the module that a client means.
    *
    * @param name such as {@code /R1/X.SRC}, {@code /R1/X()}, {@code KRC:\R1\PROGRAM\X.SRC} or {@code
    *     X}, in any case
-   * @return the name to select it by; that of a module that only the controller knows is given back
-   *     as it is, without folders and end
-   * @throws KrlFileException if its files have errors, or are there no more
+   * @return the name to select the module by; if no file has that name, the name without folders
+   *     and extension
+   * @throws KrlFileException if its files have errors or have been deleted
    */
   synchronized String prepare(String name) throws KrlFileException {
     String key = key(name);
@@ -113,9 +116,9 @@ final class FileTreePrograms {
     if (module == null) {
       return key;
     }
-    // what is left of it may be its data list only
+    // only its data list may be left
     if (!found.containsKey(key) || (module.hadProgram && !module.hasProgram())) {
-      throw error(name, "the files of " + key + " are not there any more");
+      throw error(name, "the files of " + key + " have been deleted");
     }
     if (!module.errors.isEmpty()) {
       throw new KrlFileException(module.errors);
@@ -124,11 +127,9 @@ final class FileTreePrograms {
   }
 
   /**
-   * Shows the file of a module that somebody else has loaded; it need not be loaded any more.
+   * Shows a module that was loaded otherwise as a file, which is not loaded again.
    *
-   * @param name the module's name
    * @param ending src, sub or dat
-   * @param text the contents
    */
   synchronized void show(String name, String ending, String text) {
     if (!files.isInMemory() || name.startsWith("$")) {
@@ -142,7 +143,7 @@ final class FileTreePrograms {
       log.debug("{} is not shown as a file: {}", file, e.getMessage());
       return;
     }
-    // another part that a client has changed is still to be loaded, so it stays as it was known
+    // parts that a client has changed are not loaded yet, so they keep their old state
     Module module = new Module();
     Module old = loaded.get(key(file));
     if (old != null) {
@@ -160,7 +161,7 @@ final class FileTreePrograms {
     return new KrlFileException(List.of(new KrlError(new Position(file, 1, 1), message)));
   }
 
-  /** Takes the name of a module from the forms in which clients write it. */
+  /** Returns the name of a module from the forms that clients write. */
   private static String key(String name) {
     String bare = name.strip();
     bare = bare.substring(Math.max(bare.lastIndexOf('/'), bare.lastIndexOf('\\')) + 1);
@@ -170,10 +171,10 @@ final class FileTreePrograms {
     return (dot < 0 ? bare : bare.substring(0, dot)).toUpperCase(Locale.ROOT);
   }
 
-  /** Reads all modules; of files of the same name in several folders the first one counts. */
+  /** Reads all modules; if several folders have a file of the same name, the first is used. */
   private Map<String, Module> modules() throws IOException {
     List<FileItem> items = new ArrayList<>(files.modules());
-    // a data list belongs before its program
+    // data lists are loaded before their programs
     items.sort((a, b) -> Boolean.compare(!isList(a), !isList(b)));
     Map<String, Module> modules = new LinkedHashMap<>();
     for (FileItem item : items) {
@@ -212,7 +213,8 @@ final class FileTreePrograms {
           try {
             module.name = controller.take(file, text);
           } catch (KrlFileException e) {
-            // a new list of a program that is loaded is taken, but refused until that is, too
+            // a new list is taken by the module of a loaded program, with errors until that is
+            // loaded too
             boolean followed = program && end.equals("dat");
             errors.addAll(followed ? KrlParser.parse(file, text).errors() : e.errors());
           }

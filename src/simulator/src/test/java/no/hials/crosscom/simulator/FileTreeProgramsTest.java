@@ -133,7 +133,7 @@ final class FileTreeProgramsTest {
   private void assertNotThere() {
     assertThatExceptionOfType(KrlFileException.class)
         .isThrownBy(() -> programs.prepare("/R1/JOB.SRC"))
-        .withMessageContaining("the files of JOB are not there any more");
+        .withMessageContaining("the files of JOB have been deleted");
   }
 
   @Test

@@ -27,7 +27,7 @@ final class CheckedWriter {
       makeFolders(folder.parent());
       makeFolder(folder);
     } else if (!item.directory()) {
-      throw FileRefusedException.access(folder, "is no folder");
+      throw FileRefusedException.access(folder, "is not a folder");
     }
   }
 
@@ -66,7 +66,7 @@ final class CheckedWriter {
     if (old != null) {
       refuseFolder(path, old);
       if (!flags.has(CopyFlag.OVERWRITE)) {
-        throw FileRefusedException.access(path, "is there already");
+        throw FileRefusedException.access(path, "already exists");
       }
       if (old.readOnly() && !flags.has(CopyFlag.OVERWRITE_READ_ONLY)) {
         throw FileRefusedException.access(path, "is read-only");

@@ -21,14 +21,17 @@ import no.hials.crosscom.simulator.internal.data.BuiltInDataLists;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The files of the controller as C3 Bridge sees them: how names are found, and which code a refused
- * request gets. Where neither docs/reference/c3-messages.md nor c3-vectors.tsv has a code, it is
- * assumed: {@link ErrorCode#GENERAL} for an item that is missing, {@link ErrorCode#ACCESS} for an
- * item that exists already or is in use, {@link ErrorCode#ARGUMENT} for arguments that make no
- * sense.
+ * The files of the controller as C3 Bridge serves them
+ * (docs/reference/c3-messages.md#files-20-to-28). Error codes that were not measured
+ * (c3-vectors.tsv) are assumed: {@link ErrorCode#GENERAL} for a missing item, {@link
+ * ErrorCode#ACCESS} for an item that exists already or is in use, {@link ErrorCode#ARGUMENT} for
+ * arguments that make no sense.
  *
  * <p>Thread-safe. One lock is held during access to the disk too, because the result of a check
  * must stay true until the change is done.
+ *
+ * <p>A name is a full name or a KRC name. {@code inUse} tests whether the module of a name in
+ * capital letters is selected; its files cannot be changed.
  */
 public final class ControllerFileSystem implements FileTree {
   private static final List<String> FOLDERS =
@@ -80,7 +83,7 @@ public final class ControllerFileSystem implements FileTree {
     return new ControllerFileSystem(new FolderStore(folder, capacity), clock, capacity);
   }
 
-  /** Returns a file tree as what it always is. */
+  /** Returns the implementation of a file tree. */
   public static ControllerFileSystem of(FileTree files) {
     return (ControllerFileSystem) files;
   }
@@ -161,24 +164,14 @@ public final class ControllerFileSystem implements FileTree {
 
   // names
 
-  /**
-   * Returns the full name of an item, in capital letters
-   * (docs/reference/c3-messages.md#files-20-to-28).
-   *
-   * @param name in either form
-   * @return such as {@code KRC:\R1\PROGRAM\X.SRC}
-   * @throws IOException if the item does not exist
-   */
+  /** Returns the full name of an item in capital letters, such as {@code KRC:\R1\PROGRAM\X.SRC}. */
   public String fullName(String name) throws IOException {
     return locked(() -> ControllerPath.upper(names.existing(name).path().fullName()));
   }
 
   /**
-   * Returns the KRC name of an item, in capital letters (c3-vectors.tsv, type 28).
-   *
-   * @param name in either form
-   * @return such as {@code /R1/X.SRC}; with all folders if the short form means another item
-   * @throws IOException if the item does not exist
+   * Returns the KRC name of an item in capital letters, such as {@code /R1/X.SRC}; with all folders
+   * if the short form means another item.
    */
   public String krcName(String name) throws IOException {
     return locked(() -> names.krcName(names.existing(name)));
@@ -187,9 +180,6 @@ public final class ControllerFileSystem implements FileTree {
   /**
    * Lists the programs and data lists below {@code KRC:\R1}, in the order in which the short form
    * of a name finds them.
-   *
-   * @return the files
-   * @throws IOException if the files cannot be read
    */
   public List<FileItem> modules() throws IOException {
     return locked(names::modules);
@@ -197,36 +187,21 @@ public final class ControllerFileSystem implements FileTree {
 
   // reading
 
-  /**
-   * Finds an item.
-   *
-   * @param name in either form
-   * @return the item
-   * @throws IOException if it is not there
-   */
   public FileItem item(String name) throws IOException {
     return locked(() -> names.existing(name));
   }
 
-  /**
-   * Gives a file's content.
-   *
-   * @param name in either form
-   * @return the content, to be read only
-   * @throws IOException if there is none
-   */
+  /** Returns the content of a file, which the caller must not change. */
   public byte[] read(String name) throws IOException {
     return locked(() -> store.read(names.existingFile(name)));
   }
 
   /**
-   * Lists a folder. That a folder of a recursive list is followed by what is in it is assumed.
+   * Lists a folder. In a recursive list each folder is followed by its content (assumed).
    *
-   * @param name the folder
    * @param types the kinds of items, none for all
-   * @param flags recursive, expand and long count
-   * @return the items
-   * @throws IOException if it is none, or they do not fit into an answer
+   * @param flags recursive, expand and long are used
+   * @throws IOException if it is not a folder, or the list does not fit into an answer
    */
   public Listed list(String name, Flags<ItemType> types, Flags<ListFlag> flags) throws IOException {
     return locked(
@@ -238,10 +213,10 @@ public final class ControllerFileSystem implements FileTree {
   }
 
   /**
-   * What is in a folder.
+   * The items of a folder.
    *
    * @param names the items
-   * @param infos one an item, or none
+   * @param infos one for each item, or none at all
    */
   public record Listed(List<String> names, List<String> infos) {}
 
@@ -256,10 +231,7 @@ public final class ControllerFileSystem implements FileTree {
   }
 
   /**
-   * Gives the time zone at some time as Windows has it.
-   *
-   * @param time when
-   * @return minutes to be added to local time for UTC
+   * Returns the time zone at a time as Windows has it: the minutes to add to local time for UTC.
    */
   public int biasMinutes(Instant time) {
     return -clock.getZone().getRules().getOffset(time).getTotalSeconds() / 60;
@@ -268,13 +240,10 @@ public final class ControllerFileSystem implements FileTree {
   // changing
 
   /**
-   * Sets attributes; those that a file cannot be given, such as signed, are left out, which is
-   * assumed.
+   * Sets attributes; others, such as signed, are ignored (assumed).
    *
-   * @param name the item
-   * @param attributes those to be set
-   * @param mask those to be changed
-   * @throws IOException if it is not there
+   * @param attributes the new values
+   * @param mask the attributes to change
    */
   public void setAttributes(String name, Flags<FileAttribute> attributes, Flags<FileAttribute> mask)
       throws IOException {
@@ -287,13 +256,10 @@ public final class ControllerFileSystem implements FileTree {
   }
 
   /**
-   * Writes a file that may be there.
+   * Writes a file.
    *
-   * @param name the file
-   * @param content all of it, which nobody changes any more
-   * @param flags whether one that is there, or is read-only, is overwritten
-   * @param inUse whether the module of a name in capital letters is selected
-   * @throws IOException if it is refused
+   * @param content all of it; it must not change any more
+   * @param flags whether an existing file, or a read-only one, is overwritten
    */
   public void write(String name, byte[] content, Flags<CopyFlag> flags, Predicate<String> inUse)
       throws IOException {
@@ -307,14 +273,11 @@ public final class ControllerFileSystem implements FileTree {
   /**
    * Creates a file, a module or a folder.
    *
-   * @param name its name; the parts of a module have their own ends
-   * @param type the kind
-   * @param parts what a module has; what the name's end says if there are none
-   * @param always whether one that is there is written again
-   * @param template the file to take the content from, empty for none. Without one, a part of a
-   *     module is an empty program or data list, which is assumed
-   * @param inUse whether the module of a name in capital letters is selected
-   * @throws IOException if it is refused
+   * @param name its name; the parts of a module have their own extensions
+   * @param parts the parts of a module; if there are none, the extension of the name decides
+   * @param always whether an existing item is overwritten
+   * @param template the file to copy the content from. If empty, a part of a module is an empty
+   *     program or data list (assumed)
    */
   public void create(
       String name,
@@ -330,10 +293,7 @@ public final class ControllerFileSystem implements FileTree {
   /**
    * Deletes an item.
    *
-   * @param name the item
-   * @param always whether a file that is read-only, and a folder with all that is in it, is deleted
-   * @param inUse whether the module of a name in capital letters is selected
-   * @throws IOException if it is refused
+   * @param always whether to delete a read-only file, and a folder with its content
    */
   public void delete(String name, boolean always, Predicate<String> inUse) throws IOException {
     lockedDo(
@@ -367,14 +327,11 @@ public final class ControllerFileSystem implements FileTree {
   }
 
   /**
-   * Copies a file, or a folder with all that is in it if the flags say recursive. The copy is new:
-   * its times are now, and it is not read-only, which is assumed.
+   * Copies a file, or with the flag recursive a folder with its content. The copy has new times,
+   * and is not read-only (assumed).
    *
-   * @param source the item
-   * @param destination its copy, not the folder to be put in
-   * @param flags recursive and the two of overwriting count
-   * @param inUse whether the module of a name in capital letters is selected
-   * @throws IOException if it is refused
+   * @param destination the name of the copy, not the folder to put it in
+   * @param flags recursive and the two of overwriting are used
    */
   public void copy(
       String source, String destination, Flags<CopyFlag> flags, Predicate<String> inUse)
@@ -412,7 +369,7 @@ public final class ControllerFileSystem implements FileTree {
     }
   }
 
-  /** Checks that nothing in a folder gets too long a name; gives what a copy costs. */
+  /** Checks the length of the names in a copy, and returns the bytes that it needs. */
   private long checkNames(FileItem item, ControllerPath copy) throws IOException {
     long cost = ItemStore.ITEM_COST + item.size();
     if (item.directory()) {
@@ -436,13 +393,10 @@ public final class ControllerFileSystem implements FileTree {
   }
 
   /**
-   * Moves a file, or a folder with all that is in it.
+   * Moves a file, or a folder with its content.
    *
-   * @param source the item
-   * @param destination its new name, not the folder to be put in
-   * @param flags the two of overwriting count
-   * @param inUse whether the module of a name in capital letters is selected
-   * @throws IOException if it is refused
+   * @param destination the new name, not the folder to put it in
+   * @param flags the two of overwriting are used
    */
   public void move(
       String source, String destination, Flags<CopyFlag> flags, Predicate<String> inUse)
@@ -473,7 +427,7 @@ public final class ControllerFileSystem implements FileTree {
 
   // transfers
 
-  /** Takes room for a transfer; false if there is not so much. */
+  /** Reserves bytes for a transfer; returns false if too few are left. */
   boolean takeTransfer(long bytes) {
     lock.lock();
     try {
@@ -485,7 +439,6 @@ public final class ControllerFileSystem implements FileTree {
     }
   }
 
-  /** Gives room back. */
   void giveBackTransfer(long bytes) {
     lock.lock();
     try {

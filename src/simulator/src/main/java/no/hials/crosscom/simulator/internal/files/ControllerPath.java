@@ -6,10 +6,10 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * A place in the tree, there or not. Only names that are safe on every file system can be in it: no
- * {@code ..}, no device of Windows, no character that means something to a shell or a drive.
+ * The path of an item that may exist or not. Its names are safe on every file system: no {@code
+ * ..}, no device of Windows, no character with a meaning to a shell or a drive.
  *
- * @param names the names from {@code KRC:\} downwards; none for that itself
+ * @param names the names from {@code KRC:\} downwards; none for {@code KRC:\} itself
  */
 public record ControllerPath(List<String> names) {
   /** {@code KRC:\} itself. */
@@ -17,7 +17,7 @@ public record ControllerPath(List<String> names) {
 
   private static final String DRIVE = "KRC:";
 
-  /** That of Windows without the NUL at the end; that a KR C4 keeps to it is assumed. */
+  /** The limit of Windows without the NUL at the end; assumed for a KR C4. */
   private static final int MAX_LENGTH = 259;
 
   private static final String FORBIDDEN = "<>:\"|?*/\\";
@@ -29,10 +29,10 @@ public record ControllerPath(List<String> names) {
     names = List.copyOf(names);
   }
 
-  /** A name as a client wrote it: the names in it, and which of the two forms it had. */
+  /** A name from a client: its path, and which of the two forms it had. */
   record Parsed(ControllerPath path, boolean krcForm) {}
 
-  /** Takes {@code KRC:\R1\X.SRC} or {@code /R1/X.SRC}, with either kind of slash. */
+  /** Parses {@code KRC:\R1\X.SRC} or {@code /R1/X.SRC}, with either kind of slash. */
   static Parsed parse(String text) throws FileRefusedException {
     String slashed = text.replace('/', '\\');
     boolean full = slashed.regionMatches(true, 0, DRIVE, 0, DRIVE.length());
@@ -47,7 +47,7 @@ public record ControllerPath(List<String> names) {
     }
     names.remove(0);
     if (!names.isEmpty() && names.get(names.size() - 1).isEmpty()) {
-      names.remove(names.size() - 1); // a slash at the end is measured (c3-vectors.tsv, type 21)
+      names.remove(names.size() - 1); // a slash at the end is allowed (c3-vectors.tsv, type 21)
     }
     ControllerPath path = ROOT;
     for (String name : names) {
@@ -56,7 +56,7 @@ public record ControllerPath(List<String> names) {
     return new Parsed(path, !full);
   }
 
-  /** Adds a name, which is checked. */
+  /** Appends a name, which is checked. */
   ControllerPath child(String name) throws FileRefusedException {
     if (!isSafe(name)) {
       throw FileRefusedException.argument(quoted(name) + " cannot be the name of a file");
@@ -72,7 +72,7 @@ public record ControllerPath(List<String> names) {
     return child;
   }
 
-  /** Adds the name of something that is there. */
+  /** Appends the name of an item that exists. */
   ControllerPath known(String name) {
     List<String> longer = new ArrayList<>(names);
     longer.add(name);
@@ -106,38 +106,37 @@ public record ControllerPath(List<String> names) {
     return shown.append('"').toString();
   }
 
-  /** Whether this is {@code KRC:\} itself. */
   boolean isRoot() {
     return names.isEmpty();
   }
 
-  /** Gives the last name; empty for the root. */
+  /** Returns the last name; empty for the root. */
   public String name() {
     return isRoot() ? "" : names.get(names.size() - 1);
   }
 
-  /** The folder that this is in; the root is in itself. */
+  /** Returns the folder of this item; the root is its own folder. */
   ControllerPath parent() {
     return isRoot() ? this : new ControllerPath(names.subList(0, names.size() - 1));
   }
 
-  /** Gives the form {@code KRC:\R1\Program\x.src}, in the spelling of the names. */
+  /** Returns the form {@code KRC:\R1\Program\x.src}, with the names spelled as they are. */
   public String fullName() {
     return DRIVE + "\\" + String.join("\\", names);
   }
 
-  /** Whether another place is this one or below it. */
+  /** Returns whether another path is this one or below it. */
   boolean contains(ControllerPath other) {
     return other.names.size() >= names.size()
         && new ControllerPath(other.names.subList(0, names.size())).isSame(this);
   }
 
-  /** Whether another place is this one; the case of letters does not matter. */
+  /** Returns whether another path is this one, ignoring case. */
   boolean isSame(ControllerPath other) {
     return names.size() == other.names.size() && fullName().equalsIgnoreCase(other.fullName());
   }
 
-  /** Makes capital letters of all, one for one. */
+  /** Converts each character to upper case, without changing the length. */
   static String upper(String text) {
     StringBuilder upper = new StringBuilder(text.length());
     text.chars().forEach(c -> upper.append(Character.toUpperCase((char) c)));

@@ -7,20 +7,17 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
 
-/**
- * What a list has so far; it ends when an answer cannot hold more
- * (docs/reference/c3-messages.md#error-codes).
- */
+/** A list of items that fits into an answer (docs/reference/c3-messages.md#error-codes). */
 final class DirectoryListing {
-  /** What a u16 length can hold, less type, two counts and the footer. */
+  /** The bytes of a u16 length, less type, two counts and footer. */
   private static final int ROOM = 0xFFFF - 1 - 2 * 2 - 3;
 
   private final int types;
   private final boolean infos;
 
   /**
-   * Measured with all flags set only (c3-vectors.tsv, type 21): full names come out. That both of
-   * these flags ask for them is assumed, as names alone would not say where a file is.
+   * Measured with all flags set only: the names are full names (c3-vectors.tsv, type 21). Assumed:
+   * both flags ask for them, because plain names would not tell where a file is.
    */
   private final boolean fullNames;
 
@@ -33,13 +30,13 @@ final class DirectoryListing {
     this.fullNames = flags.has(ListFlag.RECURSIVE) || flags.has(ListFlag.EXPAND);
   }
 
-  /** Whether items have an info; that the old form is the same is assumed. */
+  /** Returns whether items have an info; the old flag is assumed to mean the same. */
   private static boolean infos(Flags<ListFlag> flags) {
     return flags.has(ListFlag.LONG) || flags.has(ListFlag.OLD_LONG);
   }
 
   void add(FileItem item) throws FileRefusedException {
-    // no types asks for all (c3-vectors.tsv, type 21)
+    // no types means all types (c3-vectors.tsv, type 21)
     if (types != 0 && (types & item.type().code()) == 0) {
       return;
     }

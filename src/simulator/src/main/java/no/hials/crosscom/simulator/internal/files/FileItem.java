@@ -8,15 +8,15 @@ import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.ItemType;
 
 /**
- * A file or folder that is there.
+ * A file or folder that exists.
  *
- * @param path where, in its own spelling
+ * @param path its path, spelled as stored
  * @param directory whether it is a folder
  * @param size in bytes, 0 for a folder
  * @param attributes the bits of {@link FileAttribute}
- * @param created when it was made
- * @param accessed when it was last read
- * @param modified when its content was last written
+ * @param created the time of its creation
+ * @param accessed the time of the last read
+ * @param modified the time of the last write of its content
  */
 public record FileItem(
     ControllerPath path,
@@ -28,8 +28,8 @@ public record FileItem(
     Instant modified) {
 
   /**
-   * By the end of the name. That of modules, texts and others is measured (c3-vectors.tsv, type
-   * 21); the rest is assumed.
+   * The types by extension. Those of modules, texts and unknown files are measured (c3-vectors.tsv,
+   * type 21), the rest assumed.
    */
   private static final Map<String, ItemType> TYPES =
       Map.ofEntries(
@@ -44,9 +44,7 @@ public record FileItem(
           Map.entry("zip", ItemType.ARCHIVE));
 
   /**
-   * Gives the kind of item.
-   *
-   * @return a folder, or what the end of the name says; {@link ItemType#BINARY} if that is unknown
+   * Returns the type: a folder, or by its extension; {@link ItemType#BINARY} if that is unknown.
    */
   public ItemType type() {
     return directory
@@ -54,11 +52,7 @@ public record FileItem(
         : TYPES.getOrDefault(extension(path.name()), ItemType.BINARY);
   }
 
-  /**
-   * Gives who may edit it (c3-vectors.tsv, type 26).
-   *
-   * @return unknown for a folder, read only if it is marked so, else full
-   */
+  /** Returns who may edit the item (c3-vectors.tsv, type 26). */
   public EditMode editMode() {
     if (directory) {
       return EditMode.UNKNOWN;
@@ -70,23 +64,23 @@ public record FileItem(
     return (attributes & FileAttribute.READ_ONLY.code()) != 0;
   }
 
-  /** What stands in a long list: type, attributes and size, as c3-vectors.tsv, type 21, shows. */
+  /** Returns type, attributes and size, as in a long list (c3-vectors.tsv, type 21). */
   String info() {
     return type().code() + "," + attributes + "," + size;
   }
 
-  /** The end of a name behind its last dot, in lower case; empty if it has none. */
+  /** Returns the part of a name after its last dot, in lower case; empty without a dot. */
   static String extension(String name) {
     return name.substring(base(name).length()).replace(".", "").toLowerCase(Locale.ROOT);
   }
 
-  /** A name without its last dot and what follows. */
+  /** Returns a name without its last dot and the part after it. */
   static String base(String name) {
     int dot = name.lastIndexOf('.');
     return dot < 0 ? name : name.substring(0, dot);
   }
 
-  /** Whether the end of a name is that of a program or a data list. */
+  /** Returns whether the extension is that of a program or a data list. */
   static boolean isModule(String name) {
     return TYPES.get(extension(name)) == ItemType.MODULE;
   }

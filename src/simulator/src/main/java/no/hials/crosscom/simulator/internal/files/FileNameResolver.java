@@ -79,7 +79,7 @@ final class FileNameResolver {
   FileItem existingFolder(String name) throws IOException {
     FileItem folder = existing(name);
     if (!folder.directory()) {
-      throw FileRefusedException.argument(folder.path() + " is no folder");
+      throw FileRefusedException.argument(folder.path() + " is not a folder");
     }
     return folder;
   }

@@ -3,16 +3,16 @@ package no.hials.crosscom.simulator.internal.files;
 import java.io.IOException;
 import no.hials.crosscom.protocol.ErrorCode;
 
-/** Says why the file tree did not do what it was asked for; nothing has changed. */
+/** Thrown when the file system refuses a request; nothing has changed. */
 public final class FileRefusedException extends IOException {
   private static final long serialVersionUID = 1L;
 
   private final ErrorCode code;
 
   /**
-   * Makes the exception.
+   * Creates the exception.
    *
-   * @param code what C3 Bridge answers, not {@link ErrorCode#SUCCESS}
+   * @param code the answer of C3 Bridge, not {@link ErrorCode#SUCCESS}
    * @param message the rule, expected and actual
    */
   public FileRefusedException(ErrorCode code, String message) {
@@ -20,17 +20,13 @@ public final class FileRefusedException extends IOException {
     this.code = code;
   }
 
-  /**
-   * Gives what C3 Bridge answers.
-   *
-   * @return the code, never {@link ErrorCode#SUCCESS}
-   */
+  /** Returns the answer of C3 Bridge, never {@link ErrorCode#SUCCESS}. */
   public ErrorCode code() {
     return code;
   }
 
   static FileRefusedException missing(ControllerPath path) {
-    return new FileRefusedException(ErrorCode.GENERAL, path + " is not there");
+    return new FileRefusedException(ErrorCode.GENERAL, path + " does not exist");
   }
 
   static FileRefusedException access(ControllerPath path, String rule) {

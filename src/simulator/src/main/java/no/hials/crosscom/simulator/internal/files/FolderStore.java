@@ -23,26 +23,25 @@ import no.hials.crosscom.protocol.code.FileAttribute;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps all in a folder of this machine, and never leaves it: links are not followed but refused,
- * and what is neither a file nor a folder or has a name that a tree cannot have is not there. The
- * attributes are kept in memory, as most file systems have none of Windows.
+ * Stores items in a folder of this machine, and never leaves it. Links are refused, not followed.
+ * Devices and names that {@link ControllerPath} does not allow are hidden. The attributes are kept
+ * in memory, because most file systems do not have those of Windows.
  *
- * <p>Who can change the folder at the same time from elsewhere can have it left; a client of the
- * server cannot.
+ * <p>Another program that changes the folder at the same time could make it leave the folder; a
+ * client of the server cannot.
  */
 final class FolderStore implements ItemStore {
   private final Path root;
   private final long maxFile;
 
-  /** What was set, by the full name in capital letters. */
+  /** The attributes that were set, by the full name in capital letters. */
   private final Map<String, Integer> attributes = new HashMap<>();
 
   /**
-   * Takes a folder.
+   * Opens a folder.
    *
-   * @param root the folder
-   * @param maxFile how large a file may be that is read, in bytes
-   * @throws IOException if it is none
+   * @param maxFile the size of the largest file that can be read, in bytes
+   * @throws IOException if it is not a folder
    */
   FolderStore(Path root, long maxFile) throws IOException {
     this.root = root.toRealPath();
@@ -61,7 +60,7 @@ final class FolderStore implements ItemStore {
     return item;
   }
 
-  /** Refuses a name under which there is a link or something else that is not seen. */
+  /** Refuses the name of a link or of another entry that is hidden. */
   private void refuseLink(ControllerPath path) throws IOException {
     Path folder = root;
     for (String name : path.names()) {
@@ -77,7 +76,7 @@ final class FolderStore implements ItemStore {
         return;
       }
       if (!isPlain(attributes(found))) {
-        throw FileRefusedException.access(path, "is a link or no file");
+        throw FileRefusedException.access(path, "is a link, or not a file");
       }
       folder = found;
     }
@@ -91,7 +90,7 @@ final class FolderStore implements ItemStore {
     return Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
   }
 
-  /** Leaves out links, those of Windows too, which say that they are folders, and devices. */
+  /** Returns false for devices and links; a link of Windows can look like a folder. */
   private static boolean isPlain(BasicFileAttributes found) {
     return (found.isDirectory() || found.isRegularFile())
         && !found.isSymbolicLink()
@@ -106,11 +105,11 @@ final class FolderStore implements ItemStore {
       }
       return file;
     } catch (InvalidPathException e) {
-      throw FileRefusedException.argument("this machine cannot have " + path);
+      throw FileRefusedException.argument("not a valid name on this machine: " + path);
     }
   }
 
-  /** Of names that differ in case only, the first is there. */
+  /** If names differ only in case, the first is used. */
   private Map<String, FileItem> entries(ControllerPath folder) throws IOException {
     Map<String, FileItem> items = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
     List<Path> sorted = new ArrayList<>();
@@ -173,8 +172,8 @@ final class FolderStore implements ItemStore {
     if (Files.exists(target, LinkOption.NOFOLLOW_LINKS) && !Files.isWritable(target)) {
       throw new AccessDeniedException(target.toString());
     }
-    // beside its place at first, so that on a full disk there is no half file, and the old one
-    // stays
+    // first a temporary file next to it, so that a full disk leaves the old file and no half of the
+    // new one
     Path part = target.resolveSibling(UUID.randomUUID() + ".part");
     try {
       Files.write(part, content, StandardOpenOption.CREATE_NEW);

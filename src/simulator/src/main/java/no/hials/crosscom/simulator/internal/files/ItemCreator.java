@@ -50,7 +50,7 @@ final class ItemCreator {
     if (old == null) {
       writer.makeFolder(path);
     } else if (!always || !old.directory()) {
-      throw FileRefusedException.access(path, "is there already");
+      throw FileRefusedException.access(path, "already exists");
     }
   }
 
@@ -103,7 +103,7 @@ final class ItemCreator {
       FileItem old = store.find(path);
       CheckedWriter.refuseFolder(path, old);
       if (old != null && !always) {
-        throw FileRefusedException.access(path, "is there already");
+        throw FileRefusedException.access(path, "already exists");
       }
       if (old != null) {
         writer.refuseInUse(old, inUse);

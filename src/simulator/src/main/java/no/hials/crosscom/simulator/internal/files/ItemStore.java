@@ -5,23 +5,23 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the items of a tree are. Names are found in any case. Not thread-safe. What a method needs
- * to be there or not to be there has been checked by its caller.
+ * Stores the items of a file tree. Names are found in any case. Not thread-safe. Callers have
+ * checked that the items a method needs exist, and that the new ones do not.
  */
 interface ItemStore {
-  /** What an item counts beside its content, so that empty ones are not for nothing. */
+  /** The bytes that an item counts in addition to its content, so that empty items have a cost. */
   int ITEM_COST = 512;
 
-  /** Finds an item; null if it is not there. */
+  /** Returns an item; null if it does not exist. */
   @Nullable FileItem find(ControllerPath path) throws IOException;
 
-  /** Lists a folder, sorted by name whatever its case. */
+  /** Lists a folder, sorted by name, ignoring case. */
   List<FileItem> children(ControllerPath folder) throws IOException;
 
-  /** Gives a file's content, which nobody changes any more. */
+  /** Returns the content of a file, which must not be changed. */
   byte[] read(FileItem file) throws IOException;
 
-  /** Writes a file, in place of one that is there, whose attributes stay. Keeps the array. */
+  /** Writes a file. An existing file keeps its attributes. The store keeps the array. */
   void write(ControllerPath path, byte[] content) throws IOException;
 
   void makeFolder(ControllerPath path) throws IOException;
@@ -29,12 +29,12 @@ interface ItemStore {
   /** Deletes a file or an empty folder. */
   void delete(FileItem item) throws IOException;
 
-  /** Moves a file or a folder with all that is in it to where nothing is. */
+  /** Moves a file or a folder with its content to a free path. */
   void move(FileItem item, ControllerPath to) throws IOException;
 
-  /** Sets those attributes that can be set. */
+  /** Sets all attributes. */
   void setAttributes(FileItem item, int attributes) throws IOException;
 
-  /** How much is stored: all contents, and {@link #ITEM_COST} for each item. */
+  /** Returns the bytes in use: all contents, and {@link #ITEM_COST} for each item. */
   long used() throws IOException;
 }

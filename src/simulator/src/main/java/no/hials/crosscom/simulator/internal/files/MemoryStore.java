@@ -10,7 +10,7 @@ import java.util.TreeMap;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import org.jspecify.annotations.Nullable;
 
-/** Keeps all in memory; the times are those of a clock. */
+/** Stores items in memory; the times are those of a clock. */
 final class MemoryStore implements ItemStore {
   private static final byte[] NOTHING = {};
 

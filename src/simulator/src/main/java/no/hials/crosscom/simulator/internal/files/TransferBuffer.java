@@ -5,11 +5,11 @@ import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.file.Bytes;
 
 /**
- * A buffer for the content of one file on its way, in the server's memory. It takes the announced
- * size from what the tree has for transfers, but memory only as data come. Not thread-safe.
+ * The content of one file during its transfer, in the server's memory. It reserves the announced
+ * size, but allocates memory only as data arrive. Not thread-safe.
  */
 public final class TransferBuffer {
-  /** The most that one message brings (docs/reference/c3-messages.md#file-content-29-and-30). */
+  /** The most bytes in one message (docs/reference/c3-messages.md#file-content-29-and-30). */
   public static final int MAX_CHUNK = 64_512;
 
   private final ControllerFileSystem tree;
@@ -18,19 +18,19 @@ public final class TransferBuffer {
   private boolean open;
 
   /**
-   * Makes an empty buffer.
+   * Creates an empty buffer.
    *
-   * @param tree whose room it takes
+   * @param tree the file system that limits the bytes in transfer
    */
   public TransferBuffer(ControllerFileSystem tree) {
     this.tree = tree;
   }
 
   /**
-   * Begins anew, empty.
+   * Empties the buffer for new content.
    *
-   * @param announced the size of the file; what is never written is 0, which is assumed
-   * @throws FileRefusedException if there is not so much room; the buffer is closed then
+   * @param announced the size of the file; bytes that are never written are 0 (assumed)
+   * @throws FileRefusedException if too few bytes are left for transfers; the buffer is then closed
    */
   public void begin(long announced) throws FileRefusedException {
     close();
@@ -43,10 +43,9 @@ public final class TransferBuffer {
   }
 
   /**
-   * Begins anew with a content to be read.
+   * Fills the buffer with content to read.
    *
-   * @param content all of it
-   * @throws FileRefusedException if there is not so much room; the buffer is closed then
+   * @throws FileRefusedException if too few bytes are left for transfers; the buffer is then closed
    */
   public void begin(byte[] content) throws FileRefusedException {
     begin(content.length);
@@ -54,12 +53,10 @@ public final class TransferBuffer {
   }
 
   /**
-   * Takes data; those past the announced size are cut off
-   * (docs/reference/c3-messages.md#file-content-29-and-30).
+   * Writes data; bytes past the announced size are cut off.
    *
-   * @param offset where they begin
-   * @param chunk the data
-   * @return how many were taken
+   * @param offset the position of the first byte
+   * @return the number of bytes written
    */
   public int write(long offset, Bytes chunk) {
     int count = available(offset, chunk.size());
@@ -74,11 +71,10 @@ public final class TransferBuffer {
   }
 
   /**
-   * Gives data; fewer than asked for if there are no more (c3-vectors.tsv, type 30).
+   * Reads data; at the end fewer bytes than requested.
    *
-   * @param offset where they begin
-   * @param count how many at most
-   * @return the data
+   * @param offset the position of the first byte
+   * @param count the most bytes to read
    */
   public Bytes read(long offset, long count) {
     int found = available(offset, Math.min(count, MAX_CHUNK));
@@ -90,34 +86,23 @@ public final class TransferBuffer {
   }
 
   /**
-   * Gives all of it.
-   *
-   * @return as many bytes as were announced; not to be changed, and what is written next may or may
-   *     not show in it
+   * Returns the announced number of bytes; the array must not be changed, and later writes may show
+   * in it.
    */
   public byte[] content() {
     return data.length == size ? data : Arrays.copyOf(data, size);
   }
 
-  /**
-   * Gives the size.
-   *
-   * @return what was announced, 0 if nothing was
-   */
+  /** Returns the announced size, 0 if the buffer is closed. */
   public int size() {
     return size;
   }
 
-  /**
-   * Says whether it has begun.
-   *
-   * @return true until it is closed
-   */
   public boolean isOpen() {
     return open;
   }
 
-  /** Ends it and gives the room back. */
+  /** Empties the buffer and releases its bytes. */
   public void close() {
     tree.giveBackTransfer(size);
     data = new byte[0];

@@ -7,9 +7,9 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /**

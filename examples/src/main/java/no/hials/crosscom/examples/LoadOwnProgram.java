@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /**

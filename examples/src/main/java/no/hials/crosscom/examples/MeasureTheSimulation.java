@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.SimulationClock;
 
 /** Measures the speed of the simulation on this machine. It needs the simulation. */

@@ -14,6 +14,7 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.program.MotionRequest;
 import no.hials.crosscom.protocol.program.MotionResponse;
 import no.hials.crosscom.protocol.program.PendantKeyRequest;
@@ -31,7 +32,6 @@ import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.ProgramControl;
-import no.hials.crosscom.simulator.ProgramState;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

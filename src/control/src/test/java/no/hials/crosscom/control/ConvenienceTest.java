@@ -13,8 +13,8 @@ import no.hials.crosscom.control.StopReason.Kind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.simulator.ProgramState;
 import org.junit.jupiter.api.Test;
 
 /** The classes that write variables for the user: paths, targets and outputs. */

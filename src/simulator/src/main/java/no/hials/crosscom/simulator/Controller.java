@@ -28,6 +28,7 @@ import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.internal.core.ControllerCore;
 import no.hials.crosscom.simulator.internal.core.Pacemaker;

@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator;
 import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.core.ControllerCore;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;

@@ -7,6 +7,7 @@ import java.util.function.BooleanSupplier;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -12,6 +12,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.Test;
 
 /** Lets time pass in steps, and breaks the simulation. */

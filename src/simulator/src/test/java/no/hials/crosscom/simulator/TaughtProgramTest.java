@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.Test;
 
 /** Runs what the inline forms of KSS write, as it is copied from a controller. */

@@ -5,9 +5,9 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Statement.MotionKind;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.KrlExecutionException;
-import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
 

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
-import no.hials.crosscom.simulator.ProgramState;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -2,7 +2,7 @@ package no.hials.crosscom.simulator.internal.program;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

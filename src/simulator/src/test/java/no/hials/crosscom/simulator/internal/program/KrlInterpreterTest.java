@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.tuple;
 
 import java.util.List;
+import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.simulator.KrlExecutionException;
-import no.hials.crosscom.simulator.ProgramState;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter.Level;
 import org.junit.jupiter.api.Test;
 

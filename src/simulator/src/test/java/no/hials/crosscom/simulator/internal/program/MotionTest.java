@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import no.hials.crosscom.lang.Statement.Approximation;
 import no.hials.crosscom.protocol.code.Interpreter;
-import no.hials.crosscom.simulator.ProgramState;
+import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator;
+package no.hials.crosscom.protocol.code;
 
 /**
  * The states of an interpreter, as {@code $PRO_STATE1} has them

@@ -1,23 +1,23 @@
 package no.hials.crosscom.protocol.code;
 
 /**
- * The states of an interpreter, as {@code $PRO_STATE1} has them
+ * The states of an interpreter: the values of {@code $PRO_STATE1}
  * (docs/reference/system-variables.md#enumerations).
  */
 public enum ProgramState {
   /** No program is selected. */
   FREE,
-  /** A program is selected, and is at its beginning. */
+  /** A program is selected, and has not started. */
   RESET,
   /** The program runs. */
   ACTIVE,
-  /** The program was stopped, and can go on. */
+  /** The program was stopped, and can continue. */
   STOP,
-  /** The program has come to its end. */
+  /** The program has ended. */
   END;
 
   /**
-   * Gives the constant of {@code $PRO_STATE1}.
+   * Returns the constant of {@code $PRO_STATE1}.
    *
    * @return the constant without {@code #}, such as {@code P_FREE}
    */

@@ -69,10 +69,12 @@ public final class MockServer implements AutoCloseable {
   private @Nullable DiscoveryResponder discovery;
   private final @Nullable DiscoveryResponder standardDiscovery;
 
-  /** Made when it is asked for; guarded by {@link #variables}. */
+  /** Guards {@link #controller} and {@link #closed}. */
+  private final Object lock = new Object();
+
+  /** Null until it is asked for. */
   private @Nullable Controller controller;
 
-  /** Guarded by {@link #variables}. */
   private boolean closed;
 
   private MockServer(MockServerConfig config) throws IOException {
@@ -101,7 +103,7 @@ public final class MockServer implements AutoCloseable {
   /** Says whether one of the interpreters has a module selected. */
   private boolean isSelected(String module) {
     Controller made;
-    synchronized (variables) {
+    synchronized (lock) {
       made = controller;
     }
     return made != null
@@ -254,7 +256,7 @@ public final class MockServer implements AutoCloseable {
    * @return the controller, always the same
    */
   public Controller controller() {
-    synchronized (variables) {
+    synchronized (lock) {
       if (closed) {
         throw new IllegalStateException("the server is closed");
       }
@@ -411,7 +413,7 @@ public final class MockServer implements AutoCloseable {
 
   private void closeController() {
     Controller closing;
-    synchronized (variables) {
+    synchronized (lock) {
       closed = true;
       closing = controller;
     }

@@ -3,22 +3,18 @@ package no.hials.crosscom.mock;
 import no.hials.crosscom.protocol.Tail;
 
 /**
- * How a read that the controller refuses is answered. The value is empty in each; servers differ in
+ * The answer to a read that the controller refuses. The value is always empty; servers differ in
  * the tail (docs/reference/kukavarproxy.md#refused-accesses).
  */
 public enum FailedRead {
   /** {@code 00 01 01}, the tail of success: KUKAVARPROXY since 2019. */
   EMPTY_SUCCESS,
-  /** {@code 00 01 00}: what most descriptions of KUKAVARPROXY say. */
+  /** {@code 00 01 00}: most descriptions of KUKAVARPROXY. */
   FAILURE,
-  /** {@code 00 00 00}: what C3 Bridge answers. */
+  /** {@code 00 00 00}: C3 Bridge. */
   FAILURE_ZERO;
 
-  /**
-   * Gives the end of such an answer.
-   *
-   * @return the tail
-   */
+  /** Returns the tail of the answer. */
   public Tail tail() {
     return switch (this) {
       case EMPTY_SUCCESS -> Tail.SUCCESS;

@@ -243,7 +243,6 @@ public sealed interface Fault {
    * @param segments pairs of hexadecimal digits with a blank between them
    */
   record Raw(List<String> segments) implements Fault {
-    /** Checks the digits. */
     public Raw {
       segments =
           segments.stream()
@@ -289,7 +288,6 @@ public sealed interface Fault {
    * @param bytes the number of bytes that are sent
    */
   record CloseDuring(int bytes) implements Fault {
-    /** Checks the range. */
     public CloseDuring {
       Checks.notNegative("bytes", bytes);
     }
@@ -301,7 +299,6 @@ public sealed interface Fault {
    * @param time the delay
    */
   record Delay(Duration time) implements Fault {
-    /** Checks the range. */
     public Delay {
       Checks.notNegative("time", time);
     }
@@ -321,7 +318,6 @@ public sealed interface Fault {
    * @param pause the time between two pieces, so that they do not arrive together
    */
   record Split(List<Integer> sizes, Duration pause) implements Fault {
-    /** Checks the ranges. */
     public Split {
       sizes = List.copyOf(sizes);
       for (int size : sizes) {
@@ -339,7 +335,6 @@ public sealed interface Fault {
    * @param pause the time between two bytes
    */
   record OneByteAtATime(Duration pause) implements Fault {
-    /** Checks the range. */
     public OneByteAtATime {
       Checks.notNegative("pause", pause);
     }
@@ -358,7 +353,6 @@ public sealed interface Fault {
    * @param function the byte, 0 to 255
    */
   record WrongFunction(int function) implements Fault {
-    /** Checks the range. */
     public WrongFunction {
       if (function < 0 || function > 0xFF) {
         throw new IllegalArgumentException("function must be 0 to 255, is " + function);
@@ -379,7 +373,6 @@ public sealed interface Fault {
    * @param bytes the number of bytes that are sent
    */
   record Truncate(int bytes) implements Fault {
-    /** Checks the range. */
     public Truncate {
       Checks.notNegative("bytes", bytes);
     }
@@ -392,7 +385,6 @@ public sealed interface Fault {
    * @param length their number
    */
   record Garbage(long seed, int length) implements Fault {
-    /** Checks the range. */
     public Garbage {
       Checks.notNegative("length", length);
     }

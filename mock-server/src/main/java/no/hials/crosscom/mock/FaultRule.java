@@ -9,8 +9,8 @@ import java.util.function.Function;
 import no.hials.crosscom.mock.internal.FaultRuleParser;
 
 /**
- * A fault and the requests that it happens to: by number, by the variable's name, by chance, or by
- * several of these, which must all hold. It is given to {@link MockServer#faults}:
+ * A fault and a condition: the number of the request, the name of the variable, a probability, or
+ * several of these, which must all hold. {@link MockServer#faults} takes it:
  *
  * <pre>{@code
  * server.faults(FaultRule.of(Fault.drop()).onRequest(3));
@@ -18,28 +18,28 @@ import no.hials.crosscom.mock.internal.FaultRuleParser;
  * server.faults(FaultRule.parse("delay:200ms@$POS_ACT%0.5", 1));
  * }</pre>
  *
- * <p>The text form, which the command line and {@code @KukaController} take, too, is {@code
+ * <p>The text form, also for the command line and {@code @KukaController}, is {@code
  * FAULT[:ARGUMENT][@NUMBERS][@NAME][%PROBABILITY]}, without blanks around the signs:
  *
  * <table>
- * <caption>Which requests</caption>
+ * <caption>Requests</caption>
  * <tr><th>text</th><th>meaning</th></tr>
  * <tr><td>{@code @3}</td><td>the third request, counted from 1 over all clients</td></tr>
  * <tr><td>{@code @5-10}</td><td>the fifth to the tenth</td></tr>
- * <tr><td>{@code @5-}</td><td>the fifth and all behind it</td></tr>
- * <tr><td>{@code @$OV_PRO}</td><td>those for a variable, see {@link #onVariable}</td></tr>
- * <tr><td>{@code %0.01}</td><td>one of a hundred of these, by chance</td></tr>
+ * <tr><td>{@code @5-}</td><td>the fifth and all after it</td></tr>
+ * <tr><td>{@code @$OV_PRO}</td><td>the requests for a variable, see {@link #onVariable}</td></tr>
+ * <tr><td>{@code %0.01}</td><td>one of a hundred of these, at random</td></tr>
  * </table>
  *
  * <table>
- * <caption>Which fault; names in any case</caption>
+ * <caption>Faults; names in any case</caption>
  * <tr><th>text</th><th>fault</th></tr>
- * <tr><td>{@code none}</td><td>{@link Fault#none}, to shield requests from later rules</td></tr>
+ * <tr><td>{@code none}</td><td>{@link Fault#none}, which exempts requests from later rules</td></tr>
  * <tr><td>{@code raw:HEX[,HEX...]}</td><td>{@link Fault#raw}</td></tr>
- * <tr><td>{@code answer:VALUE}</td><td>{@link Fault#answer} with the tail of success; a backslash
- * goes before {@code @}, {@code %} and a backslash of the value</td></tr>
- * <tr><td>{@code failure[:VALUE]}</td><td>{@link Fault#answer} with the tail of failure; with no
- * value if none is given</td></tr>
+ * <tr><td>{@code answer:VALUE}</td><td>{@link Fault#answer} with the tail of success; put a
+ * backslash before {@code @}, {@code %} and a backslash in the value</td></tr>
+ * <tr><td>{@code failure[:VALUE]}</td><td>{@link Fault#answer} with the tail of failure; without
+ * VALUE the value is empty</td></tr>
  * <tr><td>{@code emptyAnswer}</td><td>{@link Fault#emptyAnswer}</td></tr>
  * <tr><td>{@code drop}</td><td>{@link Fault#drop}</td></tr>
  * <tr><td>{@code dropAnswer}</td><td>{@link Fault#dropAnswer}</td></tr>
@@ -54,29 +54,28 @@ import no.hials.crosscom.mock.internal.FaultRuleParser;
  * <tr><td>{@code oneByteAtATime[:PAUSE]}</td><td>{@link Fault#oneByteAtATime()}</td></tr>
  * <tr><td>{@code answerTwice}</td><td>{@link Fault#answerTwice}</td></tr>
  * <tr><td>{@code glueToNext}</td><td>{@link Fault#glueToNext}</td></tr>
- * <tr><td>{@code wrongId[:DIFFERENCE]}</td><td>{@link Fault#wrongId}; by 1 if none is given</td></tr>
+ * <tr><td>{@code wrongId[:DIFFERENCE]}</td><td>{@link Fault#wrongId}; by 1 if it is omitted</td></tr>
  * <tr><td>{@code wrongFunction:FUNCTION}</td><td>{@link Fault#wrongFunction}</td></tr>
  * <tr><td>{@code wrongLength:DIFFERENCE}</td><td>{@link Fault#wrongLength}</td></tr>
  * <tr><td>{@code truncate:BYTES}</td><td>{@link Fault#truncate}</td></tr>
  * <tr><td>{@code garbage:LENGTH}</td><td>{@link Fault#garbage} of the rule's seed</td></tr>
  * </table>
  *
- * <p>{@link Fault#hold} has no text, since only a test can end it. A rule is immutable and has no
- * memory: chance is drawn from the seed and the request's number, so that the same requests are hit
- * in every run and by every server that uses the rule.
+ * <p>{@link Fault#hold} has no text, because only a test can release it. A rule is immutable and
+ * keeps no state: the random choice depends only on the seed and the request's number, so it is the
+ * same in every run and for every server that uses the rule.
  *
- * @param fault what goes wrong
+ * @param fault the fault
  * @param first the number of the first request, from 1
  * @param last the number of the last request
  * @param variable the name of the variable in upper case, empty for all requests
- * @param probability how many of these requests are hit, 0 to 1
- * @param seed the same seed hits the same requests
+ * @param probability the share of these requests that get the fault, 0 to 1
+ * @param seed the same seed chooses the same requests
  */
 public record FaultRule(
     Fault fault, long first, long last, String variable, double probability, long seed)
     implements Function<RecordedRequest, Optional<Fault>> {
 
-  /** Checks the ranges. */
   public FaultRule {
     Objects.requireNonNull(fault, "fault");
     if (first < 1 || last < first) {
@@ -84,31 +83,25 @@ public record FaultRule(
           "requests must be first to last from 1, are " + first + " to " + last);
     }
     variable = variable.strip().toUpperCase(Locale.ROOT);
-    // written so that NaN fails, too
+    // this form also refuses NaN
     if (!(probability >= 0 && probability <= 1)) {
       throw new IllegalArgumentException("probability must be 0 to 1, is " + probability);
     }
   }
 
-  /**
-   * Makes a rule that hits every request.
-   *
-   * @param fault what goes wrong
-   * @return the rule
-   */
+  /** Returns a rule for every request. */
   public static FaultRule of(Fault fault) {
     return new FaultRule(fault, 1, Long.MAX_VALUE, "", 1, 0);
   }
 
   /**
-   * Reads the text form.
+   * Parses the text form.
    *
    * @param text such as {@code drop@3}, see above
-   * @param seed the seed of probability and garbage; rules of different texts and the same seed are
-   *     hit independently
-   * @return the rule
-   * @throws IllegalArgumentException if the text is no rule; its message has the column, what was
-   *     expected and what was found
+   * @param seed the seed of probability and garbage; rules with different texts and the same seed
+   *     choose independently
+   * @throws IllegalArgumentException if the text is not a rule; the message names the column, the
+   *     expected and the actual text
    */
   public static FaultRule parse(String text, long seed) {
     return new FaultRuleParser(text, seed).parse();
@@ -118,29 +111,26 @@ public record FaultRule(
    * Restricts the rule to one request.
    *
    * @param number its number, from 1, as in {@link RecordedRequest#number}
-   * @return the new rule
    */
   public FaultRule onRequest(long number) {
     return onRequests(number, number);
   }
 
   /**
-   * Restricts the rule to requests in a row.
+   * Restricts the rule to consecutive requests.
    *
    * @param newFirst the number of the first, from 1, as in {@link RecordedRequest#number}
    * @param newLast the number of the last
-   * @return the new rule
    */
   public FaultRule onRequests(long newFirst, long newLast) {
     return new FaultRule(fault, newFirst, newLast, variable, probability, seed);
   }
 
   /**
-   * Restricts the rule to the requests for a variable, alone or among others.
+   * Restricts the rule to the requests for a variable, alone or with others.
    *
-   * @param name the name in any case: {@code $POS_ACT} for the variable, whole or by component or
-   *     element; {@code $POS_ACT.X} or {@code LOAD_DATA[1]} for this part and those in it
-   * @return the new rule
+   * @param name the name in any case: {@code $POS_ACT} for the variable and its components and
+   *     elements; {@code $POS_ACT.X} or {@code LOAD_DATA[1]} for this part and its parts
    */
   public FaultRule onVariable(String name) {
     if (name.isBlank()) {
@@ -150,22 +140,16 @@ public record FaultRule(
   }
 
   /**
-   * Restricts the rule to some of its requests, by chance.
+   * Restricts the rule to a random part of its requests.
    *
-   * @param newProbability how many, 0 for none to 1 for all
-   * @param newSeed the same seed hits the same requests
-   * @return the new rule
+   * @param newProbability the share, 0 for none to 1 for all
+   * @param newSeed the same seed chooses the same requests
    */
   public FaultRule withProbability(double newProbability, long newSeed) {
     return new FaultRule(fault, first, last, variable, newProbability, newSeed);
   }
 
-  /**
-   * Gives a request's fault.
-   *
-   * @param request the request
-   * @return the fault, or nothing if the rule does not hit the request
-   */
+  /** Returns the fault of a request, empty if the rule does not apply to it. */
   @Override
   public Optional<Fault> apply(RecordedRequest request) {
     long number = request.number();
@@ -185,7 +169,7 @@ public record FaultRule(
             || ".[".indexOf(asked.charAt(variable.length())) >= 0);
   }
 
-  /** Gives 0 to below 1. Two steps, so that neighbouring seeds do not draw the same, shifted. */
+  /** Returns 0 to below 1. The two steps make the numbers of neighbouring seeds independent. */
   private double draw(long number) {
     long start = new SplittableRandom(seed).nextLong();
     return new SplittableRandom(start + number).nextDouble();

@@ -33,28 +33,27 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Stands in for a robot controller with KUKAVARPROXY, or with C3 Bridge ({@link
- * MockServerConfig#server}), over real TCP.
+ * Simulates a robot controller with KUKAVARPROXY or C3 Bridge ({@link MockServerConfig#server})
+ * over real TCP.
  *
- * <p>It serves one request at a time, whoever sent it, and answers each by one write. A request
- * that arrives in pieces is put together again, which KUKAVARPROXY does not do, and a request is
- * served at once, which a controller cannot; {@link MockServerConfig.Builder#asOnTheController}
- * sets both and the other limits as they are there. A malformed request gets no answer, one of an
- * unknown function the empty answer; the connection stays open.
+ * <p>The server serves one request of all its clients at a time, and sends each answer by one
+ * write. By default it joins the pieces of a request, which KUKAVARPROXY does not do, and answers
+ * without delay, which a controller cannot; {@link MockServerConfig.Builder#asOnTheController} sets
+ * these and the other limits as on a controller. A malformed request gets no answer, a request of
+ * an unknown function the empty answer; the connection stays open.
  *
- * <p>C3 Bridge answers a malformed request with code {@code PROTOCOL}, and closes the connection on
- * an unknown type and when an answer of types 0 and 4 is too long
- * (docs/reference/c3-messages.md#framing). That it drops what arrives while its send blocks is not
- * simulated. Its programs, motions and keys are those of {@link #controller}: select, run and start
- * really do, a motion begins at once and needs the controller's time, and a program has to be
- * stopped before somebody else can move the robot.
+ * <p>C3 Bridge answers a malformed request with code {@code PROTOCOL}. It closes the connection on
+ * an unknown type, and if an answer of types 0 and 4 is too long
+ * (docs/reference/c3-messages.md#framing). A real one also drops requests that arrive while its
+ * send blocks; this is not simulated. Its programs, motions and keys are those of {@link
+ * #controller}: a motion starts at once and takes the controller's time, and a program must be
+ * stopped before another client can move the robot.
  *
- * <p>Threads: one that accepts, called {@code mock-server-PORT-accept}, one for each connection,
- * called {@code mock-server-PORT-client-N}, {@code mock-server-PORT-discovery} and {@code
- * mock-server-PORT-standard-discovery} if they are on, and {@code mock-server-PORT-clock} from the
- * first {@link #controller} on; PORT is the TCP port, and all are daemons. {@link #close} closes
- * all sockets and waits for the threads to end. Any number of servers can run at a time. All
- * methods are safe for use by several threads.
+ * <p>Threads, all daemons: {@code mock-server-PORT-accept}; {@code mock-server-PORT-client-N} for
+ * each connection; {@code mock-server-PORT-discovery} and {@code
+ * mock-server-PORT-standard-discovery} if discovery is on; {@code mock-server-PORT-clock} after the
+ * first call of {@link #controller}. PORT is the TCP port. {@link #close} waits for them to end.
+ * Safe for use by several threads. Any number of servers can run at the same time.
  */
 public final class MockServer implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(MockServer.class);
@@ -100,14 +99,14 @@ public final class MockServer implements AutoCloseable {
     return () -> new C3Handler(bridge, access, control, new C3FileHandler(files, this::isSelected));
   }
 
-  /** Says whether one of the interpreters has a module selected. */
+  /** Returns whether one of the interpreters has selected a module. */
   private boolean isSelected(String module) {
-    Controller made;
+    Controller current;
     synchronized (lock) {
-      made = controller;
+      current = controller;
     }
-    return made != null
-        && Stream.of(made.robot(), made.submit())
+    return current != null
+        && Stream.of(current.robot(), current.submit())
             .anyMatch(i -> i.program().filter(module::equalsIgnoreCase).isPresent());
   }
 
@@ -131,7 +130,7 @@ public final class MockServer implements AutoCloseable {
   /**
    * Starts a server with the default configuration: on the loopback address, on a free port.
    *
-   * @return the server, which listens already
+   * @return the server, which is listening
    * @throws IOException if it cannot listen
    */
   public static MockServer start() throws IOException {
@@ -141,9 +140,9 @@ public final class MockServer implements AutoCloseable {
   /**
    * Starts a server.
    *
-   * @param changes sets what shall differ from the default configuration
-   * @return the server, which listens already
-   * @throws IOException if it cannot listen, such as on a port that is in use
+   * @param changes sets the options that differ from the default configuration
+   * @return the server, which is listening
+   * @throws IOException if it cannot listen, for example because the port is in use
    */
   public static MockServer start(Consumer<MockServerConfig.Builder> changes) throws IOException {
     return start(MockServerConfig.create(changes));
@@ -153,8 +152,8 @@ public final class MockServer implements AutoCloseable {
    * Starts a server.
    *
    * @param config the configuration
-   * @return the server, which listens already
-   * @throws IOException if it cannot listen, such as on a port that is in use
+   * @return the server, which is listening
+   * @throws IOException if it cannot listen, for example because the port is in use
    */
   public static MockServer start(MockServerConfig config) throws IOException {
     MockServer server = new MockServer(config);
@@ -169,91 +168,61 @@ public final class MockServer implements AutoCloseable {
     return server;
   }
 
-  // what it is
+  // address and controller
 
-  /**
-   * Gives the configuration.
-   *
-   * @return what the server was started with; with the port that was asked for
-   */
+  /** Returns the configuration that the server was started with. Its port can be 0. */
   public MockServerConfig config() {
     return config;
   }
 
-  /**
-   * Gives the address to connect to.
-   *
-   * @return the address with the port that the server listens on
-   */
+  /** Returns the address to connect to. */
   public InetSocketAddress address() {
     return clients.address();
   }
 
-  /**
-   * Gives the host to connect to.
-   *
-   * @return the address the server is bound to as a number, such as {@code 127.0.0.1}
-   */
+  /** Returns the numeric host address to connect to, such as {@code 127.0.0.1}. */
   public String host() {
     return address().getAddress().getHostAddress();
   }
 
-  /**
-   * Gives the port to connect to.
-   *
-   * @return the port that the server listens on
-   */
+  /** Returns the TCP port that the server listens on. */
   public int port() {
     return address().getPort();
   }
 
-  /**
-   * Gives the UDP port on which the server answers the question where controllers are.
-   *
-   * @return the port, or nothing if discovery is off
-   */
+  /** Returns the UDP port for discovery, empty if discovery is off. */
   public OptionalInt discoveryPort() {
     return discovery == null ? OptionalInt.empty() : OptionalInt.of(discovery.port());
   }
 
-  /**
-   * Gives the UDP port on which the server answers as C3 Bridge does in standard mode.
-   *
-   * @return the port, or nothing if that is off
-   */
+  /** Returns the UDP port of C3 Bridge's standard discovery, empty if that is off. */
   public OptionalInt standardDiscoveryPort() {
     return standardDiscovery == null
         ? OptionalInt.empty()
         : OptionalInt.of(standardDiscovery.port());
   }
 
-  /**
-   * Gives the variables of the simulated controller, which can be changed at any time.
-   *
-   * @return the table that the server serves
-   */
+  /** Returns the variables of the simulated controller. They can be changed at any time. */
   public VariableTable variables() {
     return variables;
   }
 
   /**
-   * Gives the files of the simulated controller, which clients of C3 Bridge reach. A program among
-   * them can be selected by a client. What {@link Controller#load(java.nio.file.Path)} loads is
-   * there, too, in {@code KRC:\R1\Program}, if the server is C3 Bridge and the tree in memory: a
-   * folder of this machine is left to clients, and a list of the controller, such as {@code
-   * $config.dat}, stays as it is.
-   *
-   * @return the tree
+   * Returns the files of the simulated controller, which clients of C3 Bridge reach. A client can
+   * select a program among them. With C3 Bridge and files in memory, {@link
+   * Controller#load(java.nio.file.Path)} also stores a file in {@code KRC:\R1\Program}. It stores
+   * nothing in a folder of this machine, and does not replace a data list of the controller such as
+   * {@code $config.dat}.
    */
   public FileTree files() {
     return files;
   }
 
   /**
-   * Gives the controller behind the variables, which runs programs and moves a robot. Before it is
-   * asked for the first time the variables stand still, timers too; from then on its time passes.
+   * Returns the controller, which runs programs and moves the robot. The first call starts its
+   * clock; before, all variables stand still, including timers.
    *
-   * @return the controller, always the same
+   * @throws IllegalStateException if the server is closed
    */
   public Controller controller() {
     synchronized (lock) {
@@ -272,131 +241,115 @@ public final class MockServer implements AutoCloseable {
     }
   }
 
-  // what it was asked
+  // requests
 
   /**
-   * Gives the last requests, answered or not. A request is there before its answer is sent.
-   *
-   * @return the requests, in the order in which they were served; a copy
+   * Returns a copy of the last requests, answered or not, in the order in which they were served. A
+   * request is recorded before its answer is sent.
    */
   public List<RecordedRequest> requests() {
     return requests.all();
   }
 
   /**
-   * Waits for the next request that has not been taken yet. {@link #requests} goes on to show it.
+   * Waits for the next request that has not been taken yet. {@link #requests} still returns it.
    *
-   * @param timeout how long to wait at most
-   * @return the request, or nothing if none came
-   * @throws InterruptedException if the waiting was interrupted
+   * @param timeout the longest time to wait
+   * @return the request, empty after the timeout
+   * @throws InterruptedException if the thread is interrupted while it waits
    */
   public Optional<RecordedRequest> takeRequest(Duration timeout) throws InterruptedException {
     return requests.take(timeout.toNanos());
   }
 
-  /**
-   * Counts the requests.
-   *
-   * @return how many came since the start, whether they are still kept or not
-   */
+  /** Returns the number of requests since the start, kept or not. */
   public long requestCount() {
     return requests.count();
   }
 
   /**
-   * Counts what the server dropped without an answer, because it was not a whole request in one
-   * read ({@link MockServerConfig#joinSplitRequests}) or came while another was served ({@link
-   * MockServerConfig#pendingRequests}). {@link #requests} does not show it.
-   *
-   * @return how many times bytes were dropped since the start
+   * Returns how many times the server has dropped bytes without an answer, because they were not a
+   * whole request in one read ({@link MockServerConfig#joinSplitRequests}) or arrived while another
+   * request was served ({@link MockServerConfig#pendingRequests}). {@link #requests} does not
+   * contain them.
    */
   public long dropCount() {
     return service.dropCount();
   }
 
-  /** Forgets the requests so far. Their numbers are not used again. */
+  /** Removes the requests so far. Their numbers are not used again. */
   public void clearRequests() {
     requests.clear();
   }
 
-  // what goes wrong
+  // faults
 
   /**
-   * Sets what goes wrong with the next requests, one fault each; {@link Fault#none} passes one
-   * over. Every request takes one, also a {@code PING} or a malformed one. Faults that wait already
-   * come first.
+   * Adds faults to the queue. Each request takes one fault, including {@code PING} and malformed
+   * requests; {@link Fault#none} skips a request.
    *
-   * @param next the faults of the next request, of the one behind it, and so on
+   * @param next the faults in the order of the requests
    */
   public void enqueue(Fault... next) {
     faults.enqueue(next);
   }
 
   /**
-   * Sets what goes wrong with each request that a predicate picks, until {@link #clearFaults}.
+   * Sets a fault for all requests that match a predicate, until {@link #clearFaults}.
    *
-   * @param predicate picks the requests. It is asked while the request is being served, before it
-   *     is executed, so it must be quick, and must not wait for another request
-   * @param fault what goes wrong
+   * @param predicate chooses the requests; called as the function of {@link #faults}
+   * @param fault the fault
    */
   public void fault(Predicate<? super RecordedRequest> predicate, Fault fault) {
     faults.add(request -> predicate.test(request) ? Optional.of(fault) : Optional.empty());
   }
 
   /**
-   * Sets what goes wrong, decided for each request, until {@link #clearFaults}. The queue of {@link
-   * #enqueue} comes first, then what was set earlier. A {@link FaultRule} chooses by number, name
-   * and probability.
+   * Sets a function that chooses the fault of each request, until {@link #clearFaults}. The queue
+   * of {@link #enqueue} has priority, then the functions that were set earlier. A {@link FaultRule}
+   * chooses by number, name and probability.
    *
-   * @param choice gives a request's fault, or nothing. It is asked while the request is being
-   *     served, before it is executed, so it must be quick, and must not wait for another request;
-   *     it is asked by one thread at a time
+   * @param choice returns the fault of a request, or empty. Called before the request is executed,
+   *     by one thread at a time. It must return quickly and must not wait for another request
    */
   public void faults(Function<? super RecordedRequest, Optional<Fault>> choice) {
     faults.add(choice);
   }
 
-  /** Forgets all faults that have been set. */
+  /** Removes all faults that have been set. */
   public void clearFaults() {
     faults.clear();
   }
 
-  /**
-   * Stops listening, so that new connections are refused, until {@link #acceptConnections}. Open
-   * connections stay.
-   */
+  /** Refuses new connections until {@link #acceptConnections}. Open connections stay. */
   public void refuseConnections() {
     clients.refuse();
   }
 
   /**
-   * Listens again, on the same port. Does nothing if the server listens.
+   * Accepts connections again, on the same port. Does nothing if the server is listening.
    *
-   * @throws IOException if the port has been taken by somebody else
+   * @throws IOException if another program has taken the port
    */
   public void acceptConnections() throws IOException {
     clients.acceptAgain();
   }
 
-  /** Closes all connections, and goes on listening. */
+  /** Closes all connections. The server still accepts new ones. */
   public void disconnectClients() {
     clients.disconnect();
   }
 
-  /**
-   * Counts the clients.
-   *
-   * @return how many connections are open
-   */
+  /** Returns the number of open connections. */
   public int clientCount() {
     return clients.count();
   }
 
-  // the end
+  // close
 
   /**
-   * Closes all connections, stops listening, and waits until all threads have ended. Does nothing
-   * the second time.
+   * Closes all connections, stops listening, and waits until all threads have ended. A second call
+   * does nothing.
    */
   @Override
   public void close() {

@@ -1,23 +1,24 @@
 package no.hials.crosscom.mock;
 
 /**
- * What becomes of a request that arrives while another one is served. KUKAVARPROXY can drop it with
- * a line in its log, "reading pending", and the client waits in vain
+ * The treatment of a request that arrives while another one is served. KUKAVARPROXY can drop it and
+ * log "reading pending"; the client then gets no answer
  * (docs/reference/kukavarproxy.md#one-request-at-a-time).
  */
 public enum PendingRequests {
-  /** It is served when its turn comes. */
+  /** The request waits for its turn. */
   WAIT,
   /**
-   * It is dropped if it comes on the connection whose request is served, before that is answered;
-   * others wait. Assumed to be what a controller does: five clients that asked at a time were all
-   * answered, each five times as late (docs/reference/access-times.md#50000-accesses). Several
-   * requests that came in one piece are still answered in turn.
+   * The request is dropped if it arrives on the connection whose request is served; requests of
+   * other connections wait. Assumed to be the behaviour of a controller: five clients at the same
+   * time all got answers, each after five times the time
+   * (docs/reference/access-times.md#50000-accesses). Several requests in one piece are all
+   * answered.
    */
   DROP_OF_SAME_CLIENT,
   /**
-   * It is dropped, whoever's request is served: the text of
-   * docs/reference/kukavarproxy.md#one-request-at-a-time at its word.
+   * The request is dropped on every connection, the literal meaning of
+   * docs/reference/kukavarproxy.md#one-request-at-a-time.
    */
   DROP
 }

@@ -22,14 +22,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * A request that a server has received.
  *
- * @param number from 1, in the order in which the server served all its clients' requests
- * @param connection the connection it came by, from 1, in the order in which they were accepted
- * @param time when it was taken for serving
- * @param request the message; null if the bytes are none, or of a function that the server has not
- * @param hex the bytes in hex if there is no message, else null; beyond 256 bytes the rest is only
- *     counted
- * @param refusal why the controller refused the access; null if it did not, if the request never
- *     reached it, and in what a predicate for faults sees, which is asked before
+ * @param number from 1, in the order in which the server served the requests of all clients
+ * @param connection the number of the connection, from 1, in the order in which they were accepted
+ * @param time the time when the server started to serve the request
+ * @param request the message; null if the bytes are no message or its function is not supported
+ * @param hex the bytes in hex if there is no message, otherwise null; of more than 256 bytes the
+ *     rest is only counted
+ * @param refusal the reason why the controller refused the access; null if it did not, if the
+ *     request did not reach it, and when a fault is chosen, because that comes first
  */
 public record RecordedRequest(
     long number,
@@ -54,9 +54,8 @@ public record RecordedRequest(
           .complete();
 
   /**
-   * Gives the name of the variable.
-   *
-   * @return the name as the client sent it; empty if the request is for several, or for none
+   * Returns the name of the variable as the client sent it, empty if the request is not for exactly
+   * one.
    */
   public String name() {
     List<String> names = names();
@@ -64,10 +63,8 @@ public record RecordedRequest(
   }
 
   /**
-   * Gives the names of the variables that are read or written.
-   *
-   * @return the names as the client sent them; none if the request is for something else, or the
-   *     bytes are no message
+   * Returns the names of the variables to read or write as the client sent them, empty if there are
+   * none.
    */
   public List<String> names() {
     return request instanceof VariableRequest access ? NAMES.apply(access) : List.of();
@@ -77,11 +74,7 @@ public record RecordedRequest(
     return assignments.stream().map(Assignment::name).toList();
   }
 
-  /**
-   * Gives the text to be written.
-   *
-   * @return the text as the client sent it, or null if this is not a write of one text
-   */
+  /** Returns the text to write as the client sent it, null if this is not a write of one text. */
   public @Nullable String value() {
     if (request instanceof WriteUtf16Request write) {
       return write.value();
@@ -89,11 +82,7 @@ public record RecordedRequest(
     return request instanceof WriteRequest write ? write.value() : null;
   }
 
-  /**
-   * Says whether the request asks for a change of variables.
-   *
-   * @return true for the writes of texts and of arrays, and of several variables
-   */
+  /** Returns whether the request writes variables: a text, an array or several. */
   public boolean isWrite() {
     return request instanceof WriteRequest
         || request instanceof WriteArrayRequest

@@ -1,9 +1,9 @@
 package no.hials.crosscom.mock;
 
-/** What a server does with a request of a function number that it has not. */
+/** The answer to a request with a function number that the server does not support. */
 public enum UnknownFunction {
   /**
-   * Answers the id and the length 0, nothing more: KUKAVARPROXY
+   * Answers only the id and the length 0: KUKAVARPROXY
    * (docs/reference/kukavarproxy.md#unknown-functions).
    */
   EMPTY_ANSWER,

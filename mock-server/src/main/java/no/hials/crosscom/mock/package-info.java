@@ -1,14 +1,14 @@
 /**
- * A simulated KR C4 with KUKAVARPROXY, for tests and for trying out clients without a robot.
+ * A simulated KR C4 with KUKAVARPROXY or C3 Bridge, to test and try clients without a robot.
  *
  * <p>{@link no.hials.crosscom.mock.MockServer} speaks the protocol over real TCP, {@link
  * no.hials.crosscom.simulator.VariableTable} holds the variables of a KR 6 R900 sixx, with types,
  * access rights and the controller's way of printing, and {@link
  * no.hials.crosscom.simulator.Controller} runs KRL programs on them and moves the robot. The server
- * records what it is asked ({@link no.hials.crosscom.mock.RecordedRequest}); it can be made as slow
- * as a controller ({@link no.hials.crosscom.mock.Latency}) and told to misbehave ({@link
+ * records its requests ({@link no.hials.crosscom.mock.RecordedRequest}), can be as slow as a
+ * controller ({@link no.hials.crosscom.mock.Latency}), and can inject faults ({@link
  * no.hials.crosscom.mock.Fault}, for some requests by {@link no.hials.crosscom.mock.FaultRule}).
- * Tests with JUnit get one from {@link no.hials.crosscom.mock.junit.KukaController}.
+ * {@link no.hials.crosscom.mock.junit.KukaController} starts one in a test with JUnit.
  *
  * <pre>{@code
  * try (MockServer server = MockServer.start()) {
@@ -21,8 +21,8 @@
  * }</pre>
  *
  * <p>The server follows docs/reference/kukavarproxy.md, its values docs/reference/krl-values.md;
- * where these leave a question open, a comment at the place in the code says what was assumed.
- * Nothing here needs a test framework.
+ * where these leave a question open, a comment in the code states the assumption. This package
+ * needs no test framework.
  */
 @NullMarked
 package no.hials.crosscom.mock;

@@ -48,31 +48,31 @@ import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import no.hials.crosscom.protocol.variable.WriteResponse;
 
 /**
- * Makes answers that say nothing but what they repeat of the request: those of C3 Bridge to
- * malformed requests (c3-vectors.tsv), and those of somebody's choice.
+ * Creates answers that only repeat fields of the request: C3 Bridge's answers to malformed requests
+ * (c3-vectors.tsv), and scripted answers.
  */
 final class C3Answers {
-  /** What an answer's length field counts, without function and tail. */
+  /** The most bytes of an answer between function and tail. */
   static final int FIELDS = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 1 - 3;
 
   private static final int OFFSET_FIELD = 1;
 
-  /** What stands before the text of an answer of type 13, which has the least room for it. */
+  /** The bytes before the text in an answer of type 13, which has the least room for it. */
   private static final int INFORMATION = 3 + 8 * 2;
 
   private C3Answers() {}
 
-  /** Makes the tail of an answer. */
+  /** Returns the tail with an error code. */
   static Tail tail(ErrorCode code) {
     return new Tail(code.code(), code == ErrorCode.SUCCESS ? 1 : 0);
   }
 
-  /** Answers a request whose fields are malformed, or that has no room for its results. */
+  /** Answers a request with malformed fields, or with results that do not fit. */
   static Response empty(int id, MessageType type, byte[] fields, Tail tail) {
     return answer(id, type, fields, List.of(), "", tail);
   }
 
-  /** Makes an answer with a value and a tail of somebody's choice. */
+  /** Creates an answer with a given value and tail. */
   static Response scripted(Request request, String value, Tail tail) {
     byte[] frame = Codec.encode(request);
     byte[] fields = Arrays.copyOfRange(frame, Codec.HEADER_LENGTH + 1, frame.length);
@@ -90,7 +90,7 @@ final class C3Answers {
     return answer(request.id(), request.type(), fields, results, text, tail);
   }
 
-  /** Leaves as much of a text as fits into these bytes as a WSTRING. */
+  /** Cuts a text to the longest one that fits into these bytes as a WSTRING. */
   private static String cut(String value, int bytes) {
     return value.substring(0, Math.max(0, Math.min(value.length(), (bytes - 2) / 2)));
   }
@@ -130,7 +130,7 @@ final class C3Answers {
     };
   }
 
-  /** Gives the items of a directory, one a line, as many as fit. */
+  /** Returns the items of a directory, one in each line, as many as fit. */
   private static List<String> lines(String value) {
     List<String> lines = new ArrayList<>();
     int left = FIELDS - 2 - 2;
@@ -148,7 +148,7 @@ final class C3Answers {
         0, 0, Code.of(BuildType.OPEN_SOURCE), SystemTime.of(Instant.EPOCH), computerName);
   }
 
-  /** Reads digits as those of {@code @PROXY_FEATURES}: the last is that of message 0. */
+  /** Parses the digits of {@code @PROXY_FEATURES}: the last one stands for message 0. */
   private static Features features(String digits) {
     Set<Integer> types = new TreeSet<>();
     for (int type = 0; type < Math.min(digits.length(), 256); type++) {
@@ -159,7 +159,7 @@ final class C3Answers {
     return new Features(types);
   }
 
-  /** Repeats what came of {@code write, count, iterations}. */
+  /** Repeats as many of the fields {@code write, count, iterations} as the request has. */
   private static Response benchmark(int id, byte[] fields, Tail tail) {
     ByteBuffer in = ByteBuffer.wrap(Arrays.copyOf(fields, 1 + 1 + 4));
     boolean write = in.get() != 0;

@@ -49,10 +49,10 @@ import no.hials.crosscom.simulator.internal.files.TransferBuffer;
 
 /**
  * Answers the messages 20 to 30 of one connection as C3 Bridge does
- * (docs/reference/c3-messages.md#files-20-to-28; c3-vectors.tsv). It has two buffers, one for
- * writing and one for reading; that each connection has its own is assumed.
+ * (docs/reference/c3-messages.md#files-20-to-28; c3-vectors.tsv). A connection has two buffers, one
+ * for writing and one for reading; it is assumed that connections do not share them.
  *
- * <p>For one thread at a time; those of other connections may be at work on the same tree.
+ * <p>For one thread at a time. Other connections can use the same files at the same time.
  */
 public final class C3FileHandler implements AutoCloseable {
   private final ControllerFileSystem tree;
@@ -62,11 +62,11 @@ public final class C3FileHandler implements AutoCloseable {
   private final SealedSwitch<FileRequest, TypedResponse> requests;
 
   /**
-   * Begins a connection.
+   * Creates the handler of one connection.
    *
    * @param files the files
-   * @param selected whether the module of a name in capital letters is selected, which is when its
-   *     files cannot be changed (assumed)
+   * @param selected whether the module of a name in capital letters is selected; its files cannot
+   *     be changed then (assumed)
    */
   public C3FileHandler(FileTree files, Predicate<String> selected) {
     tree = ControllerFileSystem.of(files);
@@ -76,7 +76,7 @@ public final class C3FileHandler implements AutoCloseable {
     requests = requests();
   }
 
-  /** Ends the connection. */
+  /** Releases the buffers. */
   @Override
   public void close() {
     writing.close();
@@ -222,19 +222,19 @@ public final class C3FileHandler implements AutoCloseable {
   }
 
   private ContentSizeResponse beginRead(BeginReadRequest request) {
-    // so that what cannot be read leaves nothing behind that a client takes for it; assumed
+    // assumed: a file that cannot be read does not leave the last one in the buffer
     reading.close();
     Tail tail = run(() -> reading.begin(tree.read(request.name())));
     return size(request, ContentOperation.BEGIN, tail);
   }
 
   /**
-   * Stores what was written; if that fails the buffer stays
+   * Stores the content of the buffer; if that fails the buffer stays
    * (docs/reference/c3-messages.md#file-content-29-and-30).
    */
   private void end(EndWriteRequest request) throws IOException {
     if (!writing.isOpen()) {
-      throw new FileRefusedException(ErrorCode.UNEXPECTED, "nothing was begun"); // assumed
+      throw new FileRefusedException(ErrorCode.UNEXPECTED, "no transfer has begun"); // assumed
     }
     tree.write(request.name(), writing.content(), request.flags(), selected);
     writing.close();
@@ -267,8 +267,8 @@ public final class C3FileHandler implements AutoCloseable {
   }
 
   /**
-   * Answers a request of a type from 20 to 30 whose fields are malformed (c3-vectors.tsv, the rows
-   * with code 9).
+   * Answers a request of a type from 20 to 30 with malformed fields (the rows with code 9 of
+   * c3-vectors.tsv).
    */
   TypedResponse malformed(MalformedRequestException request) {
     int id = request.id();
@@ -283,7 +283,7 @@ public final class C3FileHandler implements AutoCloseable {
     };
   }
 
-  /** Measured for the data and the beginning of writing, assumed for the rest. */
+  /** Measured for the data and the start of a write, assumed for the rest. */
   private TypedResponse malformedContent(int id, MessageType type, byte[] fields, Tail tail) {
     return fields.length > 0 && fields[0] == ContentOperation.BEGIN.code()
         ? size(id, type, ContentOperation.BEGIN, tail)

@@ -13,13 +13,14 @@ import no.hials.crosscom.protocol.server.InformationResponse;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest;
 
-/** Executes requests as C3 Bridge does, in one of its versions (docs/reference/c3-messages.md). */
+/** Executes requests as a version of C3 Bridge does (docs/reference/c3-messages.md). */
 public final class C3Handler implements RequestHandler {
   private final C3ProxyVariables bridge;
   private final C3ProgramHandler control;
   private final C3FileHandler files;
   private final SealedSwitch<Request, Outcome> requests;
 
+  /** Creates the handler of one connection. */
   public C3Handler(
       C3ProxyVariables bridge,
       C3VariableHandler variables,
@@ -63,7 +64,7 @@ public final class C3Handler implements RequestHandler {
     return new Outcome(response, null);
   }
 
-  /** Types 0 and 1 have no codes but 0 and 1 (docs/reference/c3-messages.md#error-codes). */
+  /** Types 0 and 1 have only the codes 0 and 1 (docs/reference/c3-messages.md#error-codes). */
   @Override
   public Response malformed(MalformedRequestException request) {
     MessageType type = request.type();

@@ -36,13 +36,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Executes the requests of C3 Bridge for the controller: types 10 to 12 and 63.
+ * Executes the requests of C3 Bridge for programs, motions and keys: types 10 to 12 and 63.
  *
- * <p>Assumed, since the reference has only {@code ARGUMENT} for an interpreter and a position that
- * are none, and {@code NOT_IMPLEMENTED} for an unknown command or key: {@code ARGUMENT} for other
- * arguments that make no sense, {@code ACCESS} for what the state of the controller does not allow,
- * such as its mode, and {@code GENERAL} for a program that is not there or has errors and for a
- * position out of reach.
+ * <p>Measured are {@code ARGUMENT} for an invalid interpreter or position and {@code
+ * NOT_IMPLEMENTED} for an unknown command or key. Assumed are {@code ARGUMENT} for other invalid
+ * arguments, {@code ACCESS} if the state of the controller forbids the request, and {@code GENERAL}
+ * if a program is missing or has errors or a position is out of reach.
  */
 public final class C3ProgramHandler {
   private static final Logger log = LoggerFactory.getLogger(C3ProgramHandler.class);
@@ -50,7 +49,7 @@ public final class C3ProgramHandler {
   private static final int ROBOT_AXES = 6;
   private static final String[] MOUSE = {"X", "Y", "Z", "A", "B", "C"};
 
-  /** A difference that leads out of the reach of the arm, mm, and hardly a half turn, degrees. */
+  /** A distance beyond the reach of the arm, mm, and an angle below half a turn, degrees. */
   private static final double FAR = 2500;
 
   private static final double FAR_TURN = 170;
@@ -66,17 +65,17 @@ public final class C3ProgramHandler {
           .on(PendantKeyRequest.class, this::answer)
           .complete();
 
-  /** Creates the handler of all connections. */
+  /** Creates the handler for all connections. */
   public C3ProgramHandler(Supplier<Controller> controller) {
     this.controller = controller;
   }
 
-  /** Prepares for a change of the files: the controller has to see it. */
+  /** Creates the controller before the files change, because it watches them. */
   void watchFiles() {
     Controller unused = controller.get();
   }
 
-  /** Something that a controller can refuse. */
+  /** An operation that the controller can refuse. */
   private interface Work {
     ErrorCode run() throws KrlFileException, KrlExecutionException;
   }
@@ -159,12 +158,12 @@ public final class C3ProgramHandler {
       case START -> program.start();
       case STOP -> program.stop();
       case CANCEL -> program.cancel();
-      default -> throw new IllegalArgumentException("no command without a name: " + command);
+      default -> throw new IllegalArgumentException("unknown command: " + command);
     }
     return ErrorCode.SUCCESS;
   }
 
-  /** Assumed: the robot interpreter's; force stops a program that is active. */
+  /** Assumed: selects in the robot interpreter; force stops an active program first. */
   private ErrorCode select(ProgramSelectRequest request) throws KrlFileException {
     if (request.name().isBlank()) {
       throw new IllegalArgumentException("the name of a program must not be blank");
@@ -181,7 +180,7 @@ public final class C3ProgramHandler {
     return ErrorCode.SUCCESS;
   }
 
-  /** Reads values with commas between them (assumed). */
+  /** Parses values that are separated by commas (assumed). */
   private static List<KrlValue> parameters(String text) {
     List<KrlValue> values = new ArrayList<>();
     if (text.isBlank()) {
@@ -222,7 +221,8 @@ public final class C3ProgramHandler {
       return ErrorCode.NOT_IMPLEMENTED;
     }
     if (!(value(request.position()) instanceof KrlStruct position)) {
-      throw new IllegalArgumentException("a position, was '" + request.position() + "'");
+      throw new IllegalArgumentException(
+          "the position must be a structure, is '" + request.position() + "'");
     }
     controller.get().move(MotionKind.valueOf(type.name()), position);
     return ErrorCode.SUCCESS;
@@ -231,10 +231,10 @@ public final class C3ProgramHandler {
   // type 12
 
   /**
-   * Assumed: as on the pendant, the start key has to be held in T1 and T2, and only there the robot
-   * can be jogged, with {@code $OV_JOG}. The number of the 6D mouse is 1 to 6 for X, Y, Z, A, B and
-   * C of {@code $BASE}; the key code says nothing more. A jog key stays pressed when its connection
-   * ends, until some client releases it.
+   * Assumed: as on the pendant, the start key must be held in T1 and T2, and the robot can be
+   * jogged only in these, with {@code $OV_JOG}. The numbers 1 to 6 of the 6D mouse stand for X, Y,
+   * Z, A, B and C in {@code $BASE}. If the connection ends, a jog key stays pressed until any
+   * client releases it.
    */
   private ErrorCode press(PendantKeyRequest request) throws KrlExecutionException {
     PendantKey key = request.key().known().orElse(null);
@@ -252,7 +252,7 @@ public final class C3ProgramHandler {
   private ErrorCode startKey(PendantKeyRequest request) {
     Code<Interpreter> number = new Code<>(Interpreter.class, request.number());
     ProgramControl program = interpreter(number);
-    // c3-vectors.tsv, "12 key start, interpreter 1, forward": 0 is forward
+    // 0 is forward (row "12 key start, interpreter 1, forward" of c3-vectors.tsv)
     if (request.direction()) {
       return ErrorCode.NOT_IMPLEMENTED;
     }

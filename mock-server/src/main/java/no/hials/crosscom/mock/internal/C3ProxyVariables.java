@@ -19,7 +19,7 @@ import no.hials.crosscom.protocol.server.SystemTime;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What C3 Bridge says of itself: its internal variables
+ * The information of C3 Bridge about itself: its internal variables
  * (docs/reference/c3-messages.md#internal-variables), and the answers to messages 13 and 14.
  */
 public final class C3ProxyVariables {
@@ -30,23 +30,23 @@ public final class C3ProxyVariables {
   private final Supplier<InetSocketAddress> address;
 
   /**
-   * Makes them.
+   * Creates the proxy variables of one server.
    *
-   * @param address where the server listens
+   * @param address the address on which the server listens
    */
   public C3ProxyVariables(MockServerConfig config, Supplier<InetSocketAddress> address) {
     this.config = config;
     this.address = address;
   }
 
-  /** Gives the value of a variable, or null if there is none of that name. */
+  /** Returns the value of a variable, null if there is no variable of the name. */
   @Nullable String find(String name) {
     // variable names are case-insensitive, PING is not
     // (docs/reference/c3-messages.md#internal-variables)
     return name.equals("PING") ? "PONG" : findProxy(name);
   }
 
-  /** As {@link #find}, but without {@code PING}: what may be asked by UDP, too. */
+  /** Returns the same as {@link #find} without {@code PING}, which UDP does not answer. */
   @Nullable String findProxy(String name) {
     String key = name.toUpperCase(Locale.ROOT);
     if (!key.startsWith(PREFIX)) {
@@ -65,7 +65,7 @@ public final class C3ProxyVariables {
     };
   }
 
-  /** c3-vectors.tsv: 64 digits, the last that of message 0. */
+  /** Returns 64 digits, the last one for message 0 (c3-vectors.tsv). */
   private String featureDigits() {
     StringBuilder digits = new StringBuilder();
     Features features = features();
@@ -75,7 +75,7 @@ public final class C3ProxyVariables {
     return digits.toString();
   }
 
-  /** Gives the types that the server has, right or with the mistakes of its version. */
+  /** Returns the types that the server knows, with or without the bugs of its version. */
   Features features() {
     Set<Integer> types = new TreeSet<>();
     for (MessageType type : ServerType.C3_BRIDGE.types()) {
@@ -87,8 +87,7 @@ public final class C3ProxyVariables {
   }
 
   boolean has(MessageType type) {
-    // docs/reference/c3-messages.md#server-versions says since when these two are correct: they
-    // were there before
+    // these two existed before they were correct (docs/reference/c3-messages.md#server-versions)
     return type == MessageType.READ_MULTIPLE
         || type == MessageType.WRITE_MULTIPLE
         || hasRight(type);

@@ -35,7 +35,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Executes the requests of C3 Bridge for variables: types 0, 1, 4 to 7 and 17. */
 public final class C3VariableHandler {
-  /** At most 10 are used (docs/reference/c3-messages.md#benchmark-17). */
+  /** The most variables of a benchmark (docs/reference/c3-messages.md#benchmark-17). */
   private static final int BENCHMARKED = 10;
 
   private static final long U32 = 0xFFFF_FFFFL;
@@ -67,11 +67,11 @@ public final class C3VariableHandler {
   }
 
   /**
-   * What came of one access.
+   * The result of one access.
    *
    * @param value the value that was read or is echoed
-   * @param code how it ended
-   * @param refused why it was refused, if it was
+   * @param code the error code
+   * @param refused the reason of a refusal
    */
   private record Result(String value, ErrorCode code, @Nullable RefusedException refused) {
     Result(String value) {
@@ -101,7 +101,7 @@ public final class C3VariableHandler {
     }
   }
 
-  /** Gives the text that was sent, also if it was refused. */
+  /** Returns the text that was sent, even if it was refused. */
   private Result write(String name, String value) {
     try {
       variables.write(name, value, config.maxAggregateLength());
@@ -121,12 +121,12 @@ public final class C3VariableHandler {
     return new Result(value, result.code(), result.refused());
   }
 
-  /** c3-vectors.tsv, "4 read empty name"; the code of anything else is assumed. */
+  /** Measured for an empty name (row "4 read empty name" of c3-vectors.tsv), else assumed. */
   private static ErrorCode code(String name) {
     return name.isEmpty() ? ErrorCode.ARGUMENT : ErrorCode.GENERAL;
   }
 
-  /** c3-vectors.tsv, "5 write read-only variable": the code, whatever is written. */
+  /** Decides the code for any value (row "5 write read-only variable" of c3-vectors.tsv). */
   private boolean isReadOnly(String name) {
     String variable = name.strip().split("[.\\[]", 2)[0];
     return variables
@@ -149,7 +149,7 @@ public final class C3VariableHandler {
 
   private static Outcome tooLong() {
     return new Outcome(
-        null, new RefusedException(Refusal.TOO_LONG, "the value does not fit into the answer"));
+        null, new RefusedException(Refusal.TOO_LONG, "the value must fit into the answer"));
   }
 
   private Outcome write(WriteRequest request) {
@@ -173,7 +173,7 @@ public final class C3VariableHandler {
 
   private Outcome write(WriteUtf16Request request) {
     Result result = writeWide(request.name(), request.value());
-    // what was sent, not what the controller stored
+    // the value that was sent, not the value that the controller stored
     // (docs/reference/c3-messages.md#one-variable-0-1-4-and-5)
     String value = result.refused() == null ? result.value() : "";
     return text(request, value, result.code(), result.refused());
@@ -208,7 +208,7 @@ public final class C3VariableHandler {
       batch.add(written.refused() == null ? readBack(item) : written);
     }
     if (request.assignments().size() < request.count()) {
-      // a truncated batch applies its leading items, then answers code 9
+      // the items of a truncated batch are written, then the answer has code 9
       // (docs/reference/c3-messages.md#several-variables-6-and-7)
       return new Outcome(
           C3Answers.empty(
@@ -247,12 +247,12 @@ public final class C3VariableHandler {
 
     Outcome answer(Request request) {
       if (length > C3Answers.FIELDS) {
-        // of type 7 assumed
+        // measured for type 6, assumed for type 7
         Tail tail = C3Answers.tail(ErrorCode.LONG_ANSWER);
         return new Outcome(
             C3Answers.empty(request.id(), request.type(), new byte[0], tail), tooLong().refused());
       }
-      // code 0 and flag false if some failed; assumed: also if all did
+      // code 0 and flag false if some failed; assumed: also if all failed
       // (docs/reference/c3-messages.md#several-variables-6-and-7)
       Tail tail = refused == null ? Tail.SUCCESS : Tail.FAILURE_ZERO;
       return new Outcome(
@@ -279,7 +279,7 @@ public final class C3VariableHandler {
     return benchmark(request, true, request.iterations(), trials);
   }
 
-  /** Assumed: the first access that is refused ends it. So does the end of the server. */
+  /** Assumed: the first refused access ends the benchmark. The end of the server ends it, too. */
   private static Outcome benchmark(
       Request request, boolean write, long iterations, List<Trial> trials) {
     List<Trial> used = trials.subList(0, Math.min(BENCHMARKED, trials.size()));
@@ -307,7 +307,7 @@ public final class C3VariableHandler {
     return new Outcome(response, refused);
   }
 
-  /** Gives a time since some moment, as Windows does with 32 bits. */
+  /** Returns the time since an arbitrary moment, in 32 bits as Windows does. */
   private static long millis() {
     return (System.nanoTime() / NANOS_PER_MILLI) & U32;
   }

@@ -2,7 +2,7 @@ package no.hials.crosscom.mock.internal;
 
 import java.time.Duration;
 
-/** The checks of the records' constructors. */
+/** Checks arguments of constructors. */
 public final class Checks {
   private static final Duration HOUR = Duration.ofHours(1);
 

@@ -14,7 +14,7 @@ import no.hials.crosscom.protocol.ServerType;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Serves one client, on a thread of its own, until one of both closes the connection. */
+/** Serves one client in its own thread until the client or the server closes the connection. */
 final class ClientConnection {
   private static final Logger log = LoggerFactory.getLogger(ClientConnection.class);
   private static final byte[] NOTHING = new byte[0];
@@ -24,7 +24,7 @@ final class ClientConnection {
   private final Socket socket;
   private final int number;
 
-  /** What goes out in front of the next answer. */
+  /** The bytes to send before the next answer. */
   private byte[] heldBack = NOTHING;
 
   ClientConnection(MockServerConfig config, RequestDispatcher service, Socket socket, int number) {
@@ -34,7 +34,7 @@ final class ClientConnection {
     this.number = number;
   }
 
-  /** Ends the connection, from any thread. */
+  /** Closes the connection. Can be called by any thread. */
   void abort() {
     try {
       socket.close();
@@ -49,7 +49,7 @@ final class ClientConnection {
     try (RequestHandler handler = service.open()) {
       socket.setTcpNoDelay(true);
       Duration idle = config.idleTimeout();
-      // a positive time-out is never rounded down to 0, which would mean none
+      // a positive time-out must not be rounded down to 0, which means none
       socket.setSoTimeout((int) (idle.isZero() ? 0 : Math.max(1, idle.toMillis())));
       serve(handler);
     } catch (SocketTimeoutException e) {
@@ -61,7 +61,7 @@ final class ClientConnection {
       Thread.currentThread().interrupt();
       reason = "the server was closed";
     } catch (RuntimeException e) {
-      // such as from a user's predicate: the client must not wait for an answer in vain
+      // for example from a user's predicate: the client must not wait for an answer
       log.warn("connection {}: serving a request failed", number, e);
       reason = "serving a request failed";
     } finally {
@@ -107,7 +107,7 @@ final class ClientConnection {
     Pause.of(delivery.delay());
   }
 
-  /** Drops what came before the answer is sent: a client that waited for it sent nothing. */
+  /** Drops bytes that arrived before the answer: a client that waits for it sends nothing. */
   private void dropPending(InputStream in) throws IOException {
     int bytes = in.available();
     if (bytes > 0) {
@@ -137,7 +137,7 @@ final class ClientConnection {
       if (log.isTraceEnabled()) {
         log.trace("connection {} > {}", number, MalformedFrameException.hex(bytes, bytes.length));
       }
-      // one write call a segment: with TCP_NODELAY it is a segment of its own on the wire
+      // with TCP_NODELAY, each write is a separate segment on the wire
       out.write(bytes);
     }
   }

@@ -3,16 +3,16 @@ package no.hials.crosscom.mock.internal;
 import java.nio.charset.Charset;
 
 /**
- * Translates between the texts of UTF-16 messages and those of the controller, whose CHAR is a byte
- * of the Windows code page 1252 (docs/reference/c3-messages.md#code-pages; assumed, with the euro
- * sign of c3-vectors.tsv, "4 read MYUMLAUT[]", for which the stand-in need not have had a byte). A
- * text of the controller has each byte as the character of that number, as in ISO 8859-1.
+ * Converts between the texts of UTF-16 messages and of the controller. A CHAR of the controller is
+ * assumed to be a byte of the Windows code page 1252 (docs/reference/c3-messages.md#code-pages),
+ * because of the euro sign in the row "4 read MYUMLAUT[]" of c3-vectors.tsv. A text of the
+ * controller has the character of the same number for each byte, as in ISO 8859-1.
  */
 final class CodePage {
   private static final int FIRST = 0x80;
   private static final int COUNT = 0x20;
 
-  /** The characters of the bytes from 80 to 9F, which are those in which the two differ. */
+  /** The characters of the bytes from 80 to 9F, the only ones in which the code pages differ. */
   private static final String DIFFERENT = different();
 
   private CodePage() {}
@@ -31,7 +31,7 @@ final class CodePage {
     return text.toString();
   }
 
-  /** Gives the text that UTF-16 has for one of the controller. */
+  /** Converts a text of the controller to UTF-16. */
   static String widen(String text) {
     StringBuilder out = new StringBuilder(text);
     for (int i = 0; i < out.length(); i++) {
@@ -43,7 +43,7 @@ final class CodePage {
     return out.toString();
   }
 
-  /** Gives the controller's text for one in UTF-16; what it has no byte for stays as it is. */
+  /** Converts a text in UTF-16 to the controller's. A character without a byte stays. */
   static String narrow(String text) {
     StringBuilder out = new StringBuilder(text);
     for (int i = 0; i < out.length(); i++) {

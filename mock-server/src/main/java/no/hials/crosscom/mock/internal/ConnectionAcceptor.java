@@ -13,14 +13,14 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Listens for clients and keeps their connections. Safe for use by several threads. */
+/** Accepts clients and keeps their connections. Safe for use by several threads. */
 public final class ConnectionAcceptor {
   private static final Logger log = LoggerFactory.getLogger(ConnectionAcceptor.class);
 
-  /** Takes a thousand clients that all connect at once. */
+  /** Enough for a thousand clients that connect at the same time. */
   private static final int BACKLOG = 1024;
 
-  /** Keeps a lack of file descriptors from making the accepting thread spin. */
+  /** Keeps the thread from spinning if file descriptors run out. */
   private static final Duration PAUSE_AFTER_FAILED_ACCEPT = Duration.ofMillis(50);
 
   private final MockServerConfig config;
@@ -28,7 +28,7 @@ public final class ConnectionAcceptor {
   private final InetSocketAddress address;
   private final ServerThreads threads;
 
-  /** Guards what follows. */
+  /** Guards the fields below. */
   private final Object state = new Object();
 
   private ServerSocket listener;
@@ -47,7 +47,7 @@ public final class ConnectionAcceptor {
     threads = new ServerThreads("mock-server-" + address.getPort() + "-");
   }
 
-  /** Listens; {@link #start} accepts. */
+  /** Starts to listen. {@link #start} starts to accept. */
   public static ConnectionAcceptor listen(MockServerConfig config, RequestDispatcher service)
       throws IOException {
     ServerSocket listener = listen(new InetSocketAddress(config.bindAddress(), config.port()));
@@ -69,7 +69,7 @@ public final class ConnectionAcceptor {
     return address;
   }
 
-  /** Gives the server's threads, which {@link #close} interrupts. */
+  /** Returns the threads of the server, which {@link #close} interrupts. */
   public ServerThreads threads() {
     return threads;
   }
@@ -162,7 +162,7 @@ public final class ConnectionAcceptor {
     }
   }
 
-  /** Closes all sockets and ends all pauses; the threads end on their own then. */
+  /** Closes all sockets and ends all pauses, so that the threads end. */
   public void close() {
     synchronized (state) {
       if (!closed) {

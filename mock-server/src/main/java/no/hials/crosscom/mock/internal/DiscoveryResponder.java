@@ -8,14 +8,11 @@ import java.nio.charset.StandardCharsets;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Answers questions by UDP. What is none gets no answer. */
+/** Answers the questions of discovery by UDP. Other datagrams get no answer. */
 public final class DiscoveryResponder implements Runnable, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(DiscoveryResponder.class);
 
-  /**
-   * One byte more than a question may have (docs/reference/wire-format.md#discovery), so that a
-   * longer one is seen.
-   */
+  /** One byte more than the longest question, to detect a longer one. */
   private static final int BUFFER = 33;
 
   private final DatagramSocket socket;
@@ -29,9 +26,9 @@ public final class DiscoveryResponder implements Runnable, AutoCloseable {
   }
 
   /**
-   * Listens.
+   * Starts to listen.
    *
-   * @param replyPort the port of the sender to answer to, 0 for the one it sent from
+   * @param replyPort the port of the sender that gets the answer, 0 for the port it sent from
    */
   public static DiscoveryResponder open(
       InetSocketAddress at, int replyPort, DiscoveryAnswers answers) throws IOException {
@@ -55,7 +52,7 @@ public final class DiscoveryResponder implements Runnable, AutoCloseable {
         socket.receive(packet);
         answer(packet);
       } catch (IOException e) {
-        // such as an ICMP message that nobody listens for an answer; the next may
+        // for example an ICMP message that the port of the last answer is closed
         if (!socket.isClosed()) {
           log.debug("discovery failed", e);
         }
@@ -77,7 +74,7 @@ public final class DiscoveryResponder implements Runnable, AutoCloseable {
     log.debug("discovery answered to {}:{}", question.getAddress().getHostAddress(), port);
   }
 
-  /** Ends {@link #run}. */
+  /** Closes the socket, which ends {@link #run}. */
   @Override
   public void close() {
     socket.close();

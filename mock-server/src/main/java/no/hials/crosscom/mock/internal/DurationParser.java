@@ -7,14 +7,14 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Reads times such as {@code 5ms}. */
+/** Parses times such as {@code 5ms}. */
 public final class DurationParser {
   private static final Pattern FORM = Pattern.compile("(\\d{1,9}(?:\\.\\d{1,9})?)(us|ms|s)");
   private static final Map<String, Integer> NANOS_EXPONENT = Map.of("us", 3, "ms", 6, "s", 9);
 
   private DurationParser() {}
 
-  /** Gives nothing if the text is no time; what is below a nanosecond is cut off. */
+  /** Returns the time, cut to nanoseconds, or empty if the text is not a time. */
   public static Optional<Duration> parse(String text) {
     Matcher matcher = FORM.matcher(text);
     if (!matcher.matches()) {

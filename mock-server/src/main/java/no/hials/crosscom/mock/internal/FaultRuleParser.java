@@ -16,7 +16,7 @@ import no.hials.crosscom.mock.FaultRule;
 import no.hials.crosscom.protocol.Tail;
 import org.jspecify.annotations.Nullable;
 
-/** Reads the text form of a {@link FaultRule}; for one text. */
+/** Parses the text form of one {@link FaultRule}. */
 public final class FaultRuleParser {
   /** The faults without an argument; the others are in {@link #fault}. */
   private static final Map<String, Fault> PLAIN =
@@ -30,7 +30,7 @@ public final class FaultRuleParser {
           + " closeDuring, closeAfter, delay, split, oneByteAtATime, answerTwice, glueToNext,"
           + " wrongId, wrongFunction, wrongLength, truncate or garbage";
 
-  /** More bytes than any answer has. */
+  /** A length beyond any answer. */
   private static final int MANY = 1_000_000;
 
   private static final Pattern NUMBER = Pattern.compile("[+-]?\\d{1,9}");
@@ -44,7 +44,7 @@ public final class FaultRuleParser {
 
   public FaultRuleParser(String text, long seed) {
     this.text = text;
-    // so that two rules of one seed do not always hit the same requests
+    // so that two rules with the same seed do not choose the same requests
     this.seed = seed ^ text.hashCode();
   }
 
@@ -52,7 +52,7 @@ public final class FaultRuleParser {
    * A piece of the text.
    *
    * @param text without the backslashes
-   * @param start where it begins, from 0
+   * @param start the index of its first character
    */
   private record Argument(String text, int start) {}
 
@@ -82,7 +82,7 @@ public final class FaultRuleParser {
 
   // the parts
 
-  /** Passes over a sign if it is next. */
+  /** Skips a sign if it is next. */
   private boolean at(char sign) {
     boolean there = position < text.length() && text.charAt(position) == sign;
     if (there) {
@@ -91,7 +91,7 @@ public final class FaultRuleParser {
     return there;
   }
 
-  /** Takes what is in front of the next of these signs, which a backslash hides. */
+  /** Returns the text up to the next of these signs. A backslash escapes a sign. */
   private Argument until(String signs) {
     int start = position;
     StringBuilder taken = new StringBuilder();
@@ -171,7 +171,7 @@ public final class FaultRuleParser {
         return Fault.raw(segments);
       }
     } catch (IllegalArgumentException e) {
-      // said below
+      // reported below
     }
     throw error(argument.start(), "pairs of hexadecimal digits", argument.text());
   }

@@ -9,7 +9,7 @@ import java.util.function.Function;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
 
-/** Says what goes wrong with which request. Safe for use by several threads. */
+/** Chooses the fault of each request. Safe for use by several threads. */
 public final class FaultScript {
   private static final Fault NONE = Fault.none();
 
@@ -34,7 +34,7 @@ public final class FaultScript {
     }
   }
 
-  /** Gives the fault of a request: the first in the queue, else that of the first rule with one. */
+  /** Returns the first fault in the queue, otherwise the fault of the first rule that has one. */
   Fault next(RecordedRequest request) {
     synchronized (queue) {
       Fault fault = queue.poll();

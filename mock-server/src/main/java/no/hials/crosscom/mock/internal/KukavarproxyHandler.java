@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Executes requests on a table of variables, as KUKAVARPROXY does on a controller. */
 public final class KukavarproxyHandler implements RequestHandler {
-  /** An answer's length field counts function, value length, value and tail. */
+  /** The longest value: the length field also counts function, value length and tail. */
   public static final int MAX_VALUE = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 1 - 2 - 3;
 
   private static final int WORD = 0xFFFF;
@@ -55,7 +55,7 @@ public final class KukavarproxyHandler implements RequestHandler {
     return type.isKnownTo(ServerType.KUKAVARPROXY);
   }
 
-  /** Assumed: it gets no answer. */
+  /** Assumed: a malformed request gets no answer. */
   @Override
   public @Nullable Response malformed(MalformedRequestException request) {
     return null;
@@ -96,7 +96,7 @@ public final class KukavarproxyHandler implements RequestHandler {
   private static void checkLength(int bytes) throws RefusedException {
     if (bytes > MAX_VALUE) {
       throw new RefusedException(
-          Refusal.TOO_LONG, "an answer holds " + MAX_VALUE + " bytes, needs " + bytes);
+          Refusal.TOO_LONG, "a value must have at most " + MAX_VALUE + " bytes, has " + bytes);
     }
   }
 
@@ -105,9 +105,9 @@ public final class KukavarproxyHandler implements RequestHandler {
     String echo = request.value();
     try {
       if (echo.length() > MAX_VALUE) {
-        // only possible with a name that no variable has
+        // only possible with a name that is too long for a variable
         echo = "";
-        throw new RefusedException(Refusal.TOO_LONG, "the value does not fit into the answer");
+        throw new RefusedException(Refusal.TOO_LONG, "the value must fit into the answer");
       }
       variables.write(request.name(), request.value(), config.maxAggregateLength());
     } catch (RefusedException e) {
@@ -123,7 +123,7 @@ public final class KukavarproxyHandler implements RequestHandler {
       checkLength(2 * words.size());
       return new Outcome(new ReadArrayResponse(request.id(), words, Tail.SUCCESS), null);
     } catch (RefusedException e) {
-      // assumed to be as a failed read of text
+      // assumed: the same as for a failed read of a text
       return new Outcome(
           new ReadArrayResponse(request.id(), List.of(), config.failedRead().tail()), e);
     }
@@ -137,15 +137,15 @@ public final class KukavarproxyHandler implements RequestHandler {
         throw new RefusedException(
             Refusal.WRONG_TYPE, "only INT can be read as 16-bit numbers, is " + element);
       }
-      // assumed: what 16 bits cannot hold is cut off
+      // assumed: the higher bits are cut off
       words.add(number.value() & WORD);
     }
     return words;
   }
 
   /**
-   * Writes one element after the other. Assumed: the first that is refused ends it, and those
-   * before it stay written.
+   * Writes one element after the other. Assumed: the first refused element ends the write; the
+   * elements before it stay written.
    */
   private Outcome writeArray(WriteArrayRequest request) {
     String name = request.name().strip();
@@ -165,7 +165,7 @@ public final class KukavarproxyHandler implements RequestHandler {
     return new Outcome(new WriteArrayResponse(request.id(), "", tail), refused);
   }
 
-  /** Makes an answer with a value and a tail of somebody's choice. */
+  /** Creates an answer with a given value and tail. */
   static Response answer(Request request, String value, Tail tail) {
     return switch (request.type()) {
       case READ_ARRAY -> new ReadArrayResponse(request.id(), wordsOrNone(value), tail);

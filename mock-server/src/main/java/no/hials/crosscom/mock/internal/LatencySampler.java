@@ -5,7 +5,7 @@ import java.util.Random;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.mock.Latency;
 
-/** Draws the times of a {@link Latency}, in nanoseconds. For one thread at a time. */
+/** Draws random times of a {@link Latency}, in nanoseconds. For one thread at a time. */
 public final class LatencySampler {
   private LatencySampler() {}
 
@@ -21,8 +21,8 @@ public final class LatencySampler {
   }
 
   /**
-   * Solves for the two parameters: a log-normal distribution has the median exp(mu) and the mean
-   * exp(mu + sigma^2 / 2).
+   * Computes the parameters of the log-normal distribution: its median is exp(mu), its mean exp(mu
+   * + sigma^2 / 2).
    */
   private static LongSupplier of(Latency.LogNormal spread) {
     double floor = spread.floor().toNanos();
@@ -30,7 +30,7 @@ public final class LatencySampler {
     double mean = above(spread.floor(), spread.mean());
     double max = spread.max().toNanos();
     double sigma = StrictMath.sqrt(2 * StrictMath.log(mean / median));
-    // Random's algorithm is part of its specification: the same times on every JDK
+    // the algorithm of Random is specified, so the times are the same in every JDK
     Random random = new Random(spread.seed());
     return () ->
         (long) Math.min(max, floor + median * StrictMath.exp(sigma * random.nextGaussian()));

@@ -3,7 +3,7 @@ package no.hials.crosscom.mock.internal;
 import java.time.Duration;
 import java.util.concurrent.locks.LockSupport;
 
-/** Waits for a time that may be far below a millisecond, to which {@link Thread#sleep} rounds. */
+/** Waits for times far below a millisecond, the resolution of {@link Thread#sleep}. */
 final class Pause {
   private Pause() {}
 

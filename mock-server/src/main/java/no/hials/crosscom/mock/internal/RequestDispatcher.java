@@ -52,7 +52,7 @@ public final class RequestDispatcher {
     this.requests = requests;
     this.handlers = handlers;
     times = LatencySampler.of(config.latency());
-    // who waits for long must not be passed over; without latency that would only cost time
+    // fair, so that each client gets its turn; without latency that would only cost time
     turn = new ReentrantLock(!(config.latency() instanceof Latency.None));
   }
 
@@ -95,18 +95,17 @@ public final class RequestDispatcher {
     }
   }
 
-  /** Makes what executes the requests of a connection; the connection has to close it. */
+  /** Creates the handler for a connection, which must close it. */
   RequestHandler open() {
     return handlers.get();
   }
 
   /**
-   * Serves one request: decodes it, executes it and records it.
+   * Decodes, executes and records one request.
    *
-   * @param handler executes it
-   * @param connection the connection's number
-   * @param frame the bytes
-   * @return what goes out
+   * @param handler executes the request
+   * @param connection the number of the connection
+   * @param frame the bytes of the request
    */
   ResponsePlan serve(RequestHandler handler, int connection, byte[] frame)
       throws InterruptedException {
@@ -143,7 +142,7 @@ public final class RequestDispatcher {
         fault == Fault.none() ? result.fault() : fault, decoded.request(), result.response());
   }
 
-  /** Answers a request in its turn. An unknown function is answered in any case. */
+  /** Answers a request. An unknown function is answered even if a fault does not execute it. */
   private Served answer(RequestHandler handler, Decoded decoded, boolean executes) {
     if (decoded instanceof Unknown unknown) {
       boolean closes = config.unknownFunction() == UnknownFunction.CLOSE;
@@ -213,7 +212,7 @@ public final class RequestDispatcher {
     return ResponsePlan.of(fault, request, response == null ? null : Codec.encode(response));
   }
 
-  /** Notes that bytes were dropped without an answer. */
+  /** Counts and logs bytes that are dropped without an answer. */
   void drop(int connection, int bytes, String reason) {
     dropped.incrementAndGet();
     log.debug("connection {}: {} bytes dropped: {}", connection, bytes, reason);

@@ -13,26 +13,26 @@ import org.jspecify.annotations.Nullable;
 public interface RequestHandler extends AutoCloseable {
 
   /**
-   * What came of a request.
+   * The result of a request.
    *
    * @param response the answer; null if the server closes the connection instead
-   * @param refused why the controller refused the access, if it did
+   * @param refused the reason why the controller refused the access, if it did
    */
   record Outcome(@Nullable Response response, @Nullable RefusedException refused) {}
 
-  /** Says whether the server knows a type, so that a request of it can be executed at all. */
+  /** Returns whether the server knows a type. */
   boolean knows(MessageType type);
 
   /** Executes a request of a type that the server knows. */
   Outcome handle(Request request);
 
-  /** Answers a request of a type that the server knows whose fields are malformed, or does not. */
+  /** Returns the answer to a request of a known type with malformed fields, null for none. */
   @Nullable Response malformed(MalformedRequestException request);
 
-  /** Says whether the server answers a request without asking the controller, so in no time. */
+  /** Returns whether the server answers a request itself, without the controller's latency. */
   boolean isForServer(Request request);
 
-  /** Ends the connection. */
+  /** Releases the resources of the connection. */
   @Override
   default void close() {}
 }

@@ -18,17 +18,17 @@ public final class RequestLog {
   /** The number of the last request. */
   private long last;
 
-  /** The number of the first request that has not been forgotten by {@link #clear}. */
+  /** The number of the first request after the last {@link #clear}. */
   private long first = 1;
 
-  /** The number of the next request to be taken. */
+  /** The number of the next request to take. */
   private long next = 1;
 
   public RequestLog(int capacity) {
     ring = new RecordedRequest[capacity];
   }
 
-  /** Adds a request, whose number is one more than that of the last. */
+  /** Adds a request. Its number must be the next one. */
   void add(RecordedRequest request) {
     lock.lock();
     try {

@@ -8,23 +8,23 @@ import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.FrameReader;
 import org.jspecify.annotations.Nullable;
 
-/** Where the requests of a connection come from. For one thread. */
+/** Reads the requests of a connection. For one thread. */
 interface RequestReader {
 
-  /** Waits for the next request. Gives null if the client has closed the connection. */
+  /** Waits for the next request. Returns null if the client has closed the connection. */
   byte @Nullable [] next() throws IOException;
 
-  /** Says whether bytes are kept for the next request. */
+  /** Returns whether bytes of the next request have been read. */
   boolean holdsBytes();
 
-  /** Puts together what arrives in pieces. */
+  /** Joins the pieces of a request. */
   static RequestReader joined(InputStream in) {
     return joined(in, false);
   }
 
   /**
-   * Puts together what arrives in pieces, as C3 Bridge does: it closes the connection on the byte
-   * that follows a message of length 0 (docs/reference/c3-messages.md#framing).
+   * Joins the pieces of a request as C3 Bridge does: the first byte after a message of length 0
+   * closes the connection (docs/reference/c3-messages.md#framing).
    */
   static RequestReader joinedUntilEmpty(InputStream in) {
     return joined(in, true);
@@ -53,17 +53,20 @@ interface RequestReader {
   }
 
   /**
-   * Takes whole requests out of each read, as KUKAVARPROXY does.
+   * Takes whole requests from each read and drops the rest, as KUKAVARPROXY does.
    *
-   * @param dropped is told how many bytes a read had that were no whole request
+   * @param dropped called with the number of bytes that are dropped
    */
   static RequestReader ofSingleReads(InputStream in, IntConsumer dropped) {
     return new SingleReads(in, dropped);
   }
 
-  /** Takes whole requests out of each read; the rest of a read is dropped. */
+  /** See {@link #ofSingleReads}. */
   final class SingleReads implements RequestReader {
-    /** What KUKAVARPROXY reads at a time (docs/reference/kukavarproxy.md#pieces-of-requests). */
+    /**
+     * The bytes that KUKAVARPROXY reads at a time
+     * (docs/reference/kukavarproxy.md#pieces-of-requests).
+     */
     private static final int READ = 2048;
 
     private final InputStream in;
@@ -91,7 +94,7 @@ interface RequestReader {
           dropped.accept(left);
         }
         start = 0;
-        // the end of the stream must leave nothing behind, too
+        // also before the end of the stream
         end = 0;
         int count = in.read(buffer);
         if (count < 0) {

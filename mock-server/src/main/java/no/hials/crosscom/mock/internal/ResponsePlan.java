@@ -18,15 +18,15 @@ import no.hials.crosscom.protocol.Response;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How the answer to one request goes out: which bytes, when, in which pieces, and what becomes of
- * the connection.
+ * The plan for the response to one request: its bytes, time and pieces, and the state of the
+ * connection after it.
  *
- * @param segments each is sent by one write
- * @param pause how long to wait between two segments
- * @param delay how long to wait before the first
- * @param gate what to wait for before the first, if anything
- * @param holdBack whether to send the segments in front of the next answer only
- * @param ending what becomes of the connection
+ * @param segments the pieces; each is sent by one write
+ * @param pause the time between two segments
+ * @param delay the time before the first segment
+ * @param gate must be open before the first segment is sent, if there is one
+ * @param holdBack whether the segments are sent together with the next answer
+ * @param ending the state of the connection after the response
  */
 public record ResponsePlan(
     List<byte[]> segments,
@@ -42,7 +42,7 @@ public record ResponsePlan(
   private static final int FUNCTION_FIELD = 4;
   private static final int U16 = 0xFFFF;
 
-  /** What becomes of the connection. */
+  /** The state of the connection after the response. */
   enum Ending {
     OPEN,
     CLOSE,
@@ -53,7 +53,7 @@ public record ResponsePlan(
     return new ResponsePlan(segments, Duration.ZERO, Duration.ZERO, null, false, Ending.OPEN);
   }
 
-  /** Sends an answer properly. */
+  /** Sends an answer without a fault. */
   public static ResponsePlan of(byte[] answer) {
     return of(List.of(answer));
   }
@@ -143,8 +143,9 @@ public record ResponsePlan(
   /**
    * Applies a fault.
    *
-   * @param request the message, null if the bytes were none
-   * @param answer the proper answer; null if the request was not executed, or has none
+   * @param request the message, null if the bytes were no message
+   * @param answer the answer without the fault, null if there is none or the request was not
+   *     executed
    */
   public static ResponsePlan of(Fault fault, @Nullable Request request, byte @Nullable [] answer) {
     return EFFECTS.apply(fault).plan(request, answer);

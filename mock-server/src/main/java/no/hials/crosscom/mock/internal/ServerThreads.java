@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.simulator.internal.core.ThreadJoiner;
 
-/** The threads of a server: all daemons. Safe for use by several threads. */
+/** The daemon threads of a server. Safe for use by several threads. */
 public final class ServerThreads {
-  /** Parsing takes little stack, since the depth of aggregates is limited. */
+  /** Parsing needs little stack, because the depth of aggregates is limited. */
   private static final long STACK_BYTES = 256 * 1024;
 
   private final String prefix;
 
-  /** All that may still run; dead ones are removed now and then. */
+  /** The threads that may still run. */
   private final List<Thread> threads = new ArrayList<>();
 
   ServerThreads(String prefix) {
@@ -27,7 +27,7 @@ public final class ServerThreads {
     return thread;
   }
 
-  /** Ends what waits for a time. */
+  /** Interrupts all threads, which ends their pauses. */
   synchronized void interrupt() {
     threads.forEach(Thread::interrupt);
   }
@@ -38,7 +38,7 @@ public final class ServerThreads {
     synchronized (this) {
       ending = List.copyOf(threads);
     }
-    // they end soon: their sockets are closed
+    // they end soon, because their sockets are closed
     ending.forEach(ThreadJoiner::join);
   }
 }

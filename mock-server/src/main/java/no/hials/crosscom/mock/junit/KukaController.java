@@ -37,20 +37,20 @@ import org.junit.jupiter.api.extension.ExtendWith;
  * }
  * }</pre>
  *
- * <p>A static field holds one server for all tests of its class, and of the classes nested in it;
- * an instance field is given a new one for each test. A parameter of a test, {@code @BeforeEach} or
- * {@code @AfterEach} method or of the constructor is a new one for each test; of a
- * {@code @BeforeAll} method, and of the constructor when one instance serves all tests, one for the
- * class. Each annotated field or parameter is a server of its own. All are closed when that test or
- * class has ended, and listen on free ports of the loopback address.
+ * <p>A static field holds one server for all tests of its class and its nested classes; an instance
+ * field gets a new server for each test. A parameter of a test, {@code @BeforeEach} or
+ * {@code @AfterEach} method or of the constructor gets a new server for each test; a parameter of a
+ * {@code @BeforeAll} method, or of the constructor if one instance runs all tests, gets one for the
+ * class. Each annotated field or parameter has a different server. The servers listen on free ports
+ * of the loopback address, and are closed after the test or class.
  *
- * <p>Tests may run in parallel, as far as a field is not shared: two tests at a time need a server
- * each, so parameters or, with an instance for each test, instance fields.
+ * <p>Tests can run in parallel if each has its own server: as a parameter or, with an instance for
+ * each test, as an instance field.
  *
- * <p>Without {@link #programs}, {@link #start}, {@link #submit} and {@link #mode} the variables
- * stand still until the test asks for {@link MockServer#controller}.
+ * <p>Without {@link #programs}, {@link #start}, {@link #submit} and {@link #mode}, the variables
+ * stand still until the test calls {@link MockServer#controller}.
  *
- * <p>The annotation can be put on an annotation of your own, too, to name a set of attributes.
+ * <p>The annotation also works as a meta-annotation.
  */
 @Target({ElementType.FIELD, ElementType.PARAMETER, ElementType.ANNOTATION_TYPE})
 @Retention(RetentionPolicy.RUNTIME)
@@ -58,94 +58,62 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @ExtendWith(MockServerExtension.class)
 public @interface KukaController {
 
-  /**
-   * Gives which server it is.
-   *
-   * @return the server; KUKAVARPROXY by default
-   */
+  /** The server to simulate, KUKAVARPROXY by default. */
   ServerType server() default ServerType.KUKAVARPROXY;
 
   /**
-   * Says whether the server keeps all rules of a real controller, see {@link
-   * MockServerConfig.Builder#asOnTheController}. The other attributes come on top.
-   *
-   * @return true for a strict server
+   * Whether the server has all limits of a real controller, see {@link
+   * MockServerConfig.Builder#asOnTheController}. The other attributes override them.
    */
   boolean asOnTheController() default false;
 
   /**
-   * Gives the time that the controller takes for a request, see {@link Latency#parse}.
-   *
-   * @return {@code none}, a time such as {@code 5ms}, {@code krc4} or {@code krc4-2014}; empty, the
-   *     default, for none or as {@link #asOnTheController} says
+   * The time that the controller takes for a request, see {@link Latency#parse}: {@code none}, a
+   * time such as {@code 5ms}, {@code krc4} or {@code krc4-2014}. The default, empty, stands for
+   * none or for the latency of {@link #asOnTheController}.
    */
   String latency() default "";
 
   /**
-   * Gives what goes wrong, see {@link FaultRule}.
-   *
-   * @return rules as text, such as {@code drop@3}; for each request the first that hits it counts
+   * The faults, as the text of {@link FaultRule}, such as {@code drop@3}. The first rule that
+   * applies to a request decides.
    */
   String[] faults() default {};
 
-  /**
-   * Gives the seed of latency and faults.
-   *
-   * @return the same seed gives the same times and faults
-   */
+  /** The seed of latency and faults. The same seed gives the same times and faults. */
   long seed() default 1;
 
   /**
-   * Gives the number of clients that are served at a time.
-   *
-   * @return 0 for no limit; {@link Integer#MIN_VALUE}, the default, for as many as {@link #server}
-   *     serves
+   * The number of clients that are served at a time, 0 for no limit. The default, {@link
+   * Integer#MIN_VALUE}, stands for the limit of the {@link #server}.
    */
   int maxClients() default Integer.MIN_VALUE;
 
   /**
-   * Gives the data lists to load, before the programs.
-   *
-   * @return paths of files such as {@code krl/config.dat}, or {@code classpath:} and the name of a
-   *     resource such as {@code classpath:/cell/config.dat}
+   * The data lists to load before the programs: paths of files such as {@code krl/config.dat}, or
+   * {@code classpath:} and the name of a resource such as {@code classpath:/cell/config.dat}.
    */
   String[] dataLists() default {};
 
   /**
-   * Gives the programs to load; the data list of the same name beside a file comes with it, that of
-   * a resource is named in {@link #dataLists}.
-   *
-   * @return paths of {@code .src} and {@code .sub} files, or {@code classpath:} and the name of a
-   *     resource
+   * The programs to load: paths of {@code .src} and {@code .sub} files, or {@code classpath:} and
+   * the name of a resource. A file is loaded with the data list of the same name next to it; the
+   * data list of a resource must be in {@link #dataLists}.
    */
   String[] programs() default {};
 
-  /**
-   * Gives the robot's program to select and start.
-   *
-   * @return the name of a module; empty for none
-   */
+  /** The module that the robot interpreter selects and starts, empty for none. */
   String start() default "";
 
-  /**
-   * Gives the submit program to select and start.
-   *
-   * @return the name of a module; empty for none
-   */
+  /** The module that the submit interpreter selects and starts, empty for none. */
   String submit() default "";
 
-  /**
-   * Gives the operating mode.
-   *
-   * @return the mode
-   */
+  /** The operating mode. */
   OperatingMode mode() default OperatingMode.T1;
 
   /**
-   * Gives how the time of programs and robot passes, see {@link SimulationClock#parse}.
-   *
-   * @return {@code stepped} for a test that lets it pass by {@link Controller#step}; {@code real},
-   *     {@code max}, or a factor
+   * The clock of programs and robot, see {@link SimulationClock#parse}: {@code stepped} for a test
+   * that calls {@link Controller#step}; {@code real}, {@code max}, or a factor.
    */
   String clock() default "real";
 }

@@ -27,8 +27,8 @@ import org.junit.platform.commons.support.AnnotationSupport;
 import org.junit.platform.commons.support.ModifierSupport;
 
 /**
- * Does what {@link KukaController} asks for. Has no state: each server is kept in the store of its
- * class or test, which closes it.
+ * Implements {@link KukaController}. Stateless: the store of the class or test holds each server
+ * and closes it.
  */
 final class MockServerExtension
     implements BeforeAllCallback, BeforeEachCallback, ParameterResolver {
@@ -40,7 +40,7 @@ final class MockServerExtension
   @Override
   public ExtensionContextScope getTestInstantiationExtensionContextScope(
       ExtensionContext rootContext) {
-    // a constructor's parameter then lives as long as the instance
+    // so that the server of a constructor's parameter lives as long as the instance
     return ExtensionContextScope.TEST_METHOD;
   }
 
@@ -53,7 +53,7 @@ final class MockServerExtension
 
   @Override
   public void beforeEach(ExtensionContext context) throws Exception {
-    // of a nested test, the instances around it, too
+    // a nested test also has enclosing instances
     for (Object instance : context.getRequiredTestInstances().getAllInstances()) {
       setFields(context, instance.getClass(), instance, ModifierSupport::isNotStatic);
     }
@@ -108,7 +108,7 @@ final class MockServerExtension
       throws IOException {
     try {
       MockServer server = MockServer.start(cfg -> configure(cfg, settings));
-      // first, so that it is closed when something below fails
+      // first, so that it is closed if a line below fails
       context.getStore(SERVERS).put(new Object(), server);
       prepare(context, server, settings);
       return server;
@@ -130,7 +130,7 @@ final class MockServerExtension
     cfg.server(settings.server()).clock(SimulationClock.parse(settings.clock()));
   }
 
-  /** Makes a server that runs already what the attributes say. */
+  /** Sets the faults, loads the files and starts the programs. */
   private static void prepare(ExtensionContext context, MockServer server, KukaController settings)
       throws IOException {
     for (String rule : settings.faults()) {
@@ -149,7 +149,7 @@ final class MockServerExtension
     }
   }
 
-  /** Says whether more than variables is asked for; without a controller nobody moves them. */
+  /** Returns whether the attributes need the controller, not only variables. */
   private static boolean isController(KukaController settings) {
     return settings.programs().length > 0
         || !settings.start().isEmpty()
@@ -197,7 +197,7 @@ final class MockServerExtension
     String name = file.substring(CLASSPATH.length());
     try (InputStream in = context.getRequiredTestClass().getResourceAsStream(name)) {
       if (in == null) {
-        throw new IllegalArgumentException("there is no resource " + name);
+        throw new IllegalArgumentException("resource not found: " + name);
       }
       texts.load(name, new String(in.readAllBytes(), StandardCharsets.ISO_8859_1));
     }

@@ -162,7 +162,7 @@ class KukaControllerProgramsTest {
   @Test
   void saysWhatIsNotThere() {
     assertFailsToStart(UnknownModule.class, "no module GHOST is loaded");
-    assertFailsToStart(MissingResource.class, "there is no resource ghost.dat");
+    assertFailsToStart(MissingResource.class, "resource not found: ghost.dat");
     assertFailsToStart(MissingFile.class, "ghost.src: there is no such file");
   }
 

@@ -59,6 +59,7 @@ public final class C3VariableHandler {
           .on(BenchmarkWriteRequest.class, this::benchmark)
           .complete();
 
+  /** Creates the handler for all connections. */
   public C3VariableHandler(
       VariableTable variables, C3ProxyVariables internal, MockServerConfig config) {
     this.variables = variables;

@@ -65,6 +65,7 @@ public final class ConnectionAcceptor {
     }
   }
 
+  /** Returns the address that clients connect to. */
   public InetSocketAddress address() {
     return address;
   }
@@ -74,6 +75,7 @@ public final class ConnectionAcceptor {
     return threads;
   }
 
+  /** Starts to accept clients. */
   public void start() {
     synchronized (state) {
       ServerSocket socket = listener;
@@ -81,6 +83,7 @@ public final class ConnectionAcceptor {
     }
   }
 
+  /** Stops listening. */
   public void refuse() {
     Thread ending;
     synchronized (state) {
@@ -93,6 +96,7 @@ public final class ConnectionAcceptor {
     }
   }
 
+  /** Listens again on the same port. */
   public void acceptAgain() throws IOException {
     synchronized (state) {
       if (closed) {
@@ -106,12 +110,14 @@ public final class ConnectionAcceptor {
     }
   }
 
+  /** Closes all connections. */
   public void disconnect() {
     synchronized (state) {
       connections.forEach(ClientConnection::abort);
     }
   }
 
+  /** Returns the number of connections. */
   public int count() {
     synchronized (state) {
       return connections.size();

@@ -39,6 +39,7 @@ public final class DiscoveryResponder implements Runnable, AutoCloseable {
     }
   }
 
+  /** Returns the UDP port. */
   public int port() {
     return socket.getLocalPort();
   }

@@ -42,6 +42,7 @@ public final class FaultRuleParser {
   private final long seed;
   private int position;
 
+  /** Creates the parser of a text. */
   public FaultRuleParser(String text, long seed) {
     this.text = text;
     // so that two rules with the same seed do not choose the same requests
@@ -56,6 +57,7 @@ public final class FaultRuleParser {
    */
   private record Argument(String text, int start) {}
 
+  /** Parses the text, once. */
   public FaultRule parse() {
     Argument name = until(":@%");
     Argument argument = at(':') ? until("@%") : null;

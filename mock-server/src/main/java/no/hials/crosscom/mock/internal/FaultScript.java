@@ -17,16 +17,19 @@ public final class FaultScript {
   private final List<Function<? super RecordedRequest, Optional<Fault>>> rules =
       new CopyOnWriteArrayList<>();
 
+  /** Adds faults to the queue. */
   public void enqueue(Fault... faults) {
     synchronized (queue) {
       queue.addAll(List.of(faults));
     }
   }
 
+  /** Adds a rule, after the earlier ones. */
   public void add(Function<? super RecordedRequest, Optional<Fault>> rule) {
     rules.add(rule);
   }
 
+  /** Removes all faults. */
   public void clear() {
     rules.clear();
     synchronized (queue) {

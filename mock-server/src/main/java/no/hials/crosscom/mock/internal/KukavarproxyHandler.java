@@ -45,6 +45,7 @@ public final class KukavarproxyHandler implements RequestHandler {
           .on(ReadArrayRequest.class, this::readArray)
           .on(WriteArrayRequest.class, this::writeArray);
 
+  /** Creates the handler for all connections. */
   public KukavarproxyHandler(VariableTable variables, MockServerConfig config) {
     this.variables = variables;
     this.config = config;

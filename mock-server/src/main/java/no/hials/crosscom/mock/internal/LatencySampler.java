@@ -9,6 +9,7 @@ import no.hials.crosscom.mock.Latency;
 public final class LatencySampler {
   private LatencySampler() {}
 
+  /** Returns a source of times. */
   public static LongSupplier of(Latency latency) {
     if (latency instanceof Latency.Fixed fixed) {
       long nanos = fixed.time().toNanos();

@@ -42,6 +42,7 @@ public final class RequestDispatcher {
   /** The number of the last request; guarded by {@link #turn}. */
   private long served;
 
+  /** Creates the dispatcher of one server; a handler serves one connection. */
   public RequestDispatcher(
       MockServerConfig config,
       Supplier<RequestHandler> handlers,
@@ -218,6 +219,7 @@ public final class RequestDispatcher {
     log.debug("connection {}: {} bytes dropped: {}", connection, bytes, reason);
   }
 
+  /** Returns how many times bytes were dropped. */
   public long dropCount() {
     return dropped.get();
   }

@@ -24,6 +24,7 @@ public final class RequestLog {
   /** The number of the next request to take. */
   private long next = 1;
 
+  /** Creates a log that keeps this many requests. */
   public RequestLog(int capacity) {
     ring = new RecordedRequest[capacity];
   }
@@ -50,6 +51,7 @@ public final class RequestLog {
     return Math.max(first, last - ring.length + 1);
   }
 
+  /** Returns the number of the last request. */
   public long count() {
     lock.lock();
     try {
@@ -59,6 +61,7 @@ public final class RequestLog {
     }
   }
 
+  /** Returns a copy of the requests. */
   public List<RecordedRequest> all() {
     lock.lock();
     try {
@@ -75,6 +78,7 @@ public final class RequestLog {
     }
   }
 
+  /** Waits for the next request, at most this long. */
   public Optional<RecordedRequest> take(long nanos) throws InterruptedException {
     lock.lockInterruptibly();
     try {
@@ -92,6 +96,7 @@ public final class RequestLog {
     }
   }
 
+  /** Removes all requests. */
   public void clear() {
     lock.lock();
     try {

@@ -18,6 +18,7 @@ public final class ServerThreads {
     this.prefix = prefix;
   }
 
+  /** Starts a thread whose name ends with its role. */
   public synchronized Thread start(String role, Runnable task) {
     threads.removeIf(thread -> !thread.isAlive());
     Thread thread = new Thread(null, task, prefix + role, STACK_BYTES);

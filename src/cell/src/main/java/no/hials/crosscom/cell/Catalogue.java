@@ -110,7 +110,8 @@ public final class Catalogue {
                 .map(part -> entry(part.type(), part.declarator(), VariableNote.NONE, origin, null))
                 .toList());
       } else if (declaration instanceof Declaration.Enumeration enumeration) {
-        enumerations.putIfAbsent(key(enumeration.name()), enumeration.constants());
+        enumerations.putIfAbsent(
+            key(enumeration.name()), enumeration.constants().stream().sorted().toList());
       } else if (declaration instanceof Declaration.Signal signal && system) {
         VariableNote note = VariableNote.of(signal.comment());
         add(entry("SIGNAL", signal.name(), List.of(), note, origin, access), note, shown);
@@ -226,12 +227,12 @@ public final class Catalogue {
         array.origin());
   }
 
-  /** Gives the fields of a structure, none of what is no structure. */
+  /** Returns the fields of a structure, none of what is no structure. */
   public List<CatalogueEntry> fields(CatalogueEntry symbol) {
     return structures.getOrDefault(key(symbol.type()), List.of());
   }
 
-  /** Gives the constants of an enumeration without {@code #}, none of what is none. */
+  /** Returns the constants of an enumeration without {@code #}, none of what is none. */
   public List<String> constants(CatalogueEntry symbol) {
     return symbol.type().equals("BOOL")
         ? List.of()

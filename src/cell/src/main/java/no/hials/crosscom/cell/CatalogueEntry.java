@@ -24,7 +24,7 @@ public record CatalogueEntry(
     String meaning,
     String origin) {
 
-  /** Gives the name as it is declared, as {@code $TORQUE_AXIS_ACT[12]}. */
+  /** Returns the name as it is declared, as {@code $TORQUE_AXIS_ACT[12]}. */
   public String declarator() {
     return name + brackets(dimensions);
   }
@@ -38,12 +38,12 @@ public record CatalogueEntry(
         .collect(java.util.stream.Collectors.joining(",", "[", "]"));
   }
 
-  /** Gives {@code RO} or {@code RW}, empty if it is not known. */
+  /** Returns {@code RO} or {@code RW}, empty if it is not known. */
   public String shortAccess() {
     return access == null ? "" : access == Access.READ_ONLY ? "RO" : "RW";
   }
 
-  /** Says whether it is a text: an array of CHAR. */
+  /** Returns whether it is a text: an array of CHAR. */
   public boolean isText() {
     return type.equals("CHAR") && !dimensions.isEmpty();
   }

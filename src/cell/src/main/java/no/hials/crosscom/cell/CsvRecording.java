@@ -44,14 +44,14 @@ public final class CsvRecording implements Recording {
     /** How the connection was lost, if that was since. */
     @Nullable ConnectionEvent lost;
 
-    /** Says whether a loss is told of already, since a sample came after it. */
+    /** Returns whether a loss is told of already, since a sample came after it. */
     boolean isOld(ConnectionEvent loss) {
       return time != null && loss.time().isBefore(time);
     }
   }
 
   /**
-   * Makes a recording with the columns that the first reading of the robots gave.
+   * Creates a recording with the columns that the first reading of the robots gave.
    *
    * @param robots were read once
    */
@@ -117,7 +117,7 @@ public final class CsvRecording implements Recording {
     past.lost = null;
   }
 
-  /** Makes a row without values. */
+  /** Creates a row without values. */
   private String[] cells(SampledRobot robot, Instant time, Duration since) {
     String[] cells = new String[columns.size() + (severalRobots ? 5 : 4)];
     Arrays.fill(cells, "");

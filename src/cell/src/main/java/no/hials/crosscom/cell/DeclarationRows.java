@@ -9,7 +9,7 @@ import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.Expression;
 import org.jspecify.annotations.Nullable;
 
-/** Makes a flat list of what a data list declares. */
+/** Creates a flat list of what a data list declares. */
 public final class DeclarationRows {
   private DeclarationRows() {}
 

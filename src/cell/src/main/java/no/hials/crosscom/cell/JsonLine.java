@@ -95,7 +95,7 @@ public final class JsonLine {
         });
   }
 
-  /** Gives an object on one line. */
+  /** Returns an object on one line. */
   public static String object(Content content) {
     StringWriter text = new StringWriter();
     try (JsonGenerator json = FACTORY.createGenerator(text)) {

@@ -43,12 +43,12 @@ public record Leaf(String name, KrlValue value) {
     }
   }
 
-  /** Says whether a name is that of a whole array, {@code NAME[]} or {@code NAME[2,]}. */
+  /** Returns whether a name is that of a whole array, {@code NAME[]} or {@code NAME[2,]}. */
   static boolean isWholeArray(String name) {
     return name.endsWith("[]") || name.endsWith(",]");
   }
 
-  /** Says whether a value may be one of several in an array. */
+  /** Returns whether a value may be one of several in an array. */
   static boolean isElement(KrlValue value) {
     return value instanceof KrlInt
         || value instanceof KrlReal
@@ -61,7 +61,9 @@ public record Leaf(String name, KrlValue value) {
     return open + index + "]";
   }
 
-  /** Gives the value without quotes: the controller's digits, {@code TRUE}, {@code #T1}, a text. */
+  /**
+   * Returns the value without quotes: the controller's digits, {@code TRUE}, {@code #T1}, a text.
+   */
   public String text() {
     return value instanceof KrlString string ? string.text() : value.print();
   }

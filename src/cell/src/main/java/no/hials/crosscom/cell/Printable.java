@@ -29,7 +29,7 @@ public final class Printable {
     return line.toString();
   }
 
-  /** Gives a number of things, such as {@code 1 byte} and {@code 2 bytes}. */
+  /** Returns a number of things, such as {@code 1 byte} and {@code 2 bytes}. */
   public static String count(long number, String thing) {
     return number + " " + thing + (number == 1 ? "" : "s");
   }

@@ -27,7 +27,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
   private static final String DEFAULT = "default";
   private static final String ROBOTS = "robots";
 
-  /** Gives the path of the file, which need not be there. */
+  /** Returns the path of the file, which need not be there. */
   public static Path path(Function<String, @Nullable String> environment) {
     String own = environment.apply(FILE_VARIABLE);
     return own == null
@@ -119,7 +119,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
   }
 
   /**
-   * Gives a robot.
+   * Returns a robot.
    *
    * @throws FileException if there is none of this name
    */

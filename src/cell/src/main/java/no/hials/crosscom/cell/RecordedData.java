@@ -39,7 +39,7 @@ public final class RecordedData {
     this.accessTimes = List.copyOf(accessTimes);
   }
 
-  /** Gives the time of the first row, from which seconds are counted. */
+  /** Returns the time of the first row, from which seconds are counted. */
   public Instant start() {
     return start;
   }
@@ -111,7 +111,7 @@ public final class RecordedData {
       start = instant(rows.get(0));
     }
 
-    /** Gives the number of complete records. */
+    /** Returns the number of complete records. */
     private static int complete(List<CsvRecord> records) {
       int columns = records.get(0).getFieldCount();
       for (int i = 1; i < records.size(); i++) {
@@ -229,12 +229,12 @@ public final class RecordedData {
       this.texts = texts;
     }
 
-    /** Gives the column's name, as {@code $POS_ACT.X} or {@code cell1:$POS_ACT.X}. */
+    /** Returns the column's name, as {@code $POS_ACT.X} or {@code cell1:$POS_ACT.X}. */
     public String name() {
       return name;
     }
 
-    /** Says whether all that is there are numbers. */
+    /** Returns whether all that is there are numbers. */
     boolean isNumeric() {
       return numeric;
     }
@@ -243,12 +243,14 @@ public final class RecordedData {
       return seconds.length;
     }
 
-    /** Gives the times of the samples, since {@link RecordedData#start}. */
+    /** Returns the times of the samples, since {@link RecordedData#start}. */
     public double[] seconds() {
       return seconds.clone();
     }
 
-    /** Gives the numbers; NaN where there is none: in a gap, if it could not be read, or a text. */
+    /**
+     * Returns the numbers; NaN where there is none: in a gap, if it could not be read, or a text.
+     */
     public double[] values() {
       return values.clone();
     }

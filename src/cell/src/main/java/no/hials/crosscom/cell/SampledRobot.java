@@ -51,7 +51,7 @@ public final class SampledRobot implements Closeable {
             cfg -> cfg.listener(event -> queue.add(new Sampling.ConnectionChanged(this, event))));
   }
 
-  /** Gives its name, empty if it has none. */
+  /** Returns its name, empty if it has none. */
   String name() {
     return robot.name();
   }
@@ -88,7 +88,7 @@ public final class SampledRobot implements Closeable {
     return failures;
   }
 
-  /** Gives the values that {@link #readFirst} read, by their names. */
+  /** Returns the values that {@link #readFirst} read, by their names. */
   public Map<String, KrlValue> first() {
     return first;
   }
@@ -115,7 +115,7 @@ public final class SampledRobot implements Closeable {
     stop();
   }
 
-  /** Says whether there are samples to come. */
+  /** Returns whether there are samples to come. */
   boolean isActive() {
     return !enough && lastNumber < endNumber;
   }
@@ -215,8 +215,8 @@ public final class SampledRobot implements Closeable {
   }
 
   /**
-   * Says whether the connection is lost now. One that has enough is not: its last sample came, even
-   * if the news that it is connected again did not come yet.
+   * Returns whether the connection is lost now. One that has enough is not: its last sample came,
+   * even if the news that it is connected again did not come yet.
    */
   public boolean isLost() {
     return lost != null && !enough;

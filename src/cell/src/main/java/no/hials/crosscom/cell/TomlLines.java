@@ -22,7 +22,7 @@ final class TomlLines {
     lines = text.lines().toList();
   }
 
-  /** Gives the line of a key, from 1; 0 if it is not found. */
+  /** Returns the line of a key, from 1; 0 if it is not found. */
   int find(List<String> path) {
     int found = 0;
     int length = 0;

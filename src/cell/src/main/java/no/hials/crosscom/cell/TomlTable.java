@@ -66,7 +66,7 @@ final class TomlTable {
     };
   }
 
-  /** Gives the last part of the table's name. */
+  /** Returns the last part of the table's name. */
   String name() {
     return path.get(path.size() - 1);
   }
@@ -80,7 +80,7 @@ final class TomlTable {
     }
   }
 
-  /** Gives the tables in a table; none if it is not there. */
+  /** Returns the tables in a table; none if it is not there. */
   List<TomlTable> tables(String key) throws FileException {
     List<TomlTable> tables = new ArrayList<>();
     TomlTable outer = table(key);
@@ -98,7 +98,7 @@ final class TomlTable {
     throw error(key, "must be a table");
   }
 
-  /** Gives a text; null if it is not there. */
+  /** Returns a text; null if it is not there. */
   @Nullable String text(String key) throws FileException {
     Object value = values.get(key);
     if (value == null || value instanceof String) {
@@ -107,7 +107,7 @@ final class TomlTable {
     throw error(key, "must be a text in quotes");
   }
 
-  /** Gives a truth value; false if it is not there. */
+  /** Returns a truth value; false if it is not there. */
   boolean flag(String key) throws FileException {
     Object value = values.get(key);
     if (value == null || value instanceof Boolean) {
@@ -138,12 +138,12 @@ final class TomlTable {
     }
   }
 
-  /** Makes an exception about the table as a whole. */
+  /** Creates an exception about the table as a whole. */
   FileException error(String message) {
     return error(path, message);
   }
 
-  /** Makes an exception about a key of the table. */
+  /** Creates an exception about a key of the table. */
   FileException error(String key, String message) {
     return error(pathOf(key), message);
   }

@@ -16,7 +16,7 @@ public final class Units {
   private final Catalogue catalogue = Catalogue.system();
 
   /**
-   * Gives the unit of a number.
+   * Returns the unit of a number.
    *
    * @param name as a recording has it: {@code $POS_ACT.X}, {@code cell1:$TORQUE_AXIS_ACT[1]}
    * @return empty if it has none or none is known

@@ -81,7 +81,7 @@ public enum Commands {
     return title;
   }
 
-  /** Gives the names of the group. */
+  /** Returns the names of the group. */
   public List<String> names() {
     return names;
   }

@@ -24,7 +24,7 @@ final class Completion {
 
   private Completion() {}
 
-  /** Makes the script for bash, which is one for zsh as well. */
+  /** Creates the script for bash, which is one for zsh as well. */
   static String bash(CommandLine main) {
     return """
         # Completion of jopenshowvar for bash and zsh: source this file in ~/.bashrc or ~/.zshrc.
@@ -56,7 +56,7 @@ final class Completion {
             .formatted(ROBOTS);
   }
 
-  /** Makes the script for fish. */
+  /** Creates the script for fish. */
   static String fish(CommandSpec main) {
     List<String> lines = new ArrayList<>();
     lines.add(

@@ -28,14 +28,14 @@ final class HelpText {
    */
   record Block(boolean literal, List<String> lines) {}
 
-  /** Gives a command and all below it, in the order of the help. */
+  /** Returns a command and all below it, in the order of the help. */
   static Stream<CommandSpec> commands(CommandSpec command) {
     return Stream.concat(
         Stream.of(command),
         command.subcommands().values().stream().flatMap(sub -> commands(sub.getCommandSpec())));
   }
 
-  /** Gives the options that the help shows, in its order. */
+  /** Returns the options that the help shows, in its order. */
   static List<OptionSpec> options(CommandSpec command) {
     return command.options().stream()
         .filter(option -> !option.hidden())
@@ -43,7 +43,7 @@ final class HelpText {
         .toList();
   }
 
-  /** Gives the arguments that the help shows. */
+  /** Returns the arguments that the help shows. */
   static List<PositionalParamSpec> parameters(CommandSpec command) {
     return command.positionalParameters().stream().filter(argument -> !argument.hidden()).toList();
   }
@@ -60,7 +60,7 @@ final class HelpText {
     return synopsis;
   }
 
-  /** Gives an option with its names and its argument. */
+  /** Returns an option with its names and its argument. */
   static String label(ArgSpec argument) {
     if (argument instanceof OptionSpec option) {
       String names = String.join(", ", option.names());
@@ -70,7 +70,7 @@ final class HelpText {
   }
 
   /**
-   * Gives a text of the help as blocks: what is indented is literal, an empty line ends a block.
+   * Returns a text of the help as blocks: what is indented is literal, an empty line ends a block.
    */
   static List<Block> blocks(String... help) {
     List<Block> blocks = new ArrayList<>();
@@ -105,14 +105,14 @@ final class HelpText {
         .toList();
   }
 
-  /** Gives the first sentence of a description. */
+  /** Returns the first sentence of a description. */
   static String firstSentence(String... description) {
     String text = String.join(" ", lines(description));
     int end = text.indexOf(". ");
     return end < 0 ? text : text.substring(0, end + 1);
   }
 
-  /** Gives a description as one paragraph. */
+  /** Returns a description as one paragraph. */
   static String paragraph(String... description) {
     return String.join(" ", lines(description)).strip();
   }

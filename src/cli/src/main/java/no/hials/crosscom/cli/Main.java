@@ -60,7 +60,7 @@ public final class Main {
     }
   }
 
-  /** Makes the tree of commands: all of it, or only what the arguments need. */
+  /** Creates the tree of commands: all of it, or only what the arguments need. */
   public static CommandLine commandLine(Console console, String... args) {
     CommandLine main = new CommandLine(new MainCommand());
     Commands.addTo(main, console, args);
@@ -157,7 +157,7 @@ public final class Main {
   }
 
   /**
-   * Makes a writer that, unlike System.out, says when it cannot write.
+   * Creates a writer that, unlike System.out, says when it cannot write.
    *
    * @param encoding as of {@link Console#charset}
    */

@@ -12,12 +12,12 @@ final class ManPage {
 
   private ManPage() {}
 
-  /** Gives the name of a command's page: {@code jopenshowvar-read}. */
+  /** Returns the name of a command's page: {@code jopenshowvar-read}. */
   static String name(CommandSpec command) {
     return command.qualifiedName("-");
   }
 
-  /** Makes the page of a command. */
+  /** Creates the page of a command. */
   static String of(CommandSpec command, String version) {
     ManPage page = new ManPage();
     UsageMessageSpec usage = command.usageMessage();

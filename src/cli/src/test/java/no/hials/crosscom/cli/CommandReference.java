@@ -16,7 +16,7 @@ final class CommandReference {
 
   private CommandReference() {}
 
-  /** Makes the parts by the names under which the page has them. */
+  /** Creates the parts by the names under which the page has them. */
   static Map<String, String> parts() {
     CommandLine main = Documents.commands();
     return Map.of(

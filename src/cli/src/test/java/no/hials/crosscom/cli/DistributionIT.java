@@ -232,7 +232,7 @@ class DistributionIT {
     isTheVersion(run(builder));
   }
 
-  /** Gives the files that a running program has in its memory. */
+  /** Returns the files that a running program has in its memory. */
   private String memoryOfMock(Path cacheHome) throws Exception {
     ProcessBuilder builder = command(program, "mock", "--port", "0", "--no-discovery");
     builder.environment().put("XDG_CACHE_HOME", cacheHome.toString());

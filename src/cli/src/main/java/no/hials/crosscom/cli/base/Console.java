@@ -36,7 +36,7 @@ public final class Console implements WritePermission.Questions {
   }
 
   /**
-   * Makes a console.
+   * Creates a console.
    *
    * @param environment the environment variables that the program heeds
    */
@@ -45,7 +45,7 @@ public final class Console implements WritePermission.Questions {
   }
 
   /**
-   * Makes a console that has another stdin.
+   * Creates a console that has another stdin.
    *
    * @param questions asks the user, not on the terminal itself; null to do it there
    */
@@ -63,13 +63,13 @@ public final class Console implements WritePermission.Questions {
     this.questions = questions;
   }
 
-  /** Gives the same console whose questions are asked in another way, as by a line editor. */
+  /** Returns the same console whose questions are asked in another way, as by a line editor. */
   public Console asking(Questions other) {
     return new Console(data, err, environment, in, other);
   }
 
   /**
-   * Gives the charset of one of the streams of the process.
+   * Returns the charset of one of the streams of the process.
    *
    * @param encoding the property that names it, since JDK 19 and for stdin since JDK 25; before,
    *     its name began with {@code sun.}, and it was there for a terminal only
@@ -95,13 +95,13 @@ public final class Console implements WritePermission.Questions {
     return err;
   }
 
-  /** Gives an environment variable, null if it is not set or empty. */
+  /** Returns an environment variable, null if it is not set or empty. */
   public @Nullable String environment(String name) {
     String value = environment.get(name);
     return value == null || value.isEmpty() ? null : value;
   }
 
-  /** Says whether a person can be asked. */
+  /** Returns whether a person can be asked. */
   @Override
   public boolean isInteractive() {
     return questions != null || Terminal.isTerminal();

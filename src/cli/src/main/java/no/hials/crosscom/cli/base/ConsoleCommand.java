@@ -60,7 +60,7 @@ public abstract class ConsoleCommand implements Callable<Integer> {
     return verbose.length > 0;
   }
 
-  /** Makes an exception for what only shows when options are seen together. */
+  /** Creates an exception for what only shows when options are seen together. */
   public final ParameterException wrongUsage(String message) {
     return new ParameterException(spec.commandLine(), message);
   }

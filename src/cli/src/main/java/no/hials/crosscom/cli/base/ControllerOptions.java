@@ -83,7 +83,7 @@ public final class ControllerOptions {
   }
 
   /**
-   * Gives the controllers that the user chose, at least one: by these options, else by the
+   * Returns the controllers that the user chose, at least one: by these options, else by the
    * environment, else the default robot of the configuration file. The file is read for a robot of
    * it only.
    *
@@ -104,7 +104,9 @@ public final class ControllerOptions {
     return result;
   }
 
-  /** Gives the one controller that the user chose, as {@link #targets}; several are wrong usage. */
+  /**
+   * Returns the one controller that the user chose, as {@link #targets}; several are wrong usage.
+   */
   public Robot target(ConsoleCommand command, ServerType simulated) throws FileException {
     List<Robot> targets = targets(command, simulated);
     if (targets.size() != 1) {

@@ -33,7 +33,7 @@ public enum ExitCode {
     return code;
   }
 
-  /** Gives the one with a code, which one of them has. */
+  /** Returns the one with a code, which one of them has. */
   public static ExitCode of(int code) {
     return Arrays.stream(values()).filter(each -> each.code == code).findFirst().orElseThrow();
   }

@@ -20,7 +20,7 @@ public final class LiveLine implements AutoCloseable {
   private long next = System.nanoTime();
 
   /**
-   * Makes a line that is not there yet.
+   * Creates a line that is not there yet.
    *
    * @param terminal where it will be
    * @param shown whether it is to be there at all
@@ -30,7 +30,7 @@ public final class LiveLine implements AutoCloseable {
     this.shown = shown;
   }
 
-  /** Says whether it is time for another text, four times a second. */
+  /** Returns whether it is time for another text, four times a second. */
   public boolean isDue() {
     if (!shown || System.nanoTime() - next < 0) {
       return false;

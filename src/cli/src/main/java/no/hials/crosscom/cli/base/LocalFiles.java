@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 public final class LocalFiles {
   private LocalFiles() {}
 
-  /** Makes a path of an argument, or says that it can be none. */
+  /** Creates a path of an argument, or says that it can be none. */
   public static Path path(ConsoleCommand command, String text) {
     try {
       if (!text.isBlank()) {

@@ -23,7 +23,7 @@ import java.time.format.DateTimeFormatter;
 @ConfiguratorRank(ConfiguratorRank.CUSTOM_HIGH_PRIORITY)
 public final class LogConfigurator extends ContextAwareBase implements Configurator {
 
-  /** Makes the configurator; for the service loader. */
+  /** Creates the configurator; for the service loader. */
   public LogConfigurator() {}
 
   @Override

@@ -12,7 +12,7 @@ public final class Progress implements TransferProgress, AutoCloseable {
   private final StopSignal stop;
 
   /**
-   * Makes a line that is not there yet.
+   * Creates a line that is not there yet.
    *
    * @param name what is transferred
    * @param shown whether it is to be there at all

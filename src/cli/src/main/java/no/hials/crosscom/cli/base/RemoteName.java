@@ -9,17 +9,17 @@ import java.util.Locale;
 public final class RemoteName {
   private RemoteName() {}
 
-  /** Says whether it can only be a folder: it ends with a slash or a backslash. */
+  /** Returns whether it can only be a folder: it ends with a slash or a backslash. */
   public static boolean isFolder(String name) {
     return name.endsWith("/") || name.endsWith("\\");
   }
 
-  /** Gives the last part, such as {@code X.SRC}. */
+  /** Returns the last part, such as {@code X.SRC}. */
   public static String last(String name) {
     return name.substring(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1);
   }
 
-  /** Gives the name of a file in a folder, in the folder's form. */
+  /** Returns the name of a file in a folder, in the folder's form. */
   public static String in(String folder, String name) {
     if (isFolder(folder)) {
       return folder + name;
@@ -28,19 +28,19 @@ public final class RemoteName {
     return folder + (slashes ? "/" : "\\") + name;
   }
 
-  /** Says whether a name ends with some ending, in any case. */
+  /** Returns whether a name ends with some ending, in any case. */
   public static boolean hasEnding(String name, String ending) {
     return name.toLowerCase(Locale.ROOT).endsWith(ending);
   }
 
-  /** Gives a name without the ending of its last part, if that has one. */
+  /** Returns a name without the ending of its last part, if that has one. */
   public static String withoutEnding(String name) {
     int dot = name.lastIndexOf('.');
     return dot <= name.length() - last(name).length() ? name : name.substring(0, dot);
   }
 
   /**
-   * Gives the name of the data list beside a program, in capital letters if the program's ending
+   * Returns the name of the data list beside a program, in capital letters if the program's ending
    * is.
    */
   public static String dataListOf(String program) {
@@ -48,7 +48,7 @@ public final class RemoteName {
     return withoutEnding(program) + (capitals ? ".DAT" : ".dat");
   }
 
-  /** Says whether it is the name of a program. */
+  /** Returns whether it is the name of a program. */
   public static boolean isProgram(String name) {
     return hasEnding(name, ".src") || hasEnding(name, ".sub");
   }

@@ -103,7 +103,7 @@ public final class Screen implements AutoCloseable {
     }
   }
 
-  /** Says whether the user has pressed q. */
+  /** Returns whether the user has pressed q. */
   public boolean isLeft() {
     return left;
   }

@@ -57,12 +57,14 @@ public final class StopSignal implements AutoCloseable {
     }
   }
 
-  /** Says whether a signal came. */
+  /** Returns whether a signal came. */
   public boolean isStopped() {
     return stopped.getCount() == 0 || isShuttingDown();
   }
 
-  /** Says whether the JVM shuts down; hooks cannot be changed from then on, which JLine needs. */
+  /**
+   * Returns whether the JVM shuts down; hooks cannot be changed from then on, which JLine needs.
+   */
   public static boolean isShuttingDown() {
     try {
       Runtime.getRuntime().removeShutdownHook(NO_HOOK);

@@ -24,12 +24,12 @@ public final class Table {
     this.columns = columns;
   }
 
-  /** Makes a table that begins with a line of titles. */
+  /** Creates a table that begins with a line of titles. */
   public static Table withTitles(String... titles) {
     return new Table(titles.length).add(titles);
   }
 
-  /** Makes a table of two columns without titles: names and values. */
+  /** Creates a table of two columns without titles: names and values. */
   public static Table ofValues() {
     return new Table(2);
   }

@@ -15,15 +15,15 @@ public final class Terminal {
   private Terminal() {}
 
   /**
-   * Says whether stdin and stdout are a terminal, one that can clear a line. Where {@code TERM} is
-   * not set, as on Windows, that is not known of it, and assumed not to be so.
+   * Returns whether stdin and stdout are a terminal, one that can clear a line. Where {@code TERM}
+   * is not set, as on Windows, that is not known of it, and assumed not to be so.
    */
   public static boolean isInteractive() {
     String kind = System.getenv("TERM");
     return kind != null && !kind.isBlank() && !kind.equals("dumb") && isTerminal();
   }
 
-  /** Says whether stdin and stdout are a terminal, of whatever kind. */
+  /** Returns whether stdin and stdout are a terminal, of whatever kind. */
   @SuppressWarnings("SystemConsoleNull") // of the newer ones the method below tells
   static boolean isTerminal() {
     Console console = System.console();
@@ -40,12 +40,12 @@ public final class Terminal {
     }
   }
 
-  /** Says whether what is written to stderr now is for a person only. */
+  /** Returns whether what is written to stderr now is for a person only. */
   public static boolean showsProgress() {
     return isInteractive() && isForeground() && isErrTerminal();
   }
 
-  /** Says whether stderr is a terminal; where nobody knows, it is where stdout is. */
+  /** Returns whether stderr is a terminal; where nobody knows, it is where stdout is. */
   private static boolean isErrTerminal() {
     try {
       String target = Files.readSymbolicLink(OWN_STDERR).toString();
@@ -73,7 +73,7 @@ public final class Terminal {
     return console == null ? null : console.readLine();
   }
 
-  /** Says whether the terminal is this process's, and not a shell's; yes where nobody knows. */
+  /** Returns whether the terminal is this process's, and not a shell's; yes where nobody knows. */
   public static boolean isForeground() {
     try {
       // man 5 proc: the name in brackets, state, parent, process group, session, terminal, and the

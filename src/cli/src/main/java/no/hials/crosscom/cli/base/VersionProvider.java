@@ -2,7 +2,7 @@ package no.hials.crosscom.cli.base;
 
 import picocli.CommandLine.IVersionProvider;
 
-/** Gives the version that the build writes into the jar's manifest. */
+/** Returns the version that the build writes into the jar's manifest. */
 public final class VersionProvider implements IVersionProvider {
   @Override
   public String[] getVersion() {

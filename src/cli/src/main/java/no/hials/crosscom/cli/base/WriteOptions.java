@@ -24,7 +24,7 @@ public final class WriteOptions {
     return yes;
   }
 
-  /** Gives the settings of a connection on which one thing is changed. */
+  /** Returns the settings of a connection on which one thing is changed. */
   public Consumer<ClientConfig.Builder> connection() {
     // a server closes an idle connection, and the user may think about the answer for long
     return yes ? Robot.ONE_SHOT : cfg -> cfg.reconnect(false);

@@ -148,7 +148,7 @@ final class FileLs extends FileSubcommand {
     return entries;
   }
 
-  /** Gives the properties; null if it is there no more. */
+  /** Returns the properties; null if it is there no more. */
   private static @Nullable FileInfo properties(ControllerFiles files, String path)
       throws IOException {
     try {

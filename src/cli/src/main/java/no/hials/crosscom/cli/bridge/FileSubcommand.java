@@ -108,7 +108,7 @@ abstract class FileSubcommand extends BridgeCommand {
     }
   }
 
-  /** Makes the line that shows how far a transfer has come. */
+  /** Creates the line that shows how far a transfer has come. */
   final Progress progress(String name, StopSignal stop) {
     return new Progress(console(), name, !isVerbose() && Terminal.showsProgress(), stop);
   }
@@ -131,7 +131,7 @@ abstract class FileSubcommand extends BridgeCommand {
     return names;
   }
 
-  /** Says whether a name means a folder: by its form, or because there is one. */
+  /** Returns whether a name means a folder: by its form, or because there is one. */
   static boolean isFolder(ControllerFiles files, String name) throws IOException {
     if (RemoteName.isFolder(name)) {
       return true;
@@ -148,7 +148,7 @@ abstract class FileSubcommand extends BridgeCommand {
 
   // how things are printed
 
-  /** Gives a code such as {@code virtual directory}. */
+  /** Returns a code such as {@code virtual directory}. */
   static <E extends Enum<E> & WireCode> String words(Code<E> code) {
     return words(code.toString());
   }
@@ -157,7 +157,7 @@ abstract class FileSubcommand extends BridgeCommand {
     return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
-  /** Gives the known attributes, and the others in hex; that of a directory is its type. */
+  /** Returns the known attributes, and the others in hex; that of a directory is its type. */
   static List<String> attributes(Flags<FileAttribute> flags) {
     List<String> known =
         new ArrayList<>(
@@ -171,7 +171,7 @@ abstract class FileSubcommand extends BridgeCommand {
     return known;
   }
 
-  /** Gives a time in the time zone of this computer. */
+  /** Returns a time in the time zone of this computer. */
   static String time(Optional<Instant> time) {
     return time.map(instant -> TIME.format(instant.atZone(ZoneId.systemDefault()))).orElse("");
   }

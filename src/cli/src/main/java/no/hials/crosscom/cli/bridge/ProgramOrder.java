@@ -53,7 +53,7 @@ abstract class ProgramOrder extends BridgeCommand {
   /** Sends the command. */
   abstract void send(Programs programs, Interpreter interpreter) throws IOException;
 
-  /** Says whether it makes the robot stand still, and so is never held up by a question. */
+  /** Returns whether it makes the robot stand still, and so is never held up by a question. */
   boolean isStop() {
     return false;
   }

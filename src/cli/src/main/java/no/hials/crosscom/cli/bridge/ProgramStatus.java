@@ -37,7 +37,7 @@ record ProgramStatus(Interpreter interpreter, @Nullable String program, @Nullabl
     }
   }
 
-  /** Gives a line such as {@code robot: ACTUATOR #P_ACTIVE}. */
+  /** Returns a line such as {@code robot: ACTUATOR #P_ACTIVE}. */
   String line() {
     String name = program == null ? "program unknown" : Printable.of(program.strip());
     return interpreterName()
@@ -51,7 +51,7 @@ record ProgramStatus(Interpreter interpreter, @Nullable String program, @Nullabl
     return interpreter == Interpreter.ROBOT ? "robot" : "submit";
   }
 
-  /** Gives an object of JSON. */
+  /** Returns an object of JSON. */
   String json(String command) {
     return JsonLine.object(
         json -> {

@@ -296,7 +296,7 @@ public final class DriveCommand extends ConsoleCommand {
     }
   }
 
-  /** Gives the mode at the start; another one later is to end it. */
+  /** Returns the mode at the start; another one later is to end it. */
   private static OperatingMode mode(RobotConnection controller) throws IOException {
     String mode = controller.client().readText("$MODE_OP").strip();
     for (OperatingMode known : OperatingMode.values()) {
@@ -445,7 +445,7 @@ public final class DriveCommand extends ConsoleCommand {
     return code;
   }
 
-  /** Gives the name of the robot's program, for a message; empty if it is not to be had. */
+  /** Returns the name of the robot's program, for a message; empty if it is not to be had. */
   private static String selected(RobotConnection controller) {
     return read(controller, "$PRO_NAME1[]").replace("\"", "").strip();
   }

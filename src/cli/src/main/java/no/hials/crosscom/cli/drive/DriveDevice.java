@@ -45,7 +45,7 @@ final class DriveDevice implements InputDevice {
       CSV
     }
 
-    /** Gives the dead zone if the user does not: sticks do not come to rest at 0 exactly. */
+    /** Returns the dead zone if the user does not: sticks do not come to rest at 0 exactly. */
     double usualDeadZone() {
       return kind == Kind.GAMEPAD ? 0.15 : 0;
     }
@@ -115,7 +115,7 @@ final class DriveDevice implements InputDevice {
   }
 
   /**
-   * Says whether the user, or a recording, has come to the end; a recording after its last line.
+   * Returns whether the user, or a recording, has come to the end; a recording after its last line.
    */
   boolean isEnded(boolean standing) {
     return device instanceof KeyboardInput keyboard

@@ -97,7 +97,7 @@ final class DriveEnd {
   }
 
   /**
-   * Gives a line that helps where the watchdog is on after a planned end.
+   * Returns a line that helps where the watchdog is on after a planned end.
    *
    * @param limit what it is set to, as text; empty if unknown
    */

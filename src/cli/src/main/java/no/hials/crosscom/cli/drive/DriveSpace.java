@@ -48,7 +48,7 @@ enum DriveSpace {
   }
 
   /**
-   * Makes the law that follows an input device.
+   * Creates the law that follows an input device.
    *
    * @param speed what full deflection gives, in {@link #unit}
    * @param turn what full deflection of a rotation of the tool gives, degrees/s
@@ -61,7 +61,7 @@ enum DriveSpace {
     };
   }
 
-  /** Makes a twist no faster than a single axis at full deflection, in the same direction. */
+  /** Creates a twist no faster than a single axis at full deflection, in the same direction. */
   static Twist twist(Input input, double speed, double turn) {
     double way = Math.sqrt(square(input, 0) + square(input, 1) + square(input, 2));
     double rotation = Math.sqrt(square(input, 3) + square(input, 4) + square(input, 5));

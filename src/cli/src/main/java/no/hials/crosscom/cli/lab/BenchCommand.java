@@ -353,7 +353,7 @@ public final class BenchCommand extends ConsoleCommand {
 
   // what C3 Bridge measures
 
-  /** Gives the mean time of a read on the server itself; nothing where it does not measure. */
+  /** Returns the mean time of a read on the server itself; nothing where it does not measure. */
   private Map<String, Double> serverMillis(CrossComClient client, List<BenchAccess> accesses)
       throws IOException {
     if (client.getServer().type() != ServerType.C3_BRIDGE) {

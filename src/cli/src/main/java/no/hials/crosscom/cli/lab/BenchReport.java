@@ -36,7 +36,7 @@ final class BenchReport {
   private final Map<String, Double> serverMillis;
 
   /**
-   * Makes a report.
+   * Creates a report.
    *
    * @param serverMillis how long a read takes the server itself in the mean, by the variable's
    *     name; empty if it does not say
@@ -119,7 +119,7 @@ final class BenchReport {
     return accesses() / Math.max(1e-9, result.duration().toNanos() / 1e9);
   }
 
-  /** Gives a line for each access that failed, by what went wrong. */
+  /** Returns a line for each access that failed, by what went wrong. */
   List<String> failures() {
     List<String> lines = new ArrayList<>();
     for (int i = 0; i < plan.accesses().size(); i++) {
@@ -138,7 +138,7 @@ final class BenchReport {
 
   // histograms
 
-  /** Gives a histogram of each access as lines of text. */
+  /** Returns a histogram of each access as lines of text. */
   List<String> histograms() {
     Bins bins = bins(BINS_OF_TEXT);
     List<String> lines = new ArrayList<>();
@@ -160,7 +160,7 @@ final class BenchReport {
     return lines;
   }
 
-  /** Makes a chart: a histogram for each access, one below the other. */
+  /** Creates a chart: a histogram for each access, one below the other. */
   Chart chart(String title) {
     Bins bins = bins(BINS_OF_CHART);
     List<Panel> panels = new ArrayList<>();
@@ -202,7 +202,7 @@ final class BenchReport {
         title, new Axis("access time", "ms"), new Axis("accesses", ""), Panel.Scale.FREE, series);
   }
 
-  /** Makes an upright line; only its name if it is beyond the axis. */
+  /** Creates an upright line; only its name if it is beyond the axis. */
   private static Series upright(String name, Bins bins, double at, long height) {
     double x = at < bins.start(bins.count) ? at : Double.NaN;
     return Series.of(
@@ -245,7 +245,9 @@ final class BenchReport {
     return new Bins(first, step, count);
   }
 
-  /** Gives the next higher of 1, 2 and 5 and their products with powers of ten; at least 100 ns. */
+  /**
+   * Returns the next higher of 1, 2 and 5 and their products with powers of ten; at least 100 ns.
+   */
   private static double step(double least) {
     double power = Math.pow(10, Math.floor(Math.log10(Math.max(least, 1e-4))));
     for (double factor : new double[] {1, 2, 5}) {
@@ -258,7 +260,7 @@ final class BenchReport {
 
   // JSON
 
-  /** Gives a line for each access. */
+  /** Returns a line for each access. */
   List<String> json() {
     List<String> lines = new ArrayList<>();
     for (int i = 0; i < plan.accesses().size(); i++) {

@@ -198,7 +198,7 @@ public final class PlotCommand extends ConsoleCommand {
     return chosen;
   }
 
-  /** Says whether a field or element says nothing: status, turn, an external axis not there. */
+  /** Returns whether a field or element says nothing: status, turn, an external axis not there. */
   private static boolean isIdle(PlotData.Column column) {
     String name = column.name().toUpperCase(Locale.ROOT);
     if (name.matches(".*\\.[ST]")) {
@@ -217,7 +217,7 @@ public final class PlotCommand extends ConsoleCommand {
     return List.copyOf(chosen);
   }
 
-  /** Gives the column of a name, or those of a structure or array. */
+  /** Returns the column of a name, or those of a structure or array. */
   private List<PlotData.Column> columns(PlotData data, String name) {
     List<PlotData.Column> exact = data.find(name).map(List::of).orElse(List.of());
     String stem = name.endsWith("[]") ? name.substring(0, name.length() - 2) : name;
@@ -254,7 +254,7 @@ public final class PlotCommand extends ConsoleCommand {
     return wrongUsage("there is no column " + name + " in " + file + ", it has: " + known);
   }
 
-  /** Gives the name before field and index. */
+  /** Returns the name before field and index. */
   private static String variable(String column) {
     return column.split("[.\\[]", 2)[0];
   }

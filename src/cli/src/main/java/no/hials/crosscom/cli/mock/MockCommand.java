@@ -320,7 +320,7 @@ public final class MockCommand extends ConsoleCommand {
     }
   }
 
-  /** Gives the port: what was asked for, or the usual one unless that is in use. */
+  /** Returns the port: what was asked for, or the usual one unless that is in use. */
   private OptionalInt discoveryPort(InetAddress address, @Nullable Integer wanted, int usual) {
     if (noDiscovery) {
       return OptionalInt.empty();

@@ -39,7 +39,7 @@ final class StatusLine implements AutoCloseable {
   private boolean closed;
 
   /**
-   * Makes a status line that shows nothing yet.
+   * Creates a status line that shows nothing yet.
    *
    * @param isShown whether there is a line that changes now, or messages only
    */
@@ -79,7 +79,7 @@ final class StatusLine implements AutoCloseable {
     lastShown = fresh.get(fresh.size() - 1);
   }
 
-  /** Gives the line: simulated time, mode and programs, axes, clients and requests. */
+  /** Returns the line: simulated time, mode and programs, axes, clients and requests. */
   static String text(MockServer server) {
     Controller controller = server.controller();
     return String.format(

@@ -122,7 +122,7 @@ final class ShellCompleter implements Completer {
     return Commands.firstSentence(command.getCommandSpec().usageMessage().description());
   }
 
-  /** Gives the paths that a path which was begun may become. */
+  /** Returns the paths that a path which was begun may become. */
   private List<Candidate> names(String begun) {
     int dot = begun.lastIndexOf('.');
     int bracket = begun.lastIndexOf('[');
@@ -199,7 +199,7 @@ final class ShellCompleter implements Completer {
   }
 
   /**
-   * Makes a candidate.
+   * Creates a candidate.
    *
    * @param complete whether a blank goes behind it
    * @param sort its place in the list, where that is not the alphabet's

@@ -134,7 +134,7 @@ sealed interface ShellLine {
     return write("", words);
   }
 
-  /** Makes a write of {@code NAME VALUE} or {@code NAME = VALUE}. */
+  /** Creates a write of {@code NAME VALUE} or {@code NAME = VALUE}. */
   private static ShellLine write(String command, List<String> words) throws ShellSyntaxException {
     boolean sign = words.size() > 1 && words.get(1).equals("=");
     List<String> value = words.size() > 1 ? words.subList(sign ? 2 : 1, words.size()) : List.of();

@@ -31,7 +31,7 @@ final class ShellPrompt {
     return name;
   }
 
-  /** Gives the mode, empty for T1 and if it is not known. */
+  /** Returns the mode, empty for T1 and if it is not known. */
   String mode() {
     if (!connected) {
       return "";

@@ -55,7 +55,7 @@ final class ShellSymbols {
     used.add(name.toUpperCase(Locale.ROOT));
   }
 
-  /** Gives the names that were used, the first one first. */
+  /** Returns the names that were used, the first one first. */
   synchronized List<String> used() {
     return List.copyOf(used);
   }
@@ -127,7 +127,7 @@ final class ShellSymbols {
         });
   }
 
-  /** Gives the data lists on the controller, as many as could be had. */
+  /** Returns the data lists on the controller, as many as could be had. */
   private Map<String, DataList> dataLists() {
     Map<String, DataList> lists = new LinkedHashMap<>();
     try {

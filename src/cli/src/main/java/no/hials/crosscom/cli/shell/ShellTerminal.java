@@ -105,7 +105,7 @@ final class ShellTerminal implements Closeable {
   }
 
   /**
-   * Gives a typed line, or several that were pasted at once; empty after Ctrl-C; null at the end.
+   * Returns a typed line, or several that were pasted at once; empty after Ctrl-C; null at the end.
    */
   @Nullable String readLine(ShellPrompt prompt) {
     // what a Ctrl-C stopped has ended
@@ -114,7 +114,7 @@ final class ShellTerminal implements Closeable {
     return read(reader, text, "");
   }
 
-  /** Gives an answer that is typed after the question, null for none. */
+  /** Returns an answer that is typed after the question, null for none. */
   @Nullable String ask(String question) {
     try {
       while (terminal.reader().read(1) >= 0) {
@@ -153,7 +153,7 @@ final class ShellTerminal implements Closeable {
     return text.toAnsi(terminal);
   }
 
-  /** Gives the terminal back as it was. */
+  /** Returns the terminal back as it was. */
   @Override
   public void close() throws IOException {
     terminal.close();

@@ -26,7 +26,7 @@ final class ShellWords {
     return NAME.matcher(word).matches();
   }
 
-  /** Says whether a word is the command that writes. */
+  /** Returns whether a word is the command that writes. */
   static boolean isSet(String word) {
     return word.equalsIgnoreCase("set") || word.equalsIgnoreCase("write");
   }
@@ -38,7 +38,7 @@ final class ShellWords {
   }
 
   /**
-   * Gives the words of a line without its comment.
+   * Returns the words of a line without its comment.
    *
    * @throws ShellSyntaxException if a quote is not closed
    */
@@ -85,7 +85,9 @@ final class ShellWords {
     }
   }
 
-  /** Says whether a {@code =} here is the sign of a write, and not part of an option or a value. */
+  /**
+   * Returns whether a {@code =} here is the sign of a write, and not part of an option or a value.
+   */
   private boolean isSign() {
     int names = words.size() + (word.isEmpty() ? 0 : 1);
     boolean behindSet = !words.isEmpty() && isSet(words.get(0));

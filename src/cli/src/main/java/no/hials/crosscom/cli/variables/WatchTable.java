@@ -93,7 +93,7 @@ final class WatchTable {
   }
 
   /**
-   * Makes a table without rows.
+   * Creates a table without rows.
    *
    * @param robots were read once
    */
@@ -155,14 +155,14 @@ final class WatchTable {
     losses.put(robot, Printable.of(SampledRobot.text(event)));
   }
 
-  /** Gives all lines as they are now, however wide, without colours. */
+  /** Returns all lines as they are now, however wide, without colours. */
   List<String> text() {
     return lines(Integer.MAX_VALUE, Integer.MAX_VALUE, false).stream()
         .map(AttributedString::toString)
         .toList();
   }
 
-  /** Gives the lines that there is room for, those that are too wide cut off. */
+  /** Returns the lines that there is room for, those that are too wide cut off. */
   List<AttributedString> lines(int columns, int rows, boolean colours) {
     Instant now = Instant.now();
     List<AttributedString> footer = footer();

@@ -60,8 +60,8 @@ public final class Cli {
   }
 
   /**
-   * Gives the arguments for a server; a command may be {@code file ls}. The options come first, so
-   * that anything may follow.
+   * Returns the arguments for a server; a command may be {@code file ls}. The options come first,
+   * so that anything may follow.
    */
   public static String[] argsOn(MockServer server, String command, String... args) {
     Stream<String> options =

@@ -150,7 +150,7 @@ public final class PseudoTerminal implements AutoCloseable {
     return all.text();
   }
 
-  /** Gives the process of the command itself. */
+  /** Returns the process of the command itself. */
   public ProcessHandle command() {
     return process
         .descendants()

@@ -65,7 +65,7 @@ class RecordCommandTest {
         });
   }
 
-  /** Gives the rows, split into fields. */
+  /** Returns the rows, split into fields. */
   private List<List<String>> rows() throws IOException {
     return Files.readString(file)
         .lines()

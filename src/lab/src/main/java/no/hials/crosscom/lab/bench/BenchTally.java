@@ -37,7 +37,7 @@ public final class BenchTally {
     other.failures.forEach((kind, count) -> failures.merge(kind, count, Long::sum));
   }
 
-  /** Gives the times, in ns. */
+  /** Returns the times, in ns. */
   public Histogram times() {
     return times;
   }
@@ -72,7 +72,7 @@ public final class BenchTally {
     return kinds.stream().allMatch(kind -> kind.equals(REFUSED));
   }
 
-  /** Says whether the connection is as good as before. */
+  /** Returns whether the connection is as good as before. */
   static boolean keepsConnection(CrossComException e) {
     return e instanceof CrossComAccessException || e instanceof CrossComValueException;
   }

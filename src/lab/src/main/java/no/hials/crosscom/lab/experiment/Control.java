@@ -71,7 +71,7 @@ enum Control {
     this.program = program;
   }
 
-  /** Makes the law that draws a figure. */
+  /** Creates the law that draws a figure. */
   abstract Law law(Shape shape, double lap);
 
   String label() {

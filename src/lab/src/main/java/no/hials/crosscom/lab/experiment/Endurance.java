@@ -58,7 +58,7 @@ final class Endurance implements Experiment {
     }
   }
 
-  /** Gives the state in which the law wants the robot to be where it starts. */
+  /** Returns the state in which the law wants the robot to be where it starts. */
   private static State beforeStart(State state) {
     return new State(
         -state.period(), state.period(), state.axes(), state.position(), state.input());

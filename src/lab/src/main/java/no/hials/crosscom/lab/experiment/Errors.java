@@ -22,7 +22,7 @@ final class Errors {
     return most;
   }
 
-  /** Gives both figures. */
+  /** Returns both figures. */
   static List<Outcome.Figure> figures(String name, String unit, double... errors) {
     return List.of(
         new Outcome.Figure(name + ", RMS", rootMeanSquare(errors), unit),

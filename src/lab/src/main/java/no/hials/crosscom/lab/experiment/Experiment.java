@@ -27,7 +27,7 @@ public interface Experiment {
   }
 
   /**
-   * Gives its name.
+   * Returns its name.
    *
    * @return such as {@code position-circle}
    */
@@ -90,7 +90,7 @@ public interface Experiment {
       return lap.toNanos() / 1e9;
     }
 
-    /** Gives the title of a chart. */
+    /** Returns the title of a chart. */
     String title(String what) {
       return what + ", dt = " + period.toMillis() + " ms, simulated robot, latency " + latency;
     }

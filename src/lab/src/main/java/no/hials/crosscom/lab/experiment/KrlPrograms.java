@@ -8,7 +8,7 @@ import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 
-/** Makes a simulated controller ready to follow a client, as a person would a real one. */
+/** Creates a simulated controller ready to follow a client, as a person would a real one. */
 public final class KrlPrograms {
   /** Not with A5 at 0, from where the tool cannot move straight in every direction. */
   public static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);

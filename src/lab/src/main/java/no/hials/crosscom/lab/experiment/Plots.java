@@ -9,7 +9,7 @@ import no.hials.crosscom.lab.plot.Axis;
 import no.hials.crosscom.lab.plot.Panel;
 import no.hials.crosscom.lab.plot.Series;
 
-/** Makes the panels that several experiments have. */
+/** Creates the panels that several experiments have. */
 final class Plots {
   static final Axis TIME = new Axis("time", "s");
   private static final double LONGEST_SHOWN = 25;
@@ -17,7 +17,7 @@ final class Plots {
 
   private Plots() {}
 
-  /** Gives a number of each cycle. */
+  /** Returns a number of each cycle. */
   static double[] values(List<Trace.Cycle> cycles, ToDoubleFunction<Trace.Cycle> value) {
     return cycles.stream().mapToDouble(value).toArray();
   }

@@ -30,6 +30,6 @@ enum RobotProgram {
     return Target.increment(variable);
   }
 
-  /** Makes a law of the kind that suits the program, by which the robot stands. */
+  /** Creates a law of the kind that suits the program, by which the robot stands. */
   abstract Law standing();
 }

@@ -113,7 +113,7 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
     }
   }
 
-  /** Gives its cycles. */
+  /** Returns its cycles. */
   List<Trace.Cycle> cycles() {
     return trace.cycles();
   }

@@ -25,7 +25,7 @@ public record Chart(String title, List<Panel> panels, int columns) {
   }
 
   /**
-   * Makes a chart with its panels one below the other.
+   * Creates a chart with its panels one below the other.
    *
    * @param title what stands at the top
    * @param panels at least one

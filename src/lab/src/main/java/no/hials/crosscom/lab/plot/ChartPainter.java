@@ -115,7 +115,7 @@ final class ChartPainter {
     return height;
   }
 
-  /** Makes the painters, whose left edges are aligned in each column. */
+  /** Creates the painters, whose left edges are aligned in each column. */
   private List<PanelPainter> painters(int plotHeight) {
     List<PanelPainter> painters = new ArrayList<>();
     for (int i = 0; i < chart.panels().size(); i++) {
@@ -156,7 +156,7 @@ final class ChartPainter {
     return range.min() == 0 && range.max() > 0 ? padded.fromZero() : padded;
   }
 
-  /** Says whether the x axis is named: not if the panel below has the same one. */
+  /** Returns whether the x axis is named: not if the panel below has the same one. */
   private boolean hasXTitle(int i) {
     int below = i + chart.columns();
     return below >= chart.panels().size()

@@ -46,7 +46,7 @@ final class Legend {
     this.lines = any ? line + 1 : line;
   }
 
-  /** Gives the look of each series of a panel. */
+  /** Returns the look of each series of a panel. */
   static List<Look> looks(Panel panel) {
     List<Look> looks = new ArrayList<>();
     int guides = 0;

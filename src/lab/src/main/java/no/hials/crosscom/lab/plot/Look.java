@@ -33,7 +33,7 @@ record Look(Color color, BasicStroke stroke, Marker marker) {
   };
 
   /**
-   * Gives the look of a series.
+   * Returns the look of a series.
    *
    * @param index which one it is, of those that are no guides or of the guides
    */
@@ -53,7 +53,7 @@ record Look(Color color, BasicStroke stroke, Marker marker) {
     return SeriesMarkers.CIRCLE;
   }
 
-  /** Gives the colour of an area, through which the grid is seen. */
+  /** Returns the colour of an area, through which the grid is seen. */
   Color fill() {
     return new Color(color.getRed(), color.getGreen(), color.getBlue(), 90);
   }

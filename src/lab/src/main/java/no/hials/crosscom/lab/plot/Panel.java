@@ -41,7 +41,7 @@ public record Panel(
   }
 
   /**
-   * Makes a panel without texts.
+   * Creates a panel without texts.
    *
    * @param title what stands above it; empty for none
    * @param x the axis to the right

@@ -37,7 +37,7 @@ final class PanelPainter {
   private int axisWidth;
 
   /**
-   * Makes a painter.
+   * Creates a painter.
    *
    * @param xTitle whether the x axis is named
    */
@@ -112,7 +112,7 @@ final class PanelPainter {
     return plot;
   }
 
-  /** Gives the chart after it was drawn once, when it knows where things are. */
+  /** Returns the chart after it was drawn once, when it knows where things are. */
   private XYChart laidOut() {
     XYChart chart = xyChart();
     Graphics2D g = Format.image(new Chart.Size(300, 200)).createGraphics();
@@ -141,7 +141,7 @@ final class PanelPainter {
   }
 
   /**
-   * Gives the points of the series without which XChart draws no axes. If they had the same
+   * Returns the points of the series without which XChart draws no axes. If they had the same
    * distances, XChart would put its ticks there.
    */
   private static double[] spread(Range range) {

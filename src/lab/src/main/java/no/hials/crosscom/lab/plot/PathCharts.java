@@ -10,7 +10,7 @@ public final class PathCharts {
   private PathCharts() {}
 
   /**
-   * Makes a chart of one quantity over another, such as Y over X, with start and end marked.
+   * Creates a chart of one quantity over another, such as Y over X, with start and end marked.
    *
    * @param title what stands at the top
    * @param name what the legend calls the path
@@ -30,7 +30,7 @@ public final class PathCharts {
   }
 
   /**
-   * Makes a chart of paths in space: seen from above, from two sides, and isometric.
+   * Creates a chart of paths in space: seen from above, from two sides, and isometric.
    *
    * @param title what stands at the top
    * @param unit that of the positions
@@ -155,7 +155,7 @@ public final class PathCharts {
     return range.padded(0);
   }
 
-  /** Gives the edges of the box around everything. */
+  /** Returns the edges of the box around everything. */
   private static Flat box(Range x, Range y, Range z) {
     double gap = Double.NaN;
     double[] xs = {0, 1, 1, 0, 0, gap, 0, 1, 1, 0, 0, gap, 0, 0, gap, 1, 1, gap, 1, 1, gap, 0, 0};

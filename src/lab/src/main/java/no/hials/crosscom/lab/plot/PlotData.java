@@ -66,7 +66,7 @@ public final class PlotData {
       return name;
     }
 
-    /** Gives the unit, empty if it has none or none is known. */
+    /** Returns the unit, empty if it has none or none is known. */
     public String unit() {
       return unit;
     }
@@ -75,17 +75,17 @@ public final class PlotData {
       return new Axis(name, unit);
     }
 
-    /** Gives the numbers of the first column beside {@link #y}. */
+    /** Returns the numbers of the first column beside {@link #y}. */
     public double[] x() {
       return x.clone();
     }
 
-    /** Gives the numbers; NaN in a gap. TRUE is 1, FALSE 0. */
+    /** Returns the numbers; NaN in a gap. TRUE is 1, FALSE 0. */
     public double[] y() {
       return y.clone();
     }
 
-    /** Says whether it has numbers, or TRUE and FALSE, and no other text. */
+    /** Returns whether it has numbers, or TRUE and FALSE, and no other text. */
     public boolean isDrawable() {
       return text.isEmpty() && hasNumbers();
     }
@@ -94,18 +94,18 @@ public final class PlotData {
       return Arrays.stream(y).anyMatch(value -> !Double.isNaN(value));
     }
 
-    /** Gives the first other text; empty if there is none. */
+    /** Returns the first other text; empty if there is none. */
     public String text() {
       return text;
     }
 
-    /** Says whether it is about the recording, not recorded. */
+    /** Returns whether it is about the recording, not recorded. */
     public boolean isOnlyIfNamed() {
       return onlyIfNamed;
     }
   }
 
-  /** Gives the title of a picture of it. */
+  /** Returns the title of a picture of it. */
   public String title() {
     return title;
   }

@@ -20,13 +20,13 @@ record Range(double min, double max) {
     return new Range(Math.min(min, other.min), Math.max(max, other.max));
   }
 
-  /** Gives a range with the same centre. */
+  /** Returns a range with the same centre. */
   Range ofSpan(double span) {
     double centre = min + span() / 2;
     return new Range(centre - span / 2, centre + span / 2);
   }
 
-  /** Gives a range that begins at zero if this one begins below. */
+  /** Returns a range that begins at zero if this one begins below. */
   Range fromZero() {
     return min < 0 ? new Range(0, max) : this;
   }

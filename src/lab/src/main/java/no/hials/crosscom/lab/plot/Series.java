@@ -31,7 +31,7 @@ public final class Series {
   }
 
   /**
-   * Makes a series.
+   * Creates a series.
    *
    * @param name what the legend calls it; empty to leave it out there
    * @param style how it is drawn
@@ -44,7 +44,7 @@ public final class Series {
   }
 
   /**
-   * Makes a histogram: an area with a step for each bin.
+   * Creates a histogram: an area with a step for each bin.
    *
    * @param name what the legend calls it
    * @param start where the first bin begins
@@ -88,12 +88,12 @@ public final class Series {
     return !Double.isFinite(x[i]) || !Double.isFinite(y[i]);
   }
 
-  /** Gives the x of all points that are no gap. */
+  /** Returns the x of all points that are no gap. */
   Range xRange() {
     return range(x);
   }
 
-  /** Gives the y of all points that are no gap. */
+  /** Returns the y of all points that are no gap. */
   Range yRange() {
     Range range = range(y);
     return style == Style.AREA ? range.with(0) : range;

@@ -89,7 +89,7 @@ final class SeriesPainter {
     g.draw(line());
   }
 
-  /** Gives the line with its gaps; what stands alone between two gaps becomes a dot. */
+  /** Returns the line with its gaps; what stands alone between two gaps becomes a dot. */
   private Path2D line() {
     Path2D line = new Path2D.Double();
     for (int i = 0; i < series.size(); i++) {

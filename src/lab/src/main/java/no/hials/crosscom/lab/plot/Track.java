@@ -24,7 +24,7 @@ public final class Track {
   }
 
   /**
-   * Makes a track.
+   * Creates a track.
    *
    * @param name what the legend calls it
    * @param x where the point was

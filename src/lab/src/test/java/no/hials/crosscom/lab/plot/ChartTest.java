@@ -270,7 +270,7 @@ class ChartTest {
     return org.assertj.core.data.Offset.offset(offset);
   }
 
-  /** Gives the paths that are drawn in a colour: the one in the legend, then the series. */
+  /** Returns the paths that are drawn in a colour: the one in the legend, then the series. */
   private static List<String> lines(Document svg, int color) {
     return Pictures.shapes(svg, "stroke", new Color(color)).stream()
         .filter(shape -> shape.getTagName().equals("path"))

@@ -49,7 +49,7 @@ public final class Pictures {
     }
   }
 
-  /** Gives the shapes of an SVG that are filled, or whose outlines are drawn, in a colour. */
+  /** Returns the shapes of an SVG that are filled, or whose outlines are drawn, in a colour. */
   public static List<Element> shapes(Document svg, String attribute, Color color) {
     String value = "rgb(%d,%d,%d)".formatted(color.getRed(), color.getGreen(), color.getBlue());
     List<Element> shapes = new ArrayList<>();
@@ -65,14 +65,14 @@ public final class Pictures {
     return shapes;
   }
 
-  /** Gives an attribute of an element, or else of the nearest group around it that has it. */
+  /** Returns an attribute of an element, or else of the nearest group around it that has it. */
   public static String inherited(Element element, String attribute) {
     return element.hasAttribute(attribute) || !(element.getParentNode() instanceof Element parent)
         ? element.getAttribute(attribute)
         : inherited(parent, attribute);
   }
 
-  /** Gives the title of an SVG and what it says of its panels. */
+  /** Returns the title of an SVG and what it says of its panels. */
   public static String texts(Path svg) throws IOException {
     Document document = svg(svg);
     return document.getElementsByTagName("title").item(0).getTextContent()

@@ -110,8 +110,10 @@ public final class Catalogue {
                 .map(part -> entry(part.type(), part.declarator(), VariableNote.NONE, origin, null))
                 .toList());
       } else if (declaration instanceof Declaration.Enumeration enumeration) {
+        List<String> constants = enumeration.constants();
         enumerations.putIfAbsent(
-            key(enumeration.name()), enumeration.constants().stream().sorted().toList());
+            key(enumeration.name()),
+            origin.isEmpty() ? constants.stream().sorted().toList() : constants);
       } else if (declaration instanceof Declaration.Signal signal && system) {
         VariableNote note = VariableNote.of(signal.comment());
         add(entry("SIGNAL", signal.name(), List.of(), note, origin, access), note, shown);

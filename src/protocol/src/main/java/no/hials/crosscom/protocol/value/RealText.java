@@ -188,7 +188,7 @@ final class RealText {
 
     /** Returns the power of ten of the first digit, in rare cases one more or less. */
     static int estimateExponent(float magnitude) {
-      int exponent = Math.getExponent(magnitude) * 1233 >> 12; // 1233 / 4096 is log10(2)
+      int exponent = (Math.getExponent(magnitude) * 1233) >> 12; // 1233 / 4096 is log10(2)
       int next = exponent + 1;
       boolean low =
           next >= 0

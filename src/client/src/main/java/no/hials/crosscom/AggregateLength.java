@@ -5,7 +5,7 @@ import java.util.List;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 
-/** Says how long the parts of an aggregate are, for one that is too long. */
+/** Describes the lengths of the parts of an aggregate that is too long. */
 final class AggregateLength {
   private AggregateLength() {}
 
@@ -13,8 +13,8 @@ final class AggregateLength {
    * Describes an aggregate.
    *
    * @param text its text
-   * @return such as {@code (SPEED 9, SEAM 19 (X 5, Y 6))} with a blank before it, where a length is
-   *     that of name, blank and value; empty if the text is not an aggregate
+   * @return such as {@code (SPEED 9, SEAM 19 (X 5, Y 6))} after a blank, where a length counts
+   *     name, blank and value; empty if the text is not an aggregate
    */
   static String describe(String text) {
     KrlScanner scanner = new KrlScanner(text);
@@ -38,7 +38,7 @@ final class AggregateLength {
         scanner.readFieldValue();
       }
       parts.add(name + " " + (scanner.position() - start) + inner);
-      start = scanner.position() + 1; // behind the comma
+      start = scanner.position() + 1; // after the comma
     }
     return String.join(", ", parts);
   }

@@ -23,10 +23,10 @@ import org.jspecify.annotations.Nullable;
  * one.
  */
 abstract class Batch {
-  /** How many variables a message may name. */
+  /** The most variables in a message. */
   private static final int MAX_COUNT = 255;
 
-  /** How many bytes the names, or names and values, of a message may have. */
+  /** The most bytes of the names, or names and values, in a message. */
   private static final int ROOM = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 2;
 
   final VariableExchange exchange;
@@ -52,23 +52,23 @@ abstract class Batch {
     variables.forEach(variable -> items.add(new Item(variable)));
   }
 
-  /** Reads variables; gives what came of each. */
+  /** Reads variables, and returns one result per variable. */
   static List<VariableResult> read(
       VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
     return new Reading(exchange, channel, variables).run();
   }
 
-  /** Writes variables, all of which have a value; gives what came of each. */
+  /** Writes variables, all of which have a value, and returns one result per variable. */
   static List<VariableResult> write(
       VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
     return new Writing(exchange, channel, variables).run();
   }
 
-  /** A variable and what came of it. */
+  /** A variable and its failure, if any. */
   static final class Item {
     final KRLVariable variable;
 
-    /** What a write sends. */
+    /** The text that a write sends. */
     String text = "";
 
     @Nullable CrossComException failure;
@@ -118,7 +118,7 @@ abstract class Batch {
         length = 0;
       }
       if (itemLength < 0 || itemLength > ROOM) {
-        send(waiting); // what goes alone keeps its place in the order
+        send(waiting); // an item that goes alone keeps its place in the order
         waiting.clear();
         length = 0;
         oneByOne(List.of(item));
@@ -146,7 +146,7 @@ abstract class Batch {
       } catch (CrossComException e) {
         fail(List.of(item), e);
       } catch (IllegalArgumentException e) {
-        // a name that this server cannot be asked for: no reason to lose what came of the others
+        // the server cannot take this name: the results of the other variables are kept
         if (!(e.getCause() instanceof CrossComUnsupportedException unsupported)) {
           throw e;
         }
@@ -155,7 +155,7 @@ abstract class Batch {
     }
   }
 
-  /** Notes that an exchange failed, which ends all. */
+  /** Records that an exchange failed, which ends the batch. */
   final void fail(List<Item> some, CrossComException e) {
     some.forEach(item -> item.failure = e);
     broken = e;
@@ -183,7 +183,7 @@ abstract class Batch {
     try {
       answered = channel.exchange(request(some), MultipleResponse.class, what);
     } catch (CrossComUnsupportedException e) {
-      oneByOne(some); // it was made anew, to another server
+      oneByOne(some); // reconnected meanwhile, to another server
       return;
     } catch (CrossComException e) {
       fail(some, e);
@@ -210,7 +210,7 @@ abstract class Batch {
     return some.size() == 1 ? first : first + " and " + (some.size() - 1) + " more";
   }
 
-  /** Gives how many bytes an item needs in a message; -1 if it cannot be in one with others. */
+  /** Returns the bytes of an item in a message; -1 if it cannot share a message with others. */
   abstract long length(Item item);
 
   abstract Request request(List<Item> some);
@@ -219,10 +219,10 @@ abstract class Batch {
 
   abstract void take(Item item, AccessResult result, long nanos) throws CrossComException;
 
-  /** Deals with an answer that has not a result for each item. */
+  /** Handles an answer without a result for each item. */
   abstract void notEach(List<Item> some, int count, Tail tail);
 
-  /** Gives the bytes of a WSTRING. */
+  /** Returns the length of a WSTRING in bytes. */
   private static long wide(String text) {
     return 2 + 2L * text.length();
   }
@@ -314,7 +314,7 @@ abstract class Batch {
       VariableExchange.takeEcho(item.variable, new TextAnswer(result.value(), nanos));
     }
 
-    /** Some may be done, and nothing says which. */
+    /** Some of the writes may be done, and it is not known which. */
     @Override
     void notEach(List<Item> some, int count, Tail tail) {
       CrossComException unknown =

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The way of the messages that only C3 Bridge knows. */
+/** Sends the messages that only C3 Bridge knows. */
 final class C3Channel implements MessageChannel {
   private static final Logger LOG = LoggerFactory.getLogger(C3Channel.class);
 
@@ -82,13 +82,13 @@ final class C3Channel implements MessageChannel {
     find(what, server -> server.require(type, what));
   }
 
-  /** What is asked about the server. */
+  /** A question about the server. */
   @FunctionalInterface
   interface Question<T> {
     T to(ServerDetector server) throws CrossComException;
   }
 
-  /** Finds out something about the server. */
+  /** Answers a question about the server. */
   <T> T find(String what, Question<T> question) throws CrossComException {
     lock.lock();
     try {
@@ -110,8 +110,8 @@ final class C3Channel implements MessageChannel {
   }
 
   /**
-   * Does what {@link #ask} does, but gives an answer that says failure too, which may be of another
-   * class.
+   * Does the same as {@link #ask}, but also returns an answer that says failure, which may be of
+   * another class.
    */
   MessageAnswer exchange(Request request, Class<? extends TypedResponse> answer, String what)
       throws CrossComException {
@@ -133,7 +133,8 @@ final class C3Channel implements MessageChannel {
       if (effect == Repeatability.READ) {
         return answer(sent);
       }
-      answer(server -> server.require(type, what)); // may be repeated, but what follows may not
+      answer(
+          server -> server.require(type, what)); // can be repeated, but the request itself cannot
       return sent.to(detector);
     } finally {
       lock.unlock();
@@ -148,7 +149,7 @@ final class C3Channel implements MessageChannel {
     checkPin(what);
   }
 
-  /** Asks, and asks once again if the connection breaks meanwhile. The lock is held. */
+  /** Asks, and asks again once if the connection breaks meanwhile. The lock is held. */
   private <T> T answer(Question<T> question) throws CrossComException {
     try {
       return question.to(detector);
@@ -168,8 +169,8 @@ final class C3Channel implements MessageChannel {
       throw new CrossComConnectionLostException(
           "the "
               + what
-              + " was not sent: the connection that it belongs to was lost, and the server forgot"
-              + " what came before",
+              + " was not sent: its connection was lost, and the server forgot the requests before"
+              + " it",
           null,
           false);
     }

@@ -5,7 +5,7 @@ import no.hials.crosscom.protocol.MalformedFrameException;
 import no.hials.crosscom.variables.Variable;
 
 /**
- * Holds what {@link CrossComClient#sendRequest} got.
+ * The result of {@link CrossComClient#sendRequest}.
  *
  * @deprecated use {@link CrossComClient#readVariable} and {@link CrossComClient#writeVariable}
  */
@@ -26,11 +26,11 @@ public final class Callback {
   }
 
   /**
-   * Makes a callback from an answer's bytes.
+   * Creates a callback from an answer's bytes.
    *
    * @param variable the variable's name
    * @param data the whole answer
-   * @param readTime how long it took, in ns
+   * @param readTime the time of the exchange in ns
    * @throws IllegalArgumentException if the bytes are not the answer to a read or write
    */
   public Callback(String variable, byte[] data, long readTime) {
@@ -49,7 +49,7 @@ public final class Callback {
   }
 
   /**
-   * Gives the variable's name.
+   * Returns the variable's name.
    *
    * @return the name
    */
@@ -58,7 +58,7 @@ public final class Callback {
   }
 
   /**
-   * Gives the number of the {@link Request}.
+   * Returns the number of the {@link Request}.
    *
    * @return any number
    */
@@ -67,7 +67,7 @@ public final class Callback {
   }
 
   /**
-   * Says what was done.
+   * Returns whether the access was a read or a write.
    *
    * @return 0 for a read, 1 for a write
    */
@@ -76,7 +76,7 @@ public final class Callback {
   }
 
   /**
-   * Gives how long it took from sending the request to having the answer.
+   * Returns the time from sending the request to having the answer.
    *
    * @return in ns
    */
@@ -85,7 +85,7 @@ public final class Callback {
   }
 
   /**
-   * Gives the value.
+   * Returns the value.
    *
    * @return KRL text
    */
@@ -96,8 +96,8 @@ public final class Callback {
   /**
    * Parses the value.
    *
-   * @return a variable of the type that the text looks like
-   * @throws NumberFormatException if it looks like none of them
+   * @return a variable of the type that the text has
+   * @throws NumberFormatException if the text has none of the types
    */
   public Variable<?> getVariable() {
     return Variable.parseVariable(this);

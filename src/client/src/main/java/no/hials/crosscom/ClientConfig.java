@@ -17,13 +17,13 @@ import java.util.function.Consumer;
  * @param maxRequestLength how many bytes a request may have, default 2048: KUKAVARPROXY takes no
  *     more at a time and loses the rest (docs/reference/kukavarproxy.md#pieces-of-requests); 16 to
  *     65539. The messages that only C3 Bridge knows may have 65539 whatever this says
- * @param reconnect whether a broken connection is made anew by itself, default true
+ * @param reconnect whether to reconnect automatically after the connection broke, default true
  * @param reconnectBackoff how long to wait after a first failed attempt to connect again; twice as
  *     long after each further one; default 100 ms
  * @param maxReconnectBackoff how long to wait at most between two attempts, default 5 s
  * @param keepAlive after how long without traffic a {@code PING} is read, since the server drops a
  *     client after 30 s (docs/reference/kukavarproxy.md#connections); zero for never, default 10 s
- * @param listener hears of connects and losses
+ * @param listener called after connects and losses
  */
 public record ClientConfig(
     String host,
@@ -91,10 +91,10 @@ public record ClientConfig(
   }
 
   /**
-   * Makes a configuration.
+   * Creates a configuration.
    *
    * @param host name or address of the controller
-   * @param settings sets what is not to have its default
+   * @param settings sets the options that differ from their defaults
    * @return the configuration
    * @throws IllegalArgumentException if a value is out of its range
    */
@@ -178,7 +178,7 @@ public record ClientConfig(
     }
 
     /**
-     * Sets whether a broken connection is made anew by itself.
+     * Sets whether to reconnect automatically after the connection broke.
      *
      * @param value false to leave the client unusable after a failure of its connection
      * @return this
@@ -213,9 +213,9 @@ public record ClientConfig(
     }
 
     /**
-     * Sets who hears of connects and losses.
+     * Sets the listener for connects and losses.
      *
-     * @param value called by a thread of its own, one event after the other
+     * @param value called in a separate thread, one event after the other
      * @return this
      */
     public Builder listener(ConnectionListener value) {

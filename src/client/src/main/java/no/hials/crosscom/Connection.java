@@ -33,8 +33,8 @@ import org.slf4j.LoggerFactory;
  *
  * <p>The answer is read without a socket time-out, which would cost two more system calls an
  * exchange; instead a thread of this connection closes the socket when an exchange is overdue. A
- * connection on which anything went wrong stays closed: what might still arrive on it could be
- * taken for another answer.
+ * connection that failed stays closed: a late answer on it could be taken for that of another
+ * request.
  */
 final class Connection {
   private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
@@ -45,17 +45,17 @@ final class Connection {
   /** The exchange under way was overdue. */
   private static final long EXPIRED = Long.MIN_VALUE + 1;
 
-  /** After so long without an exchange, whether the server is still there is checked first. */
+  /** After this time without an exchange, the connection is checked first. */
   private static final long CHECK_AFTER_NANOS = 20_000_000;
 
-  /** A connection that ends unanswered within this time was not wanted by the server. */
+  /** A connection that ends unanswered within this time was rejected by the server. */
   private static final long AT_ONCE_NANOS = 1_000_000_000;
 
   private final SocketChannel channel;
   private final FrameReader reader;
   private final Answer answer = new Answer();
 
-  /** What goes out. Outside the heap, so that the channel need not copy it there. */
+  /** The bytes to send. Outside the heap, so that the channel need not copy them there. */
   private ByteBuffer out = ByteBuffer.allocateDirect(512);
 
   private final InetSocketAddress remote;
@@ -83,8 +83,8 @@ final class Connection {
   /**
    * Connects.
    *
-   * @param config what to, and how
-   * @param started gets the channel before it connects, so that others can close it
+   * @param config the address and the times
+   * @param started called with the channel before it connects, so that another thread can close it
    */
   static Connection open(ClientConfig config, Consumer<SocketChannel> started)
       throws CrossComConnectException {
@@ -131,17 +131,19 @@ final class Connection {
     return closed;
   }
 
-  /** Gives when the last exchange ended, or the connection was made, by {@link System#nanoTime}. */
+  /**
+   * Returns the end of the last exchange, or the time of connecting, by {@link System#nanoTime}.
+   */
   long lastEnd() {
     return lastEnd;
   }
 
-  /** Says whether the server closed the connection soon after it was made, without an answer. */
+  /** Returns whether the server closed the connection soon after connecting, without an answer. */
   boolean wasClosedAtOnce() {
     return closed && !answered && System.nanoTime() - lastEnd < AT_ONCE_NANOS;
   }
 
-  /** Says whether the server has answered anything yet. */
+  /** Returns whether the server has answered anything yet. */
   boolean hasAnswered() {
     return answered;
   }
@@ -153,10 +155,10 @@ final class Connection {
   }
 
   /**
-   * Looks whether the server has closed the connection, or sent what nobody asked for. Looks only
-   * if nothing was exchanged for a while, since looking costs three system calls.
+   * Checks whether the server has closed the connection, or sent bytes that no request asked for.
+   * Checks only if nothing was exchanged for a while, because it costs three system calls.
    *
-   * @return nothing if the connection is usable; else why not, and it is closed
+   * @return null if the connection is usable; otherwise the reason, and the connection is closed
    */
   @Nullable CrossComException check() {
     if (answered && System.nanoTime() - lastEnd < CHECK_AFTER_NANOS && reader.surplus() == 0) {
@@ -206,8 +208,8 @@ final class Connection {
    * @param length the request's length
    * @param id the id to be sent instead
    * @param type its type
-   * @param effect what it does
-   * @param name the variable, or what is done, for error messages
+   * @param effect its effect on the controller
+   * @param name the variable, or a phrase for the request, for error messages
    * @return the answer, valid until the next exchange
    */
   Answer exchange(
@@ -292,8 +294,8 @@ final class Connection {
    * @param frame the request; its id is not sent
    * @param id the id to be sent instead
    * @param type its type
-   * @param effect what it does
-   * @param what what is done, for error messages
+   * @param effect its effect on the controller
+   * @param what a phrase for the request, for error messages
    * @param answerClass the class that the answer has unless it says failure
    */
   MessageAnswer exchange(
@@ -350,7 +352,7 @@ final class Connection {
       MalformedFrameException e, String what, boolean write) {
     close();
     return new CrossComProtocolException(
-        "what came is not the answer to the " + what + ": " + e.getMessage(), e, write);
+        "the answer to the " + what + " is invalid: " + e.getMessage(), e, write);
   }
 
   private CrossComTimeoutException timedOut(
@@ -365,7 +367,7 @@ final class Connection {
         write);
   }
 
-  /** Ends the time limit; says whether it had run out. */
+  /** Ends the time limit, and returns whether it had expired. */
   private boolean disarm() {
     return deadline.getAndSet(NONE) == EXPIRED;
   }
@@ -375,7 +377,7 @@ final class Connection {
    *
    * <p>To wake this thread for every exchange would cost more than the exchange, so it sleeps for
    * as long as the limit even if none is under way: one that begins meanwhile is due later than
-   * that. Only after such a time without an exchange it dozes, and has to be woken.
+   * that. Only after such a time without an exchange does it doze, and an exchange has to wake it.
    */
   private void watch() {
     boolean mayDoze = true;

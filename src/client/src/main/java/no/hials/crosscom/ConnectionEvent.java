@@ -16,7 +16,9 @@ public record ConnectionEvent(Kind kind, Instant time, @Nullable CrossComExcepti
   public enum Kind {
     /** The client has connected for the first time. */
     CONNECTED,
-    /** The connection broke, timed out, or carried what is not the protocol, and is closed. */
+    /**
+     * The connection broke, timed out, or carried bytes that are not the protocol. It is closed.
+     */
     LOST,
     /** The client has connected again. */
     RECONNECTED,

@@ -4,7 +4,7 @@ import java.util.Optional;
 import no.hials.crosscom.protocol.ErrorCode;
 
 /**
- * Says that the controller refused to read or write a variable. Nothing was changed; the connection
+ * Thrown if the controller refuses to read or write a variable. Nothing was changed; the connection
  * can be used.
  */
 public final class CrossComAccessException extends CrossComException {
@@ -51,7 +51,7 @@ public final class CrossComAccessException extends CrossComException {
   }
 
   /**
-   * Gives the variable's name.
+   * Returns the variable's name.
    *
    * @return the name as it was sent
    */
@@ -60,7 +60,7 @@ public final class CrossComAccessException extends CrossComException {
   }
 
   /**
-   * Says what was tried.
+   * Returns whether a read or a write was refused.
    *
    * @return read or write
    */
@@ -69,7 +69,7 @@ public final class CrossComAccessException extends CrossComException {
   }
 
   /**
-   * Gives the code in the answer's tail. KUKAVARPROXY always sends 1, whatever went wrong.
+   * Returns the code in the answer's tail. KUKAVARPROXY sends 1 for every failure.
    *
    * @return 0 to 65535
    */
@@ -78,7 +78,7 @@ public final class CrossComAccessException extends CrossComException {
   }
 
   /**
-   * Gives the name of the code, as C3 Bridge Interface calls it.
+   * Returns the name of the code in C3 Bridge Interface.
    *
    * @return the name; {@link ErrorCode#SUCCESS} from KUKAVARPROXY, which gives no reason; nothing
    *     if the code is unknown

@@ -42,32 +42,35 @@ import org.jspecify.annotations.Nullable;
  * Reads and writes the variables of a KUKA robot controller on which KUKAVARPROXY or C3 Bridge
  * Interface runs.
  *
- * <p><b>A write can move a machine.</b> The client never repeats a write; if its outcome is
- * unknown, {@link CrossComException#isOutcomeUnknown} says so.
+ * <p><b>A write can move a machine.</b> The client never repeats a write. If its outcome is
+ * unknown, {@link CrossComException#isOutcomeUnknown} returns true.
  *
- * <p>The client can be used by several threads: exchanges take place one at a time, in the order in
- * which they were asked for. The variables handed to it are for one thread at a time. A call blocks
- * until the answer is there: once its turn has come for the request time-out at most, if the
- * connection has to be made anew for the connect time-out too, and if a read is repeated for both
- * again.
+ * <p>Several threads can use the client: exchanges take place one at a time, in the order of the
+ * calls. A variable is for one thread at a time. A call blocks until its answer arrives. When its
+ * turn has come, that takes at most the request time-out, and if the client has to reconnect, the
+ * connect time-out too; if a read is repeated, both again.
  *
  * <p>A refused access or an unreadable value leaves the connection usable. After a time-out, a
- * broken connection or an answer that is not one, the connection is closed, and the next call makes
- * a new one, unless {@link ClientConfig#reconnect} says otherwise. A read that was under way when
- * the connection broke is repeated once; a write never is.
+ * broken connection or an invalid answer, the connection is closed, and the next call reconnects,
+ * unless {@link ClientConfig#reconnect} is off. A read that was under way when the connection broke
+ * is repeated once; a write never is.
  *
- * <p>The client finds out by itself which of the two servers there is, when that matters, and uses
- * what it has: on C3 Bridge, texts beyond ISO 8859-1, messages for several variables, and the
- * objects that {@link #programs}, {@link #motion}, {@link #pendant}, {@link #files} and {@link
- * #information} give.
+ * <p>The client detects the type of the server when it matters, and uses its features: on C3
+ * Bridge, texts beyond ISO 8859-1, messages for several variables, and {@link #programs}, {@link
+ * #motion}, {@link #pendant}, {@link #files} and {@link #information}.
  *
- * <p>The client runs these daemon threads, where PORT is the server's: {@code
- * crosscom-watchdog-PORT} enforces the time-out; {@code crosscom-keepalive-PORT} uses the
- * connection when the program does not; {@code crosscom-events-PORT} calls the {@link
- * ConnectionListener}, {@code crosscom-async-PORT} does what the {@code ...Async} methods were
- * asked for, {@code crosscom-files-PORT} does so for transfers of files, and {@code
- * crosscom-callback-PORT} runs what the program does with the results, all four only while there is
- * something to do. Each {@link Watch} has threads of its own.
+ * <p>The client creates these daemon threads, where PORT is the server's:
+ *
+ * <ul>
+ *   <li>{@code crosscom-watchdog-PORT} closes the connection after a time-out.
+ *   <li>{@code crosscom-keepalive-PORT} uses the connection when the program does not.
+ *   <li>{@code crosscom-events-PORT} calls the {@link ConnectionListener}.
+ *   <li>{@code crosscom-async-PORT} runs the operations of {@link #async}.
+ *   <li>{@code crosscom-files-PORT} runs the transfers of files.
+ *   <li>{@code crosscom-callback-PORT} runs the program's code that follows on their results.
+ * </ul>
+ *
+ * <p>The last four exist only while they have work. Each {@link Watch} has its own threads.
  */
 public final class CrossComClient implements Closeable {
   private final ClientConfig config;
@@ -90,7 +93,7 @@ public final class CrossComClient implements Closeable {
    *
    * @param host name or address of the controller
    * @param port the server's port, 1 to 65535, usually 7000
-   * @throws CrossComConnectException if the host is unknown or no connection could be made
+   * @throws CrossComConnectException if the host is unknown or the client could not connect
    * @throws UnknownHostException never; declared for programs of the original, which catch it. See
    *     {@link CrossComConnectException}
    * @throws IOException only as one of the above
@@ -102,8 +105,8 @@ public final class CrossComClient implements Closeable {
   /**
    * Connects.
    *
-   * @param config what to connect to, and how
-   * @throws CrossComConnectException if the host is unknown or no connection could be made
+   * @param config the address and the options
+   * @throws CrossComConnectException if the host is unknown or the client could not connect
    */
   public CrossComClient(ClientConfig config) throws CrossComException {
     this.config = Objects.requireNonNull(config, "config");
@@ -142,27 +145,27 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Gives the configuration.
+   * Returns the configuration.
    *
-   * @return what the client was made with
+   * @return the configuration of the constructor
    */
   public ClientConfig getConfig() {
     return config;
   }
 
   /**
-   * Finds out which server there is. It is asked at the first need only, once for each connection;
-   * the other methods do so too where they have to know.
+   * Returns the type, version and features of the server. They are asked for once per connection,
+   * when this method or another one needs them.
    *
-   * @return the server of the connection that there is
-   * @throws CrossComException if an exchange failed
+   * @return the server of the current connection
+   * @throws CrossComException if an exchange fails
    */
   public Server getServer() throws IOException {
     return channel.find("request for the kind of server", ServerDetector::server);
   }
 
   /**
-   * Gives what selects, starts and stops programs. It needs C3 Bridge.
+   * Returns the object that selects, starts and stops programs. It needs C3 Bridge.
    *
    * @return always the same object; on KUKAVARPROXY its methods throw {@link
    *     CrossComUnsupportedException}
@@ -172,7 +175,7 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Gives what moves the robot to positions. It needs C3 Bridge.
+   * Returns the object that moves the robot to positions. It needs C3 Bridge.
    *
    * @return always the same object; on KUKAVARPROXY its methods throw {@link
    *     CrossComUnsupportedException}
@@ -182,7 +185,7 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Gives what presses keys of the teach pendant. It needs C3 Bridge.
+   * Returns the object that presses keys of the teach pendant. It needs C3 Bridge.
    *
    * @return always the same object; on KUKAVARPROXY its methods throw {@link
    *     CrossComUnsupportedException}
@@ -192,7 +195,7 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Gives what works with the files of the controller. It needs C3 Bridge.
+   * Returns the object that works with the files of the controller. It needs C3 Bridge.
    *
    * @return always the same object; on KUKAVARPROXY its methods throw {@link
    *     CrossComUnsupportedException}
@@ -202,7 +205,8 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Gives what asks the server about itself, and confirms messages. It needs C3 Bridge.
+   * Returns the object that asks the server about itself, and confirms messages. It needs C3
+   * Bridge.
    *
    * @return always the same object; on KUKAVARPROXY its methods throw {@link
    *     CrossComUnsupportedException}
@@ -214,10 +218,10 @@ public final class CrossComClient implements Closeable {
   /**
    * Reads a variable of the controller into its local copy.
    *
-   * @param variable names what to read and gets the value; as it was if reading fails
-   * @throws CrossComAccessException if the controller refused, as for an unknown name
-   * @throws CrossComValueException if what came is not of the variable's type
-   * @throws CrossComException if the exchange failed
+   * @param variable the variable, which gets the value; unchanged if reading fails
+   * @throws CrossComAccessException if the controller refuses, as for an unknown name
+   * @throws CrossComValueException if the controller's value is not of the variable's type
+   * @throws CrossComException if the exchange fails
    */
   public void readVariable(KRLVariable variable) throws IOException {
     variables.read(variable);
@@ -229,11 +233,11 @@ public final class CrossComClient implements Closeable {
    * <p>A structure is written whole; fields never set are written as 0.0. A whole array is written
    * element by element, one access each, in order.
    *
-   * @param variable names what to write and has the value
-   * @throws CrossComAccessException if the controller refused, as for a read-only variable; of an
+   * @param variable the variable and its value
+   * @throws CrossComAccessException if the controller refuses, as for a read-only variable; of an
    *     array, the elements before the named one were written
    * @throws CrossComValueException if the text is too long to be sent
-   * @throws CrossComException if the exchange failed
+   * @throws CrossComException if the exchange fails
    * @throws IllegalStateException if the variable has no value
    */
   public void writeVariable(KRLVariable variable) throws IOException {
@@ -243,11 +247,11 @@ public final class CrossComClient implements Closeable {
   /**
    * Writes some fields of a structure; the controller leaves the others as they are.
    *
-   * @param struct names what to write and has the values
+   * @param struct the structure and its values
    * @param fields names of its fields, at least one
-   * @throws CrossComAccessException if the controller refused
-   * @throws CrossComException if the exchange failed
-   * @throws IllegalArgumentException if there is no such field or it has no value
+   * @throws CrossComAccessException if the controller refuses
+   * @throws CrossComException if the exchange fails
+   * @throws IllegalArgumentException if a field does not exist or has no value
    */
   public void writeFields(KRLStruct struct, String... fields) throws IOException {
     variables.write(struct, struct.getStringValueOf(fields));
@@ -257,12 +261,12 @@ public final class CrossComClient implements Closeable {
    * Reads a whole array: in one access if the server can, else element by element if the array
    * knows how many there are.
    *
-   * @param array names what to read and gets the elements; as it was if reading fails
-   * @param progress hears how far it has come, if it goes element by element
-   * @throws CrossComAccessException if the controller refused; {@link
-   *     CrossComException#getElementsDone} says how far it had come
-   * @throws CrossComValueException if what came is not of the array's type
-   * @throws CrossComException if an exchange failed
+   * @param array the array, which gets the elements; unchanged if reading fails
+   * @param progress called after each element, if it goes element by element
+   * @throws CrossComAccessException if the controller refuses; {@link
+   *     CrossComException#getElementsDone} returns the number of elements read
+   * @throws CrossComValueException if the controller's value is not of the array's type
+   * @throws CrossComException if an exchange fails
    */
   public void readVariable(KRLArray array, ArrayProgress progress) throws IOException {
     variables.read(array, progress);
@@ -271,11 +275,11 @@ public final class CrossComClient implements Closeable {
   /**
    * Writes a whole array, element by element in order.
    *
-   * @param array names what to write and has the elements
-   * @param progress hears how far it has come
-   * @throws CrossComAccessException if the controller refused an element; those before it were
-   *     written, and {@link CrossComException#getElementsDone} says how many
-   * @throws CrossComException if an exchange failed
+   * @param array the array and its elements
+   * @param progress called after each element
+   * @throws CrossComAccessException if the controller refuses an element; those before it were
+   *     written, and {@link CrossComException#getElementsDone} returns how many
+   * @throws CrossComException if an exchange fails
    * @throws IllegalStateException if the array has no value
    */
   public void writeVariable(KRLArray array, ArrayProgress progress) throws IOException {
@@ -286,13 +290,13 @@ public final class CrossComClient implements Closeable {
    * Reads several variables: from C3 Bridge 1.2 or later in as few messages as they fit into, from
    * any other server one after the other, in order.
    *
-   * <p>One that the controller refuses, or whose value is of another type, does not keep the others
-   * from being read. If an exchange fails, so do all variables that it was for, and those behind
-   * them are not tried. An array that cannot be read whole is read element by element, as by {@link
+   * <p>The others are read even if the controller refuses a variable, or its value is of another
+   * type. If an exchange fails, all its variables fail, and the variables after them are not tried.
+   * An array that cannot be read whole is read element by element, as by {@link
    * #readVariable(KRLArray, ArrayProgress)}.
    *
-   * @param several what to read
-   * @return what came of each, in the same order
+   * @param several the variables
+   * @return one result per variable, in the same order
    */
   public List<VariableResult> readVariables(List<? extends KRLVariable> several) {
     return variables.readAll(several);
@@ -301,8 +305,8 @@ public final class CrossComClient implements Closeable {
   /**
    * Reads several variables, as {@link #readVariables(List)}.
    *
-   * @param several what to read
-   * @return what came of each, in the same order
+   * @param several the variables
+   * @return one result per variable, in the same order
    */
   public List<VariableResult> readVariables(KRLVariable... several) {
     return readVariables(Arrays.asList(several));
@@ -312,13 +316,12 @@ public final class CrossComClient implements Closeable {
    * Writes several variables in order: to C3 Bridge 1.3 or later in as few messages as they fit
    * into, to any other server one after the other. An array takes a message for each element.
    *
-   * <p>One that the controller refuses does not keep the others from being written. If an exchange
-   * fails, the outcome of all variables that it was for may be unknown, and those behind them are
-   * not tried.
+   * <p>The others are written even if the controller refuses a variable. If an exchange fails, the
+   * outcome of all its variables may be unknown, and the variables after them are not tried.
    *
-   * @param several what to write
-   * @return what came of each, in the same order
-   * @throws IllegalStateException if one has no value; nothing was written then
+   * @param several the variables
+   * @return one result per variable, in the same order
+   * @throws IllegalStateException if a variable has no value; then nothing was written
    */
   public List<VariableResult> writeVariables(List<? extends KRLVariable> several) {
     return variables.writeAll(several);
@@ -327,20 +330,20 @@ public final class CrossComClient implements Closeable {
   /**
    * Writes several variables, as {@link #writeVariables(List)}.
    *
-   * @param several what to write
-   * @return what came of each, in the same order
-   * @throws IllegalStateException if one has no value; nothing was written then
+   * @param several the variables
+   * @return one result per variable, in the same order
+   * @throws IllegalStateException if a variable has no value; then nothing was written
    */
   public List<VariableResult> writeVariables(KRLVariable... several) {
     return writeVariables(Arrays.asList(several));
   }
 
   /**
-   * Reads variables again and again.
+   * Reads variables at a fixed period.
    *
-   * @param watchConfig what to read, and how often
-   * @param listener takes the samples, in a thread of its own; more can be added
-   * @return the watch, which runs already; it is to be closed
+   * @param watchConfig the variables and the period
+   * @param listener called with the samples in a separate thread; more can be added
+   * @return the running watch; the caller closes it
    */
   public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener) {
     Watch watch = new Watch(variables, connection, watchConfig, watches::remove);
@@ -354,12 +357,12 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Reads variables again and again.
+   * Reads variables at a fixed period.
    *
    * @param period from one reading to the next; at least 1 ms
-   * @param listener takes the samples, in a thread of its own; more can be added
+   * @param listener called with the samples in a separate thread; more can be added
    * @param names the variables to read
-   * @return the watch, which runs already; it is to be closed
+   * @return the running watch; the caller closes it
    */
   public Watch watch(Duration period, Consumer<? super Sample> listener, String... names) {
     return watch(WatchConfig.create(Arrays.asList(names), cfg -> cfg.period(period)), listener);
@@ -370,8 +373,8 @@ public final class CrossComClient implements Closeable {
    *
    * @param name the variable's name
    * @return its value as the controller printed it
-   * @throws CrossComAccessException if the controller refused
-   * @throws CrossComException if the exchange failed
+   * @throws CrossComAccessException if the controller refuses
+   * @throws CrossComException if the exchange fails
    * @throws IllegalArgumentException if the name is blank, or not ISO 8859-1 and the server is not
    *     C3 Bridge
    */
@@ -384,9 +387,9 @@ public final class CrossComClient implements Closeable {
    *
    * @param name the variable's name
    * @return its value
-   * @throws CrossComAccessException if the controller refused
-   * @throws CrossComValueException if what came is no KRL value
-   * @throws CrossComException if the exchange failed
+   * @throws CrossComAccessException if the controller refuses
+   * @throws CrossComValueException if the answer is not a KRL value
+   * @throws CrossComException if the exchange fails
    */
   public KrlValue readValue(String name) throws IOException {
     KRLAny any = new KRLAny(name);
@@ -400,10 +403,10 @@ public final class CrossComClient implements Closeable {
    * @param name the variable's name
    * @param value KRL text: {@code 50}, {@code TRUE}, {@code #T1}, {@code "text"} with its quotes,
    *     or an aggregate
-   * @throws CrossComAccessException if the controller refused
+   * @throws CrossComAccessException if the controller refuses
    * @throws CrossComValueException if the text is too long to be sent, or not ISO 8859-1 and the
    *     server is not C3 Bridge
-   * @throws CrossComException if the exchange failed
+   * @throws CrossComException if the exchange fails
    * @throws IllegalArgumentException if the name is blank, or not ISO 8859-1 and the server is not
    *     C3 Bridge
    */
@@ -412,8 +415,8 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Checks what {@link #writeText} would refuse without asking the server, and sends nothing: so
-   * that a mistake shows before a person is asked whether to write.
+   * Checks a write as {@link #writeText} does before it sends anything, so that a mistake shows
+   * before a person is asked whether to write.
    *
    * @param name the variable's name
    * @param value KRL text
@@ -429,8 +432,8 @@ public final class CrossComClient implements Closeable {
    *
    * @param name the variable's name
    * @return {@code NAME #read time=Nms #value=VALUE}
-   * @throws CrossComAccessException if the controller refused
-   * @throws CrossComException if the exchange failed
+   * @throws CrossComAccessException if the controller refuses
+   * @throws CrossComException if the exchange fails
    */
   public String simpleRead(String name) throws IOException {
     return describe(name, variables.read(name));
@@ -442,8 +445,8 @@ public final class CrossComClient implements Closeable {
    * @param name the variable's name
    * @param val the value as KRL text
    * @return {@code NAME #read time=Nms #value=VALUE}, with the value that the server echoed
-   * @throws CrossComAccessException if the controller refused
-   * @throws CrossComException if the exchange failed
+   * @throws CrossComAccessException if the controller refuses
+   * @throws CrossComException if the exchange fails
    */
   public String simpleWrite(String name, String val) throws IOException {
     return describe(name, variables.write(name, val));
@@ -460,10 +463,10 @@ public final class CrossComClient implements Closeable {
   /**
    * Reads or writes a variable by name.
    *
-   * @param request what to do
-   * @return what came of it
-   * @throws CrossComAccessException if the controller refused
-   * @throws CrossComException if the exchange failed
+   * @param request a read or a write
+   * @return the result
+   * @throws CrossComAccessException if the controller refuses
+   * @throws CrossComException if the exchange fails
    * @deprecated use {@link #readVariable} and {@link #writeVariable}, or {@link #readText} and
    *     {@link #writeText} if the type is not known
    */
@@ -517,7 +520,7 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Gives the 16-bit number of two bytes, the higher first.
+   * Returns the 16-bit number of two bytes, the higher first.
    *
    * @param bytes has them
    * @param off the index of the first
@@ -533,8 +536,7 @@ public final class CrossComClient implements Closeable {
   // --- in another thread
 
   /**
-   * Runs operations in another thread, after those that wait there already, and returns their
-   * result:
+   * Runs operations in another thread, one call after the other, and returns their result:
    *
    * <pre>{@code
    * CompletableFuture<String> mode = client.async(c -> c.readText("$MODE_OP"));
@@ -572,20 +574,20 @@ public final class CrossComClient implements Closeable {
         });
   }
 
-  // --- what programs of the original call on the client as on a Socket
+  // --- methods of Socket that programs of the original call
 
   /**
-   * Says whether the client was connected. As with a Socket, this stays true after it was closed.
+   * Returns whether the client was connected. As with a Socket, this stays true after closing.
    *
-   * @return true, since a client is made connected
+   * @return true, since the constructor connects
    */
   public boolean isConnected() {
     return true;
   }
 
   /**
-   * Says whether the client can no longer be used: it was closed, or its connection failed and is
-   * not to be made again.
+   * Returns whether the client can no longer be used: it was closed, or its connection failed and
+   * {@link ClientConfig#reconnect} is off.
    *
    * @return true if so
    */
@@ -594,16 +596,16 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Gives the address of the controller.
+   * Returns the address of the controller.
    *
-   * @return the address connected to
+   * @return the address of the connection
    */
   public InetAddress getInetAddress() {
     return connection.connection().remoteAddress();
   }
 
   /**
-   * Gives the server's port.
+   * Returns the server's port.
    *
    * @return 1 to 65535
    */
@@ -612,16 +614,16 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Gives the local port of the connection.
+   * Returns the local port of the connection.
    *
-   * @return 1 to 65535; another one after the connection was made anew
+   * @return 1 to 65535; it changes when the client reconnects
    */
   public int getLocalPort() {
     return connection.connection().localPort();
   }
 
   /**
-   * Sets how long an exchange may take, for those that begin from now on.
+   * Sets how long the next exchanges may take.
    *
    * @param millis in ms; 0 for no limit
    * @throws SocketException never; declared for programs of the original, which may catch it
@@ -635,7 +637,7 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Gives how long an exchange may take.
+   * Returns how long an exchange may take.
    *
    * @return in ms; 0 for no limit
    * @throws SocketException never; declared for programs of the original, which may catch it
@@ -645,9 +647,9 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Closes the connection for good. An exchange under way in another thread ends with {@link
-   * CrossComClosedException}, unless its answer comes at the same moment, and what waits for its
-   * turn ends so too. Closing again does nothing.
+   * Closes the connection for good. Exchanges of other threads that are under way or waiting fail
+   * with {@link CrossComClosedException}, unless an answer arrives at the same moment. Closing
+   * again does nothing.
    *
    * @throws IOException never; declared for programs of the original, which may catch it
    */
@@ -656,7 +658,7 @@ public final class CrossComClient implements Closeable {
     connection.close();
     watches.forEach(Watch::close);
     transfers.shutdown();
-    async.shutdown(); // what is queued fails soon, saying that the client is closed
+    async.shutdown(); // queued operations fail soon, because the client is closed
   }
 
   @Override

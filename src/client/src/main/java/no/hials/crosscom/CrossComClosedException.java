@@ -2,7 +2,7 @@ package no.hials.crosscom;
 
 import org.jspecify.annotations.Nullable;
 
-/** Says that the client was closed before or while the operation ran. */
+/** Thrown if the client was closed before or during the operation. */
 public final class CrossComClosedException extends CrossComException {
   private static final long serialVersionUID = 1L;
 

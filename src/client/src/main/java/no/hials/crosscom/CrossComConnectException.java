@@ -3,7 +3,7 @@ package no.hials.crosscom;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says that no connection could be made: unknown host, refused, or no answer in the connect
+ * Thrown if the client could not connect: unknown host, refused, or no answer in the connect
  * time-out.
  */
 public final class CrossComConnectException extends CrossComException {

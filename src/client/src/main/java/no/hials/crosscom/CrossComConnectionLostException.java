@@ -2,7 +2,7 @@ package no.hials.crosscom;
 
 import org.jspecify.annotations.Nullable;
 
-/** Says that the connection broke: the server closed it, or the network failed. It is closed. */
+/** Thrown if the connection broke: the server closed it, or the network failed. */
 public final class CrossComConnectionLostException extends CrossComException {
   private static final long serialVersionUID = 1L;
 

@@ -5,8 +5,8 @@ import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says that an operation of the client failed. The subclasses differ by what the caller can do
- * about it.
+ * Thrown if an operation of the client fails. The subclasses differ by what the caller can do about
+ * it.
  */
 public abstract sealed class CrossComException extends IOException
     permits CrossComConnectException,
@@ -35,8 +35,8 @@ public abstract sealed class CrossComException extends IOException
   }
 
   /**
-   * Says whether this was a write or command which the controller may or may not have done. The
-   * client never repeats one; look what the controller has before deciding to.
+   * Returns whether this was a write or command that the controller may or may not have done. The
+   * client never repeats it; read the state of the controller before you do.
    *
    * @return true if so; false for a read, and for a write or command that was certainly not done
    */
@@ -51,7 +51,7 @@ public abstract sealed class CrossComException extends IOException
   }
 
   /**
-   * Says how far reading or writing an array element by element had come.
+   * Returns how many elements of an array were read or written, if it went element by element.
    *
    * @return how many elements were done before the one that failed; nothing for other operations
    */

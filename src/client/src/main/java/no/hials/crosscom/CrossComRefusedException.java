@@ -4,7 +4,7 @@ import java.util.Optional;
 import no.hials.crosscom.protocol.ErrorCode;
 
 /**
- * Says that C3 Bridge Interface refused a command other than the access to a variable, for which
+ * Thrown if C3 Bridge Interface refuses a command other than the access to a variable, for which
  * there is {@link CrossComAccessException}. The connection can be used.
  */
 public final class CrossComRefusedException extends CrossComException {
@@ -19,7 +19,7 @@ public final class CrossComRefusedException extends CrossComException {
     this.code = code;
   }
 
-  /** Says in words what a code means (docs/reference/c3-messages.md#error-codes). */
+  /** Explains a code in words (docs/reference/c3-messages.md#error-codes). */
   private static String describe(int code) {
     return ErrorCode.from(code).map(known -> " (" + known + ": " + words(known) + ")").orElse("");
   }
@@ -41,7 +41,7 @@ public final class CrossComRefusedException extends CrossComException {
   }
 
   /**
-   * Gives what was refused.
+   * Returns the command that was refused.
    *
    * @return such as {@code selection of program /R1/MAIN}
    */
@@ -50,7 +50,7 @@ public final class CrossComRefusedException extends CrossComException {
   }
 
   /**
-   * Gives the code in the answer's tail.
+   * Returns the code in the answer's tail.
    *
    * @return 0 to 65535
    */
@@ -59,7 +59,7 @@ public final class CrossComRefusedException extends CrossComException {
   }
 
   /**
-   * Gives the name of the code.
+   * Returns the name of the code.
    *
    * @return the name, or nothing if the code is unknown
    */

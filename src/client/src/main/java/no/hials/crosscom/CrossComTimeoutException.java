@@ -3,8 +3,8 @@ package no.hials.crosscom;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says that no answer came in the request time-out. The connection is closed, so that a late answer
- * cannot be taken for another's.
+ * Thrown if no answer came within the request time-out. The connection is closed, so that a late
+ * answer cannot be taken for another's.
  */
 public final class CrossComTimeoutException extends CrossComException {
   private static final long serialVersionUID = 1L;

@@ -1,8 +1,8 @@
 package no.hials.crosscom;
 
 /**
- * Says that a file was not transferred, or not as it is: the target is there already, or what
- * arrived is not what was sent. The connection can be used.
+ * Thrown if a file was not transferred, or not correctly: the target exists, or the content that
+ * arrived differs. The connection can be used.
  *
  * <p>Before an upload is complete, the controller has nothing of the file; a download that failed
  * leaves no file. Where an upload is complete but the file differs, the message says so.
@@ -20,7 +20,7 @@ public final class CrossComTransferException extends CrossComException {
   }
 
   /**
-   * Gives the file on the controller.
+   * Returns the file on the controller.
    *
    * @return its name as it was sent
    */
@@ -29,7 +29,7 @@ public final class CrossComTransferException extends CrossComException {
   }
 
   /**
-   * Says how far the transfer had come.
+   * Returns how many bytes were transferred.
    *
    * @return how many bytes were transferred
    */

@@ -7,8 +7,8 @@ import no.hials.crosscom.protocol.Version;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says that the server cannot do what was asked for, as KUKAVARPROXY has no programs, motions and
- * files. It was not sent; the connection can be used.
+ * Thrown if the server does not support an operation, for example since KUKAVARPROXY has no
+ * programs, motions and files. It was not sent; the connection can be used.
  */
 public final class CrossComUnsupportedException extends CrossComException {
   private static final long serialVersionUID = 1L;
@@ -35,7 +35,7 @@ public final class CrossComUnsupportedException extends CrossComException {
   }
 
   /**
-   * Gives the message that the server would have to know.
+   * Returns the message that the server does not know.
    *
    * @return its type
    */
@@ -44,7 +44,7 @@ public final class CrossComUnsupportedException extends CrossComException {
   }
 
   /**
-   * Gives the version that the server would have to have.
+   * Returns the version that knows the message.
    *
    * @return the first version of C3 Bridge Interface with the message
    *     (docs/reference/c3-messages.md#server-versions)
@@ -54,7 +54,7 @@ public final class CrossComUnsupportedException extends CrossComException {
   }
 
   /**
-   * Gives the server that there is.
+   * Returns the type of the server.
    *
    * @return its type
    */

@@ -3,8 +3,8 @@ package no.hials.crosscom;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says that a text is not a value of the variable's type, or not one that may be sent. The
- * connection can be used, and the variable keeps the value it had.
+ * Thrown if a text is not a value of the variable's type, or cannot be sent. The connection can be
+ * used, and the variable keeps the value it had.
  */
 public final class CrossComValueException extends CrossComException {
   private static final long serialVersionUID = 1L;
@@ -19,7 +19,7 @@ public final class CrossComValueException extends CrossComException {
   }
 
   /**
-   * Gives the variable's name.
+   * Returns the variable's name.
    *
    * @return the name
    */
@@ -28,7 +28,7 @@ public final class CrossComValueException extends CrossComException {
   }
 
   /**
-   * Gives the value's text, as the server sent it or as it would have been sent.
+   * Returns the value's text, as the server sent it or as it would have been sent.
    *
    * @return the whole text
    */

@@ -17,11 +17,13 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The way to the server, which outlives its connections: makes a new one when one broke, keeps an
- * idle one, and tells the listener.
+ * Connects again after a connection broke, keeps an idle connection alive, and calls the listener.
  *
- * <p>One lock holds for an exchange and for what is done with its answer. It is fair, so that
- * exchanges take place in the order in which they were asked for.
+ * <p>One lock guards an exchange and the use of its answer. It is fair, so that exchanges take
+ * place in the order of their calls.
+ *
+ * <p>Its daemon threads are {@code crosscom-keepalive-PORT}, and {@code crosscom-events-PORT} while
+ * there are events for the listener. Each connection has a {@code crosscom-watchdog-PORT}.
  */
 final class ReconnectingConnection {
   private static final Logger LOG = LoggerFactory.getLogger(ReconnectingConnection.class);
@@ -35,7 +37,7 @@ final class ReconnectingConnection {
   private volatile long timeoutNanos;
   private volatile boolean closed;
 
-  /** What is connecting, if anything, so that it can be ended. */
+  /** The channel that is connecting, if any, so that it can be closed. */
   private volatile @Nullable SocketChannel connecting;
 
   // guarded by the lock
@@ -58,7 +60,7 @@ final class ReconnectingConnection {
     }
   }
 
-  /** Starts what runs beside the exchanges. */
+  /** Starts the keep-alive thread. */
   void start() {
     tell(Kind.CONNECTED, null);
     if (keeper != null) {
@@ -116,14 +118,14 @@ final class ReconnectingConnection {
     }
   }
 
-  /** Says whether what a connection was lost with may be done again on a new one. */
+  /** Returns whether a request may be repeated on a new connection. */
   boolean mayRepeat(Repeatability effect) {
     return effect == Repeatability.READ
         && config.reconnect()
         && !Thread.currentThread().isInterrupted();
   }
 
-  /** Begins an operation, unless its thread is interrupted or it was cancelled. */
+  /** Begins an operation, unless its thread is interrupted or the call was cancelled. */
   void begin(String name, Cancellation call) throws CrossComException {
     if (Thread.currentThread().isInterrupted()) {
       // an exchange would close the connection, and could not say whether anything was sent
@@ -142,7 +144,7 @@ final class ReconnectingConnection {
     try {
       Answer answer = connection.exchange(frame, length, nextId(), type, effect, name);
       if (!known) {
-        failedAttempts = 0; // a server that only accepts and closes has not let us in
+        failedAttempts = 0; // a server that only accepts and closes has rejected us
       }
       return answer;
     } catch (CrossComException e) {
@@ -152,8 +154,8 @@ final class ReconnectingConnection {
   }
 
   /**
-   * Does the same for a request whose answer is a message. The server is known then, so that the
-   * connection has answered before.
+   * Does the same for a request whose answer is a message. Before such a request the server was
+   * detected, so the connection has answered already.
    */
   MessageAnswer send(
       byte[] frame,
@@ -182,15 +184,13 @@ final class ReconnectingConnection {
     }
   }
 
-  /** Sees to it that there is a connection which the server has not closed meanwhile. */
+  /** Reconnects if the server has closed the connection. */
   void makeUsable() throws CrossComException {
     checkOpen();
     if (connection.isClosed()) {
       if (!config.reconnect()) {
         throw new CrossComConnectionLostException(
-            "the connection is closed since it failed, and is not to be made again: " + lostBy(),
-            lostBy,
-            false);
+            "the connection failed, and reconnecting is off: " + lostBy(), lostBy, false);
       }
     } else {
       CrossComException broken = connection.check();
@@ -238,7 +238,7 @@ final class ReconnectingConnection {
     nextAttempt = System.nanoTime() + backoff;
   }
 
-  /** Makes a new connection. */
+  /** Connects again. */
   void connect() throws CrossComException {
     Connection made;
     try {
@@ -270,7 +270,7 @@ final class ReconnectingConnection {
     }
   }
 
-  /** Uses the connection when nothing else did for a while, and makes it anew when it is gone. */
+  /** Uses the connection when it was idle for a while, and reconnects when it is lost. */
   private void keepAlive() {
     while (!closed) {
       long wait;
@@ -296,7 +296,7 @@ final class ReconnectingConnection {
     }
   }
 
-  /** Gives how long it is until the connection has to be used, or to be made. */
+  /** Returns the time until the connection has to be used or made. */
   private long nextDuty() {
     long now = System.nanoTime();
     if (connection.isClosed() && failedAttempts > 0) {
@@ -325,7 +325,7 @@ final class ReconnectingConnection {
     }
   }
 
-  /** Closes for good; what is under way fails. Closing again does nothing. */
+  /** Closes for good; an exchange under way fails. Closing again does nothing. */
   void close() {
     if (closed) {
       return;

@@ -4,13 +4,13 @@ import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.file.EndWriteRequest;
 import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
 
-/** What a request does to the controller, which decides what a lost connection means. */
+/** Whether a request can be repeated after the connection was lost. */
 enum Repeatability {
   /** It only reads: it can be repeated. */
   READ,
   /**
-   * It changes nothing of the controller, but depends on what the server remembers of the
-   * connection or takes long: it is not repeated.
+   * It changes nothing on the controller, but it depends on state of the connection or takes long:
+   * it is not repeated.
    */
   NONE,
   /** It can change something: it is never repeated, and its outcome can be unknown. */

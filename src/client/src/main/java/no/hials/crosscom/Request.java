@@ -19,9 +19,9 @@ public final class Request {
   private final @Nullable String value;
 
   /**
-   * Makes a read.
+   * Creates a read.
    *
-   * @param id any number; the {@link Callback} has it again
+   * @param id any number; the {@link Callback} returns it
    * @param variable the variable's name
    */
   public Request(int id, String variable) {
@@ -29,9 +29,9 @@ public final class Request {
   }
 
   /**
-   * Makes a write, or a read if there is no value.
+   * Creates a write, or a read if there is no value.
    *
-   * @param id any number; the {@link Callback} has it again
+   * @param id any number; the {@link Callback} returns it
    * @param variable the variable's name
    * @param value the value as KRL text; null for a read
    */
@@ -42,7 +42,7 @@ public final class Request {
   }
 
   /**
-   * Gives the number given to this request.
+   * Returns the number of this request.
    *
    * @return any number
    */
@@ -51,7 +51,7 @@ public final class Request {
   }
 
   /**
-   * Gives the variable's name.
+   * Returns the variable's name.
    *
    * @return the name
    */
@@ -60,7 +60,7 @@ public final class Request {
   }
 
   /**
-   * Gives the value to write.
+   * Returns the value to write.
    *
    * @return KRL text, or null for a read
    */
@@ -69,7 +69,7 @@ public final class Request {
   }
 
   /**
-   * Gives the frame of this request.
+   * Returns the frame of this request.
    *
    * @return the bytes
    */

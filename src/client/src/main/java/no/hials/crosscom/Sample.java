@@ -33,14 +33,14 @@ public record Sample(
     long missedPeriods,
     long failedPolls) {
 
-  /** Makes the collections unmodifiable. */
+  /** Copies the collections, so that they cannot change. */
   public Sample {
     readings = Collections.unmodifiableMap(new LinkedHashMap<>(readings));
     changed = Set.copyOf(changed);
   }
 
   /**
-   * Gives the value of a variable.
+   * Returns the value of a variable.
    *
    * @param name its name, as it was asked for
    * @return the value
@@ -57,7 +57,7 @@ public record Sample(
   }
 
   /**
-   * Says whether readings failed before this sample.
+   * Returns whether readings failed before this sample.
    *
    * @return true if so
    */
@@ -73,7 +73,7 @@ public record Sample(
    */
   public record Reading(@Nullable KrlValue value, @Nullable CrossComException failure) {
 
-    /** Checks that there is one of the two. */
+    /** Checks that either value or failure is set. */
     public Reading {
       if ((value == null) == (failure == null)) {
         throw new IllegalArgumentException("a reading is a value or a failure");
@@ -81,7 +81,7 @@ public record Sample(
     }
 
     /**
-     * Gives the value.
+     * Returns the value.
      *
      * @return the value
      * @throws CrossComException the failure

@@ -7,11 +7,11 @@ import no.hials.crosscom.protocol.server.Features;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the client found out about the server.
+ * The type, version and features of a server.
  *
- * @param type what it is, by its answer to {@code @PROXY_TYPE}
+ * @param type its type, by its answer to {@code @PROXY_TYPE}
  *     (docs/reference/c3-messages.md#internal-variables)
- * @param version its version, by its answer to {@code @PROXY_VERSION}; null if it gives none, as
+ * @param version its version, by its answer to {@code @PROXY_VERSION}; null if it has none, as
  *     KUKAVARPROXY
  * @param features the messages that it knows; for KUKAVARPROXY 0 to 3
  *     (docs/reference/wire-format.md#requests)
@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 public record Server(ServerType type, @Nullable Version version, Features features) {
 
   /**
-   * Says whether the server knows a message.
+   * Returns whether the server knows a message.
    *
    * @param message any
    * @return true if so

@@ -15,9 +15,9 @@ import no.hials.crosscom.protocol.variable.ReadRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds out which server there is, once a connection and only what is asked for: a new connection
- * may lead to another one. All methods may send, on the connection that there is; the lock of the
- * link is held.
+ * Detects the type, version and features of the server, once per connection and only on demand: a
+ * new connection may lead to another server. All methods may send on the current connection; the
+ * lock of the link is held.
  */
 final class ServerDetector {
   /**
@@ -26,7 +26,7 @@ final class ServerDetector {
    */
   private static final String C3_BRIDGE = "C3 BRIDGE INTERFACE";
 
-  /** The first version of C3 Bridge; what it has needs no further question. */
+  /** The first version of C3 Bridge; its messages need no further question. */
   private static final Version FIRST = new Version(1, 0, 0);
 
   private static final Features KUKAVARPROXY =
@@ -40,7 +40,7 @@ final class ServerDetector {
   private final byte[] askVersion = Codec.encode(new ReadRequest(0, "@PROXY_VERSION"));
   private final byte[] askFeatures = Codec.encode(new ServerRequest(0, MessageType.FEATURES));
 
-  /** The connection of which the rest is known. */
+  /** The connection of the server that the other fields describe. */
   private @Nullable Connection of;
 
   private @Nullable ServerType type;
@@ -110,7 +110,7 @@ final class ServerDetector {
     return new Server(type(), version(), features());
   }
 
-  /** Says whether the server has a message, and has it right. */
+  /** Returns whether the server supports a message without the errors of early versions. */
   boolean hasRight(MessageType message) throws CrossComException {
     if (type() == ServerType.KUKAVARPROXY) {
       return message.isKnownTo(ServerType.KUKAVARPROXY);

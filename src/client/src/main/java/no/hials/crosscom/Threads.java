@@ -7,13 +7,13 @@ import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
-/** Makes the executors of a client. */
+/** Creates the executors of a client. */
 final class Threads {
   private Threads() {}
 
   /**
-   * Makes an executor of as many daemon threads as there are tasks, for the program's code, of
-   * which none must wait for another. Its threads end by themselves, so it need not be shut down.
+   * Creates an executor with a daemon thread for each task, for the program's code, where no task
+   * may wait for another. Its threads end when idle, so it need not be shut down.
    */
   static Executor forCallbacks(String name) {
     return new ThreadPoolExecutor(
@@ -28,7 +28,7 @@ final class Threads {
     };
   }
 
-  /** Makes an executor of one daemon thread, which runs only while there is something to do. */
+  /** Creates an executor with one daemon thread, which ends when idle. */
   static ThreadPoolExecutor lazy(String name) {
     ThreadPoolExecutor executor =
         new ThreadPoolExecutor(

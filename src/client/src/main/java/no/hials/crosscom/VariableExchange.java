@@ -302,7 +302,7 @@ final class VariableExchange {
         text,
         (written
                 ? "the write was done, but its answer is not a value for "
-                : "what the controller has is not a value for ")
+                : "the value of the controller is not one for ")
             + variable.getType()
             + ": "
             + e.getMessage(),

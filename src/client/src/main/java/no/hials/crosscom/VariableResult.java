@@ -4,15 +4,15 @@ import no.hials.crosscom.KRL.KRLVariable;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What came of reading or writing one of several variables.
+ * The result of reading or writing one of several variables.
  *
  * @param variable the variable; it has the new value if there is no failure
- * @param failure why it failed; null if it did not
+ * @param failure the failure; null if there is none
  */
 public record VariableResult(KRLVariable variable, @Nullable CrossComException failure) {
 
   /**
-   * Says whether the variable was read or written.
+   * Returns whether the variable was read or written.
    *
    * @return true if so
    */
@@ -21,7 +21,7 @@ public record VariableResult(KRLVariable variable, @Nullable CrossComException f
   }
 
   /**
-   * Gives the variable, or throws what made it fail.
+   * Returns the variable, or throws the failure.
    *
    * @return the variable
    * @throws CrossComException the failure

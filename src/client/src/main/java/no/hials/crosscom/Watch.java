@@ -35,7 +35,7 @@ import org.slf4j.LoggerFactory;
  *
  * <p>It runs the daemon thread {@code crosscom-watch-N}, and one {@code crosscom-watch-N-listener}
  * for each listener or subscriber that has something to take. It ends when it or its client is
- * closed; subscribers are told so.
+ * closed; subscribers then get {@code onComplete}.
  */
 public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
@@ -90,7 +90,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   /**
    * Adds a listener.
    *
-   * @param listener takes the samples from now on, one after the other; what it throws is logged
+   * @param listener takes the samples from now on, one after the other; its exceptions are logged
    */
   public void addListener(Consumer<? super Sample> listener) {
     subscribe(new Listener(listener));
@@ -179,7 +179,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
         failed.incrementAndGet();
         failedSinceSample++;
         if (connection.isClosed()) {
-          close(); // the connection is lost and not to be made again
+          close(); // the connection is lost and reconnecting is off
         }
         return;
       }

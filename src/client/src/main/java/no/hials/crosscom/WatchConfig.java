@@ -38,10 +38,10 @@ public record WatchConfig(
   }
 
   /**
-   * Makes a configuration.
+   * Creates a configuration.
    *
    * @param names the variables to read
-   * @param settings sets what is not to have its default
+   * @param settings sets the options that differ from their defaults
    * @return the configuration
    * @throws IllegalArgumentException if a value is out of its range
    */

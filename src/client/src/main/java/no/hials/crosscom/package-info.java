@@ -1,5 +1,6 @@
 /**
- * The client for KUKAVARPROXY: {@link no.hials.crosscom.CrossComClient} and what it throws.
+ * The client for KUKAVARPROXY and C3 Bridge: {@link no.hials.crosscom.CrossComClient}, its values
+ * and its exceptions.
  *
  * <p>One exchange is one request and its answer, under one lock, because the server serves one
  * request at a time. Every failure is a {@link no.hials.crosscom.CrossComException}; none becomes a

@@ -263,7 +263,7 @@ class JarIT {
     assertThat(result.errLines())
         .singleElement()
         .asString()
-        .startsWith("jopenshowvar: what came is not the answer to the write of MYINT")
+        .startsWith("jopenshowvar: the answer to the write of MYINT is invalid")
         .contains("the outcome is unknown");
     assertThat(result.code()).isEqualTo(4);
   }

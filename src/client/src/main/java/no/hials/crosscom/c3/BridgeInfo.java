@@ -7,12 +7,13 @@ import no.hials.crosscom.protocol.code.Code;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What C3 Bridge Interface says about itself
+ * The answer of C3 Bridge Interface about itself
  * (docs/reference/c3-messages.md#information-features-and-confirm-all-13-14-and-63).
  *
  * @param version its version; the third number is always 0
  * @param build how it was built; the number is kept if it is unknown
- * @param clock the controller's clock when it answered, to the ms; null if what it sent is no time
+ * @param clock the controller's clock when it answered, to the ms; null if the server sent no valid
+ *     time
  * @param host the controller's computer name
  */
 public record BridgeInfo(

@@ -95,7 +95,7 @@ public final class Discovery {
           version);
     }
 
-    /** Takes off the quotes of a KRL text (c3-vectors.tsv, "presence again"). */
+    /** Removes the quotes of a KRL text. */
     private static String unquoted(String text) {
       boolean quoted = text.length() > 1 && text.startsWith("\"") && text.endsWith("\"");
       return quoted ? text.substring(1, text.length() - 1) : text;
@@ -198,7 +198,7 @@ public final class Discovery {
     }
   }
 
-  /** Says whether a question could be sent. */
+  /** Sends a question, and returns whether that succeeded. */
   private static boolean send(Mode mode, String question, InetAddress target) {
     byte[] bytes = question.getBytes(StandardCharsets.ISO_8859_1);
     try {

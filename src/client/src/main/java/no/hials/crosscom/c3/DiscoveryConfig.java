@@ -42,7 +42,7 @@ public record DiscoveryConfig(
   /** Checks every field. */
   public DiscoveryConfig {
     targets = List.copyOf(targets);
-    check(!targets.isEmpty(), "there must be at least one address to ask, is none");
+    check(!targets.isEmpty(), "at least one address to ask is needed, there are 0");
     check(
         timeout.compareTo(Duration.ofMillis(1)) >= 0
             && timeout.compareTo(Duration.ofMillis(Integer.MAX_VALUE)) <= 0,
@@ -64,11 +64,11 @@ public record DiscoveryConfig(
   }
 
   /**
-   * Makes a configuration.
+   * Creates a configuration.
    *
-   * @param settings says whom to ask, and sets what is not to have its default
+   * @param settings sets the addresses to ask, and the options that differ from their defaults
    * @return the configuration
-   * @throws IllegalArgumentException if nobody is to be asked, or a value is out of its range
+   * @throws IllegalArgumentException if there is no address to ask, or a value is out of range
    */
   public static DiscoveryConfig create(Consumer<Builder> settings) {
     Builder builder = new Builder();

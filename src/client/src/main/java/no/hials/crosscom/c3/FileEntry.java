@@ -11,10 +11,10 @@ import no.hials.crosscom.protocol.code.ItemType;
  * One item of a listed directory.
  *
  * @param name the name as the server lists it; a whole path if the list flags made it so
- * @param type what it is, known or not; nothing if the server did not say
- * @param attributes what it is marked with; nothing if the server did not say
- * @param size in bytes; nothing if the server did not say
- * @param info what the server said of it, as it is; empty if nothing
+ * @param type its type, known or not; empty if the server did not send it
+ * @param attributes its attributes; empty if the server did not send them
+ * @param size in bytes; empty if the server did not send it
+ * @param info the text that the server sent about it; empty if none
  */
 public record FileEntry(
     String name,
@@ -24,9 +24,9 @@ public record FileEntry(
     String info) {
 
   /**
-   * Says whether it is known to be a directory, real or virtual.
+   * Returns whether it is known to be a directory, real or virtual.
    *
-   * @return true if so; false if the server did not say
+   * @return true if so; false if the server did not send the type
    */
   public boolean isDirectory() {
     return type.filter(FileInfo::isDirectory).isPresent();

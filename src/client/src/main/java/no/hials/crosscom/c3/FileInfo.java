@@ -12,12 +12,12 @@ import no.hials.crosscom.protocol.code.ItemType;
  * The properties of a file or directory on the controller.
  *
  * @param name the name, without the directory
- * @param type what it is, known or not
+ * @param type its type, known or not
  * @param size in bytes, 0 or more
- * @param attributes what it is marked with; {@link Flags#known} gives the set of the known ones
- * @param created when it was created; nothing if the controller does not know
- * @param accessed when it was last used; nothing if the controller does not know
- * @param modified when it was last changed; nothing if the controller does not know
+ * @param attributes its attributes; {@link Flags#known} returns the set of the known ones
+ * @param created when it was created; empty if the controller does not know
+ * @param accessed when it was last used; empty if the controller does not know
+ * @param modified when it was last changed; empty if the controller does not know
  * @param editMode how it may be edited on the controller, known or not
  */
 public record FileInfo(
@@ -35,7 +35,7 @@ public record FileInfo(
   }
 
   /**
-   * Says whether it is a directory, real or virtual.
+   * Returns whether it is a directory, real or virtual.
    *
    * @return true if so
    */

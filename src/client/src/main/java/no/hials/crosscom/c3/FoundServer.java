@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param port its TCP port; 7000 if it did not say, as KUKAVARPROXY
  * @param model the robot's model, such as {@code #KR6R900 C4}; empty if the controller could not be
  *     asked
- * @param serialNumber the robot's serial number; empty likewise
+ * @param serialNumber the robot's serial number; empty in the same case
  * @param type C3 Bridge if it said so, else KUKAVARPROXY
  * @param version its version; null if it did not say, as KUKAVARPROXY
  */

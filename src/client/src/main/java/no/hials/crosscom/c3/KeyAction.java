@@ -5,20 +5,21 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.PendantKey;
 
 /**
- * A key of the pendant with what it acts on, to be pressed or released
+ * A key of the pendant and its target, to press or release
  * (docs/reference/c3-messages.md#pendant-keys-12).
  *
  * @param key which key
  * @param number the interpreter's number for start and stop, the axis for jog and mouse
  * @param keyCode which key of several; 0 for start and stop. Of a jog the reference has one
- *     example, with 2 (c3-vectors.tsv), and does not say what the number means
+ *     example, with 2 (docs/reference/c3-messages.md#examples), and does not explain the number
  * @param direction false for forward, as in the example of a start; true for plus, as in that of a
- *     jog (c3-vectors.tsv). That the other value is the other direction is assumed
+ *     jog (docs/reference/c3-messages.md#examples). That the other value is the other direction is
+ *     assumed
  */
 public record KeyAction(Code<PendantKey> key, int number, int keyCode, boolean direction) {
 
   /**
-   * Makes the key that starts the program forward.
+   * Returns the key that starts the program forward.
    *
    * @param interpreter whose program
    * @return the key
@@ -28,7 +29,7 @@ public record KeyAction(Code<PendantKey> key, int number, int keyCode, boolean d
   }
 
   /**
-   * Makes the key that starts the program backward.
+   * Returns the key that starts the program backward.
    *
    * @param interpreter whose program
    * @return the key
@@ -38,7 +39,7 @@ public record KeyAction(Code<PendantKey> key, int number, int keyCode, boolean d
   }
 
   /**
-   * Makes the key that stops the program.
+   * Returns the key that stops the program.
    *
    * @param interpreter whose program
    * @return the key
@@ -48,7 +49,7 @@ public record KeyAction(Code<PendantKey> key, int number, int keyCode, boolean d
   }
 
   /**
-   * Makes the key that moves one axis.
+   * Returns the key that moves one axis.
    *
    * @param axis its number, from 1
    * @param keyCode which key; see {@link #keyCode}
@@ -60,7 +61,7 @@ public record KeyAction(Code<PendantKey> key, int number, int keyCode, boolean d
   }
 
   /**
-   * Makes a deflection of the 6D mouse.
+   * Returns a deflection of the 6D mouse.
    *
    * @param axis its number, from 1 (assumed)
    * @param keyCode which key; see {@link #keyCode}
@@ -71,7 +72,7 @@ public record KeyAction(Code<PendantKey> key, int number, int keyCode, boolean d
     return new KeyAction(Code.of(PendantKey.MOUSE), axis, keyCode, plus);
   }
 
-  /** Names the key and what it acts on. */
+  /** Returns the key and its target in words. */
   @Override
   public String toString() {
     return "key "

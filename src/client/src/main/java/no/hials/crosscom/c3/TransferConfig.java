@@ -8,14 +8,13 @@ import java.util.function.Consumer;
 import no.hials.crosscom.protocol.code.CopyFlag;
 
 /**
- * How a file is uploaded or downloaded. Immutable; made by {@link #create}.
+ * The options of an upload or download. Immutable; made by {@link #create}.
  *
- * @param overwrite whether a file that is there already, on the side to which is transferred, is
- *     replaced; default false
+ * @param overwrite whether to replace an existing file; default false
  * @param flags sent as they are, besides {@link CopyFlag#OVERWRITE}, which {@code overwrite} sets;
  *     default none
- * @param verification how it is made sure that all arrived; default {@link Verification#SIZE}
- * @param progress hears how far it has come; default nobody
+ * @param verification how to check that all bytes arrived; default {@link Verification#SIZE}
+ * @param progress called with the progress; default nothing
  */
 public record TransferConfig(
     boolean overwrite, Set<CopyFlag> flags, Verification verification, TransferProgress progress) {
@@ -36,9 +35,9 @@ public record TransferConfig(
   }
 
   /**
-   * Makes a configuration.
+   * Creates a configuration.
    *
-   * @param settings sets what is not to have its default
+   * @param settings sets the options that differ from their defaults
    * @return the configuration
    * @throws IllegalArgumentException if a value is out of its range
    */
@@ -59,7 +58,7 @@ public record TransferConfig(
     private Builder() {}
 
     /**
-     * Sets whether to replace a file that is there already.
+     * Sets whether to replace an existing file.
      *
      * @param value true to replace it
      * @return this
@@ -81,7 +80,7 @@ public record TransferConfig(
     }
 
     /**
-     * Sets how it is made sure that all arrived.
+     * Sets how to check that all bytes arrived.
      *
      * @param value how
      * @return this
@@ -92,7 +91,7 @@ public record TransferConfig(
     }
 
     /**
-     * Sets who hears how far it has come.
+     * Sets the listener for the progress.
      *
      * @param value called by the thread that transfers
      * @return this

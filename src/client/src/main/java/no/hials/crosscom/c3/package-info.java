@@ -1,10 +1,10 @@
 /**
- * What only C3 Bridge Interface can do: programs, motions, keys of the pendant, files, and finding
- * servers.
+ * Operations that only C3 Bridge Interface supports: programs, motions, keys of the pendant, files,
+ * and finding servers.
  *
- * <p>There is one class for each field, reached from {@link no.hials.crosscom.CrossComClient}; on
- * KUKAVARPROXY their methods say that the server cannot, before anything is sent. Each operation is
- * one exchange unless it says otherwise, and has a twin that another thread does.
+ * <p>{@link no.hials.crosscom.CrossComClient} returns one object for each. On KUKAVARPROXY their
+ * methods throw an exception before anything is sent. Each operation is one exchange unless its
+ * documentation says otherwise.
  */
 @NullMarked
 package no.hials.crosscom.c3;

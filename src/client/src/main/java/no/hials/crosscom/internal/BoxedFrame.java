@@ -3,7 +3,7 @@ package no.hials.crosscom.internal;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.Request;
 
-/** Gives frames in the form of the original's API. */
+/** Encodes frames in the form of the original's API. */
 public final class BoxedFrame {
   private BoxedFrame() {}
 

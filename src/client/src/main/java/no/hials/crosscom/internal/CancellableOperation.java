@@ -5,12 +5,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * An operation that can be cancelled while it runs.
  *
- * @param <T> what it gives
+ * @param <T> the type of its result
  */
 @FunctionalInterface
 public interface CancellableOperation<T extends @Nullable Object> {
   /**
-   * Does it.
+   * Runs the operation.
    *
    * @param cancellation to be asked on the way
    * @return the result, or null if it has none

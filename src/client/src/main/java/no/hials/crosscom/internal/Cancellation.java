@@ -22,7 +22,7 @@ public interface Cancellation {
   void check();
 
   /**
-   * Makes sure that the operation is not cancelled, neither now nor later. Calling it again does
+   * Ensures that the operation is not cancelled, neither now nor later. Calling it again does
    * nothing.
    *
    * @throws CancellationException if the operation is cancelled

@@ -1,11 +1,14 @@
 package no.hials.crosscom.internal;
 
-/** Says what functions 0 and 1 can carry: ISO 8859-1 (docs/reference/c3-messages.md#strings). */
+/**
+ * The characters that functions 0 and 1 can carry: ISO 8859-1
+ * (docs/reference/c3-messages.md#strings).
+ */
 public final class Latin1 {
   private Latin1() {}
 
   /**
-   * Says whether functions 0 and 1 can carry a text.
+   * Returns whether functions 0 and 1 can carry a text.
    *
    * @param text any
    * @return true if all its characters are ISO 8859-1
@@ -20,9 +23,9 @@ public final class Latin1 {
   }
 
   /**
-   * Says why functions 0 and 1 cannot carry a text.
+   * Returns why functions 0 and 1 cannot carry a text.
    *
-   * @param text one that {@link #has} says no to
+   * @param text a text for which {@link #has} returns false
    * @return the rule, expected and actual
    */
   public static String violation(CharSequence text) {
@@ -39,13 +42,13 @@ public final class Latin1 {
   }
 
   /**
-   * Says whether a text that function 0 gave may stand for another. C3 Bridge gives Windows code
-   * page 1252, where 80 to 9F are characters beyond ISO 8859-1
-   * (docs/reference/c3-messages.md#code-pages); that it gives a question mark for what the code
-   * page has not is assumed.
+   * Returns whether a text that function 0 returned may stand for another. C3 Bridge sends Windows
+   * code page 1252, where 80 to 9F are characters beyond ISO 8859-1
+   * (docs/reference/c3-messages.md#code-pages); that it sends a question mark for other characters
+   * is assumed.
    *
    * @param text any
-   * @return true if a read in UTF-16 may give another text
+   * @return true if a read in UTF-16 may return another text
    */
   public static boolean isDoubtful(CharSequence text) {
     for (int i = 0; i < text.length(); i++) {

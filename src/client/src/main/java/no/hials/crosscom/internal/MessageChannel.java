@@ -21,36 +21,37 @@ public interface MessageChannel {
    * Sends a request and waits for its answer, for the request time-out at most.
    *
    * <p>If the connection breaks, a request that only reads (types 4, 6, 13, 14, 21 and 26 to 28) is
-   * repeated once on a new one. Every other is not, and if it can have changed something, the
-   * exception says that its outcome is unknown.
+   * repeated once on a new connection. No other request is repeated, and if it can have changed
+   * something, the exception says that its outcome is unknown.
    *
    * @param request the request, whose id does not matter
    * @param answer the class that its successful answer has
-   * @param what a noun phrase for error messages, to stand behind "the", such as {@code selection
-   *     of program /R1/MAIN}
+   * @param what a noun phrase for error messages, which follow it to "the", such as {@code
+   *     selection of program /R1/MAIN}
    * @param <R> that class
    * @return the answer; it says success
    * @throws CrossComUnsupportedException if the server does not know the message; it was not sent
    * @throws CrossComRefusedException if the answer says failure; it has the code
-   * @throws CrossComProtocolException if what came is not the answer; the connection is closed
-   * @throws CrossComException if the exchange failed
+   * @throws CrossComProtocolException if the bytes that came are not the answer; the connection is
+   *     closed
+   * @throws CrossComException if the exchange fails
    */
   <R extends TypedResponse> R ask(Request request, Class<R> answer, String what)
       throws CrossComException;
 
   /**
-   * Makes a link all of whose exchanges take place on one connection, for what the server remembers
-   * from one message to the next, such as the content that messages 29 and 30 transfer. The first
-   * exchange chooses the connection; once it is lost, each further one fails with {@link
+   * Creates a channel whose exchanges all use one connection, for state that the server keeps from
+   * one message to the next, such as the content that messages 29 and 30 transfer. The first
+   * exchange chooses the connection; once it is lost, each further exchange fails with {@link
    * CrossComConnectionLostException} before anything is sent. Nothing is repeated, and other
    * threads' exchanges may come in between. For one thread.
    *
-   * @return the link
+   * @return the channel
    */
   MessageChannel onOneConnection();
 
   /**
-   * Makes sure that the server knows a message, without sending it.
+   * Checks that the server knows a message, without sending it.
    *
    * @param type the message
    * @param what as for {@link #ask}
@@ -60,16 +61,16 @@ public interface MessageChannel {
   void require(MessageType type, String what) throws CrossComException;
 
   /**
-   * Does an operation of many exchanges in the client's thread for such, one after the other.
+   * Runs an operation of many exchanges in the client's thread for transfers, one at a time.
    *
-   * @param operation what to do; its exchanges by this link
-   * @param <T> what it gives
+   * @param operation the operation
+   * @param <T> the type of its result
    * @return the result to come; it can be cancelled until the operation commits itself
    */
   <T> CompletableFuture<T> asyncTransfer(CancellableOperation<T> operation);
 
   /**
-   * Makes the exception for a transfer that failed although the exchanges went well.
+   * Creates the exception for a transfer that failed although the exchanges succeeded.
    *
    * @param what as for {@link #ask}
    * @param file the file on the controller

@@ -6,7 +6,7 @@ import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import org.jspecify.annotations.Nullable;
 
-/** Lets the client reach what {@link KRLVariable} hides from programs. */
+/** Lets the client use methods that {@link KRLVariable} hides from programs. */
 public abstract class VariableAccess {
   private static volatile @Nullable VariableAccess instance;
 
@@ -14,9 +14,9 @@ public abstract class VariableAccess {
   protected VariableAccess() {}
 
   /**
-   * Gives the one implementation.
+   * Returns the one implementation.
    *
-   * @return it; there is one as soon as there is a variable
+   * @return the implementation; it exists as soon as a variable does
    */
   public static VariableAccess get() {
     return Objects.requireNonNull(instance, "no variable class is loaded");
@@ -25,14 +25,14 @@ public abstract class VariableAccess {
   /**
    * Installs the one implementation.
    *
-   * @param access it
+   * @param access the implementation
    */
   public static void set(VariableAccess access) {
     instance = access;
   }
 
   /**
-   * Gives the encoded read request of a variable, function 0, which is made once.
+   * Returns the encoded read request of a variable, function 0, which is encoded once.
    *
    * @param variable the variable
    * @return the frame, with any id, not to be changed; null if the name is not ISO 8859-1
@@ -40,7 +40,7 @@ public abstract class VariableAccess {
   public abstract byte @Nullable [] readFrame(KRLVariable variable);
 
   /**
-   * Says whether a variable's value can have characters that function 0 of C3 Bridge does not give.
+   * Returns whether a value can have characters that function 0 of C3 Bridge cannot send.
    *
    * @param variable the variable
    * @return true for texts, and for what can have them as a part
@@ -85,7 +85,7 @@ public abstract class VariableAccess {
   public abstract void scanElement(KRLArray array, KrlScanner scanner, int index);
 
   /**
-   * Makes elements set by {@link #scanElement} the array's value.
+   * Sets the array to the elements set by {@link #scanElement}.
    *
    * @param array the array
    * @param count how many there are
@@ -93,7 +93,7 @@ public abstract class VariableAccess {
   public abstract void acceptElements(KRLArray array, int count);
 
   /**
-   * Notes how long an exchange took.
+   * Sets how long the last exchange took.
    *
    * @param variable the variable
    * @param nanos the time in ns

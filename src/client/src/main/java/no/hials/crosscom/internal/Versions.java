@@ -19,7 +19,7 @@ public final class Versions {
    * Reads a version.
    *
    * @param text such as {@code 1.4 (OPEN SOURCE)}
-   * @return the version, or null if the text is none
+   * @return the version, or null if the text is not a version
    */
   public static @Nullable Version parse(String text) {
     Matcher matcher = FORM.matcher(text);

@@ -1,8 +1,8 @@
 /**
- * The joints between the public packages of the client. Not for users: it may change at any time.
+ * Types that the public packages of the client share. Not for users: it may change at any time.
  *
- * <p>{@link no.hials.crosscom.internal.VariableAccess} lets the client reach what a variable hides
- * from programs.
+ * <p>{@link no.hials.crosscom.internal.VariableAccess} lets the client use methods that a variable
+ * hides from programs.
  */
 @NullMarked
 package no.hials.crosscom.internal;

@@ -305,7 +305,7 @@ class DownloadTest extends FilesRobotTest {
                     target,
                     TransferConfig.create(
                         c -> c.progress(replace).verification(Verification.CONTENT))))
-        .withMessageContaining("what came a second time to compare is something else");
+        .withMessageContaining("the file that came a second time to compare is different");
     assertThat(target).doesNotExist();
   }
 

@@ -364,7 +364,7 @@ class UploadTest extends FilesRobotTest {
                     TWO_PARTS,
                     FILE,
                     TransferConfig.create(c -> c.verification(Verification.CONTENT))))
-        .withMessageContaining("the file is stored, but its content is not what was sent");
+        .withMessageContaining("the file is stored, but its content differs from the content sent");
   }
 
   // --- failures of this side

@@ -33,9 +33,9 @@ final class Download extends Transfer {
   private final long limit;
 
   /**
-   * Makes a download.
+   * Creates a download.
    *
-   * @param limit how many bytes the file may have
+   * @param limit the most bytes of the file
    */
   Download(
       MessageChannel channel,
@@ -47,11 +47,11 @@ final class Download extends Transfer {
     this.limit = limit;
   }
 
-  /** Fetches a file, and once more to compare if that is to be done. */
+  /** Fetches a file, and fetches it again to compare if the configuration says so. */
   void run(OutputStream target) throws IOException {
     fetch(target);
     if (digest != null && !Arrays.equals(digest.digest(), digest(channel, name, config))) {
-      throw failed("what came a second time to compare is something else");
+      throw failed("the file that came a second time to compare is different");
     }
   }
 

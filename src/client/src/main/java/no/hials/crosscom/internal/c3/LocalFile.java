@@ -15,8 +15,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.UUID;
 
 /**
- * A file of this computer that is there whole or not at all: it is written beside its place, and
- * moved there at the end.
+ * A file of this computer that appears whole or not at all: it is written under another name next
+ * to it, and renamed at the end.
  */
 final class LocalFile implements Closeable {
   private final Path target;
@@ -25,9 +25,9 @@ final class LocalFile implements Closeable {
   private final FileChannel channel;
 
   /**
-   * Creates the file beside its place.
+   * Creates the file under another name.
    *
-   * @throws FileAlreadyExistsException if there is something and it may not be replaced
+   * @throws FileAlreadyExistsException if the target exists and may not be replaced
    */
   LocalFile(Path target, boolean overwrite) throws IOException {
     this.target = target;
@@ -50,7 +50,7 @@ final class LocalFile implements Closeable {
     return Channels.newOutputStream(channel);
   }
 
-  /** Writes what the system still keeps back. */
+  /** Writes the buffers of the system to the disk. */
   void force() throws IOException {
     channel.force(true);
     channel.close();
@@ -69,7 +69,7 @@ final class LocalFile implements Closeable {
     }
   }
 
-  /** Removes what is not complete. */
+  /** Removes the file if it is not complete. */
   @Override
   public void close() throws IOException {
     channel.close();

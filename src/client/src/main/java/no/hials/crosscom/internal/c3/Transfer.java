@@ -11,7 +11,7 @@ import no.hials.crosscom.protocol.code.ContentOperation;
 import no.hials.crosscom.protocol.file.ContentSizeResponse;
 import org.jspecify.annotations.Nullable;
 
-/** What an upload and a download have in common: how far they are, and how they fail. */
+/** The common parts of an upload and a download: progress and failure. */
 abstract class Transfer {
   /** The most bytes that a message moves (docs/reference/c3-messages.md#file-content-29-and-30). */
   static final int PART = 64_512;
@@ -29,7 +29,7 @@ abstract class Transfer {
   final Cancellation cancellation;
   final @Nullable MessageDigest digest;
 
-  /** How many bytes are transferred. */
+  /** The number of bytes transferred. */
   long bytes;
 
   Transfer(
@@ -54,14 +54,14 @@ abstract class Transfer {
     }
   }
 
-  /** Tells how far it has come, unless it was cancelled. No lock of the client is held. */
+  /** Reports the progress, unless the transfer was cancelled. No lock of the client is held. */
   final void tell(long total) {
     cancellation.check();
     config.progress().transferred(bytes, total);
     cancellation.check();
   }
 
-  /** Takes a part into account. */
+  /** Adds a part to the count and the digest. */
   final void count(byte[] part, int length) {
     if (digest != null) {
       digest.update(part, 0, length);
@@ -69,7 +69,7 @@ abstract class Transfer {
     bytes += length;
   }
 
-  /** Checks what the server says about the size of its buffer. */
+  /** Checks the size of the server's buffer. */
   final void checkSize(ContentSizeResponse answer, ContentOperation operation, long expected)
       throws CrossComTransferException {
     check(answer, operation);

@@ -30,7 +30,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Sends a file. The server collects it in a buffer of the connection and stores it at the end, so
- * that there is nothing of it before (docs/reference/c3-messages.md#file-content-29-and-30).
+ * that the file does not exist before (docs/reference/c3-messages.md#file-content-29-and-30).
  */
 final class Upload extends Transfer {
   private static final Logger LOG = LoggerFactory.getLogger(Upload.class);
@@ -156,7 +156,7 @@ final class Upload extends Transfer {
       throw failed("the file is stored, but has " + stored + " bytes instead of " + size);
     }
     if (digest != null && !Arrays.equals(digest.digest(), Download.digest(channel, name, config))) {
-      throw failed("the file is stored, but its content is not what was sent");
+      throw failed("the file is stored, but its content differs from the content sent");
     }
   }
 }

@@ -8,26 +8,26 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
 
-/** An array of anything but single characters. */
+/** An array, except for a CHAR array with one dimension. */
 final class ArrayStorage extends Storage {
   private final int[] lengths;
   private final Storage[] elements;
 
   /**
-   * @param lengths the length of each dimension, without that of the texts in it
-   * @param elements all of them, the last index counting fastest
+   * @param lengths the length of each dimension, without the length of texts
+   * @param elements all elements; the last index varies fastest
    */
   ArrayStorage(int[] lengths, Storage[] elements) {
     this.lengths = lengths;
     this.elements = elements;
   }
 
-  /** Gives the length of each dimension, without that of the texts in it. */
+  /** Returns the length of each dimension, without the length of texts. */
   int[] lengths() {
     return lengths.clone();
   }
 
-  /** Gives all elements, the last index counting fastest. */
+  /** Returns all elements; the last index varies fastest. */
   List<Storage> elements() {
     return List.of(elements);
   }
@@ -58,7 +58,7 @@ final class ArrayStorage extends Storage {
   @Override
   public KrlValue value() throws RefusedException {
     if (!hasScalars()) {
-      // no sample of it is known: assumed to fail (docs/reference/krl-values.md#arrays)
+      // no sample is known: assumed to fail (docs/reference/krl-values.md#arrays)
       throw new RefusedException(
           Refusal.WHOLE_ARRAY, "an array of structures can only be read by element");
     }
@@ -71,8 +71,8 @@ final class ArrayStorage extends Storage {
   }
 
   /**
-   * Adds this component to the fields of its structure: whole if that is possible, else those
-   * elements that are initialised. The second form is assumed, no sample is known.
+   * Adds this component to the fields of its structure: as one field if possible, else a field for
+   * each element with a value. The second form is assumed.
    */
   void addFields(String name, List<KrlStruct.Field> fields) throws RefusedException {
     if (lengths.length == 1 && hasScalars() && allInitialised()) {
@@ -88,7 +88,7 @@ final class ArrayStorage extends Storage {
     }
   }
 
-  /** Gives the indices of an element by its position among all. */
+  /** Returns the indices of an element, given its position among all elements. */
   int[] indicesOf(int offset) {
     int[] numbers = new int[lengths.length];
     int rest = offset;
@@ -99,7 +99,7 @@ final class ArrayStorage extends Storage {
     return numbers;
   }
 
-  /** Takes all elements, or one value for every element. */
+  /** Assigns all elements, or one value to every element. */
   @Override
   Storage assign(KrlValue value) throws RefusedException {
     Storage[] changed = new Storage[elements.length];
@@ -114,7 +114,7 @@ final class ArrayStorage extends Storage {
       }
     } else {
       for (int i = 0; i < changed.length; i++) {
-        // equal elements stay one object, which matters for thousands of outputs
+        // equal elements share one object: there are thousands of outputs
         changed[i] =
             i > 0 && elements[i] == elements[i - 1] ? changed[i - 1] : elements[i].assign(value);
       }

@@ -8,7 +8,7 @@ import java.util.List;
 
 /** The data lists in the jar that describe the simulated controller. */
 public final class BuiltInDataLists {
-  /** In the order in which they need each other: types, what signals are wired to, the rest. */
+  /** The names, in an order in which each list follows those it needs. */
   public static final List<String> NAMES =
       List.of("$TYPES.DAT", "$OPERATE.DAT", "$MACHINE.DAT", "$CONFIG.DAT");
 

@@ -17,8 +17,8 @@ import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
 
 /**
- * Evaluates the expressions that a declaration may hold: literals, aggregates of them, and sums,
- * differences, products and quotients of literals and CONST variables.
+ * Evaluates the constant expressions of declarations: literals, aggregates, CONST variables, and
+ * {@code + - * /} of them.
  */
 public final class ConstantExpressions {
   private static final TypeSwitch<Scope, Expression, KrlValue, KrlErrorException> VALUES =
@@ -40,12 +40,10 @@ public final class ConstantExpressions {
   private ConstantExpressions() {}
 
   /**
-   * Evaluates an expression.
+   * Returns the value of an expression.
    *
-   * @param expression the expression
-   * @param scope where CONST variables are looked for, there and around
-   * @return its value
-   * @throws KrlErrorException if it is not constant, or has no value
+   * @param scope where CONST variables are looked up
+   * @throws KrlErrorException if the expression is not constant, or has no value
    */
   public static KrlValue evaluate(Expression expression, Scope scope) throws KrlErrorException {
     try {
@@ -85,7 +83,7 @@ public final class ConstantExpressions {
       throw new KrlErrorException(
           expression.position(), "no variable " + expression.name() + " is declared");
     }
-    // of what may only be read, the controller itself changes the system variables
+    // read-only system variables are not constant: the controller changes them
     boolean isConstant =
         variable.access() == Access.READ_ONLY
             && variable.contents() != null
@@ -101,7 +99,7 @@ public final class ConstantExpressions {
   }
 
   /**
-   * Gives the path that a variable's expression stands for.
+   * Returns the path of a variable.
    *
    * @throws KrlErrorException if an index is not a constant INT
    */
@@ -122,9 +120,9 @@ public final class ConstantExpressions {
   }
 
   /**
-   * Evaluates an index or the length of a dimension.
+   * Returns the value of an index or of the length of a dimension.
    *
-   * @throws KrlErrorException if it is no constant INT
+   * @throws KrlErrorException if it is not a constant INT
    */
   static int integer(Expression expression, Scope scope) throws KrlErrorException {
     KrlValue value = evaluate(expression, scope);

@@ -20,16 +20,17 @@ import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Declares what a data list declares, and gives it its initial values.
+ * Declares the contents of a data list and sets its initial values.
  *
- * <p>In a system data list, whose name begins with {@code $}, everything is global
- * (docs/reference/krl-language.md#modules). A declaration takes the place of an earlier one in the
- * same scope; the access right of a system variable and the source of a bound one stay. One form is
- * our own: behind the declaration of an array whose name begins with {@code $} one value may stand
- * for every element, {@code BOOL $IN[4096]=FALSE}, since no data list of KSS declares those.
+ * <p>In a system data list, whose name starts with {@code $}, everything is global
+ * (docs/reference/krl-language.md#modules). A declaration replaces an earlier one in the same
+ * scope; a system variable keeps its access right, and a bound variable its source. One form is an
+ * extension: after the declaration of an array whose name starts with {@code $}, one value can
+ * stand for every element, {@code BOOL $IN[4096]=FALSE}, because no data list of KSS declares these
+ * arrays.
  *
- * <p>{@code EXT} and {@code EXTFCT} declare nothing here. {@code IMPORT} does not either: what it
- * names must be global already, under the same name.
+ * <p>{@code EXT} and {@code EXTFCT} declare nothing here. {@code IMPORT} neither: the imported
+ * variable must already be global, under the same name.
  */
 public final class DataListLoader {
   private static final TypeSwitch<DataListLoader, Declaration, Void, KrlErrorException>
@@ -51,12 +52,12 @@ public final class DataListLoader {
   private final Scope globals;
   private final Consumer<KrlError> errors;
 
-  /** What this list declares, and where; also what it declares wrongly. */
+  /** The scope of each name of this list, also of the wrong declarations. */
   private final Map<String, Scope> variables = new HashMap<>();
 
   private final Set<String> types = new HashSet<>();
 
-  /** Names whose declaration is wrong: what follows from that is not reported again. */
+  /** The names whose declaration is wrong; errors that follow from it are not reported. */
   private final Set<String> broken = new HashSet<>();
 
   private final Set<String> brokenTypes = new HashSet<>();
@@ -70,13 +71,12 @@ public final class DataListLoader {
   }
 
   /**
-   * Declares the types, variables and signals of a data list and gives them their initial values.
+   * Declares the types, variables and signals of a data list and sets their initial values.
    *
-   * @param list the data list
-   * @param module takes what is the module's own; a scope in {@code globals}
-   * @param globals takes what is global: everything of a system data list, whose name begins with
-   *     {@code $}, and what a public one declares GLOBAL
-   * @param errors is told what is wrong, in the order of the file; the rest is still declared
+   * @param module gets the variables of the module; a scope in {@code globals}
+   * @param globals gets the global variables: all of a system data list, and those that a public
+   *     one declares GLOBAL
+   * @param errors gets the errors, in the order of the file; the rest is still declared
    */
   public static void load(DataList list, Scope module, Scope globals, Consumer<KrlError> errors) {
     DataListLoader loader = new DataListLoader(list, module, globals, errors);
@@ -85,22 +85,17 @@ public final class DataListLoader {
     }
   }
 
-  /**
-   * Says whether a data list is one of the controller itself, such as {@code $CONFIG}.
-   *
-   * @param list the data list
-   * @return whether its name begins with {@code $}
-   */
+  /** Returns whether a data list is one of the controller itself, such as {@code $CONFIG}. */
   public static boolean isSystem(DataList list) {
     return list.name().startsWith("$");
   }
 
-  /** Something that may be wrong in the file. */
+  /** A step that can find an error in the file. */
   private interface Step {
     void run() throws KrlErrorException;
   }
 
-  /** Reports what is wrong and goes on. */
+  /** Runs a step and reports its error; returns false after an error. */
   private boolean tell(Step step) {
     try {
       step.run();
@@ -175,7 +170,7 @@ public final class DataListLoader {
 
   // variables
 
-  /** Checks a name, and remembers where it is declared. */
+  /** Checks a name and returns the scope of its declaration. */
   private Scope checkNew(String name, boolean global, Position position) throws KrlErrorException {
     Scope target = target(global, position);
     if (variables.putIfAbsent(Scope.key(name), target) != null) {
@@ -231,7 +226,7 @@ public final class DataListLoader {
     }
   }
 
-  /** Gives an array with one value in every element. */
+  /** Returns an array with one value in every element. */
   private Storage filled(Storage array, Declaration.Declarator source, Expression initial)
       throws KrlErrorException {
     if (!source.name().startsWith("$")) {
@@ -332,7 +327,7 @@ public final class DataListLoader {
     Scope owner = variables.get(key);
     if (owner == null) {
       if (!isSystem) {
-        // assumed: a module's list sets only what it declares
+        // assumed: a module's list sets only its own variables
         throw new KrlErrorException(
             declaration.position(),
             "a data list gives values to what it declares, " + name + " is not declared in it");
@@ -363,7 +358,7 @@ public final class DataListLoader {
     return new KrlErrorException(position, name + ": " + e.getMessage());
   }
 
-  /** Gives contents with a value assigned; of an aggregate with every field that is right. */
+  /** Returns contents with a value assigned. Of an aggregate, each correct field is assigned. */
   private Storage assigned(Storage storage, String name, Position where, Expression value)
       throws KrlErrorException {
     if (storage instanceof ArrayStorage) {

@@ -17,8 +17,8 @@ import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes types and variables as a system data list that {@link DataListLoader} takes back: REALs
- * with all their digits, arrays element by element, what has no value without one.
+ * Writes types and variables as a system data list that {@link DataListLoader} can load: REALs with
+ * all their digits, arrays by element, and variables without a value without one.
  */
 public final class DataListWriter {
   private static final TypeSwitch<DataListWriter, Type, Void, RuntimeException> TYPES =
@@ -30,7 +30,7 @@ public final class DataListWriter {
                   .run(Type.Enumeration.class, DataListWriter::declareEnum)
                   .run(Type.Struc.class, DataListWriter::declareStruc));
 
-  /** KSS ends its lines so (docs/reference/krl-language.md#files). */
+  /** The line end of KSS (docs/reference/krl-language.md#files). */
   private static final String LINE_END = "\r\n";
 
   private final StringBuilder out = new StringBuilder();
@@ -41,15 +41,13 @@ public final class DataListWriter {
   }
 
   /**
-   * Writes a data list.
+   * Returns the text of a data list.
    *
    * @param name its name, with {@code $}
-   * @param scope where the variables are
-   * @param chosen the names of the variables to be written, in upper case; null for all variables
-   *     and all types
-   * @param notes what is known of the variables, by their names in upper case
-   * @return the text
-   * @throws IllegalStateException if it cannot be written as a data list
+   * @param chosen the names of the variables to write, in upper case; null for all variables and
+   *     all types
+   * @param notes the notes of the variables, by their names in upper case
+   * @throws IllegalStateException if a value cannot be written in a data list
    */
   public static String write(
       String name,
@@ -119,7 +117,7 @@ public final class DataListWriter {
 
   // types
 
-  /** Collects a type, behind those that it is made of. */
+  /** Collects a type, after the types of its components. */
   private static void collect(Type type, Map<String, Type> types) {
     if (type instanceof Type.Base) {
       return;
@@ -194,8 +192,8 @@ public final class DataListWriter {
   }
 
   /**
-   * Gives what can stand behind an equals sign: everything but the elements of arrays; null if
-   * nothing of that has a value.
+   * Returns the value after the equals sign, without the elements of arrays; null if it has no
+   * value.
    */
   private static @Nullable String inline(String path, Storage storage) {
     if (storage instanceof StrucStorage struc) {
@@ -227,7 +225,7 @@ public final class DataListWriter {
   }
 
   private static String scalar(String path, KrlValue value) {
-    // a double quote cannot be in a text at all, see KrlString
+    // KrlString excludes double quotes
     if (value instanceof KrlString string
         && string.text().chars().anyMatch(c -> c == '\n' || c == '\r')) {
       throw new IllegalStateException(
@@ -236,7 +234,7 @@ public final class DataListWriter {
     return value.printShort();
   }
 
-  /** Writes the elements of the arrays that a structure has inside. */
+  /** Writes the elements of the arrays in a structure. */
   private void arraysIn(String path, Storage storage) {
     if (!(storage instanceof StrucStorage struc)) {
       return;
@@ -267,8 +265,8 @@ public final class DataListWriter {
   }
 
   /**
-   * Gives the value that may stand for all elements of an array, as most of them have it; null if
-   * there is none. Only for what has no parts: an element cannot lose a component again.
+   * Returns the value that most elements of an array have; null if it cannot stand for all of them.
+   * An element that is a structure cannot lose a component, so structures must all be equal.
    */
   private static @Nullable String filling(String path, ArrayStorage array) {
     Map<String, Integer> counts = new HashMap<>();

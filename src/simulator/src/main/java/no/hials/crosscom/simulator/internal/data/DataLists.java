@@ -21,19 +21,17 @@ import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.VariableNote;
 
-/** Data lists as files: their text, their tree, and their names. */
+/** Reads, writes and names the files of data lists. */
 public final class DataLists {
-  /** docs/reference/krl-values.md#arrays. */
+  /** The maximum length of a name (docs/reference/krl-values.md#names). */
   private static final int MAX_NAME_LENGTH = 24;
 
   private DataLists() {}
 
   /**
-   * Parses a file.
+   * Parses a file in ISO 8859-1.
    *
-   * @param file a file in ISO 8859-1
-   * @return what came of it
-   * @throws IOException if there is no such file, or it cannot be read
+   * @throws IOException if the file does not exist or cannot be read
    */
   public static ParseResult parse(java.nio.file.Path file) throws IOException {
     if (Files.isDirectory(file)) {
@@ -41,29 +39,22 @@ public final class DataLists {
           file.toString(), null, "a data list is a file, this is a directory");
     }
     if (!Files.exists(file)) {
-      throw new NoSuchFileException(file.toString(), null, "there is no such data list");
+      throw new NoSuchFileException(file.toString(), null, "the data list does not exist");
     }
     return KrlParser.parse(file);
   }
 
-  /**
-   * Writes the text of a data list.
-   *
-   * @param file the file, which is overwritten
-   * @param text the text
-   * @throws IOException if it cannot be written
-   */
+  /** Writes the text of a data list; replaces the file. */
   public static void write(java.nio.file.Path file, String text) throws IOException {
     Files.writeString(file, text, StandardCharsets.ISO_8859_1);
   }
 
   /**
-   * Picks the data list out of what came of parsing a file.
+   * Returns the data list of a parsed file.
    *
-   * @param fileName the name for messages
-   * @param result what came of it
-   * @param errors takes what is wrong
-   * @return the tree; nothing if the file is no data list, which is then among the errors
+   * @param fileName the name in messages
+   * @param errors gets the errors
+   * @return empty if the file is not a data list, which is then one of the errors
    */
   public static Optional<DataList> dataList(
       String fileName, ParseResult result, List<KrlError> errors) {
@@ -73,7 +64,7 @@ public final class DataLists {
       return Optional.of(list);
     }
     if (file != null) {
-      // what is wrong with it as a program is of no interest then
+      // its errors as a program do not matter
       errors.add(
           new KrlError(
               file.position(), "a data list begins with DEFDAT, found the program " + file.name()));
@@ -87,12 +78,7 @@ public final class DataLists {
     return Optional.empty();
   }
 
-  /**
-   * Sorts errors as they stand in the file; those of the parser and of the loader come apart.
-   *
-   * @param errors the errors of one file
-   * @return the same errors
-   */
+  /** Returns the errors of one file in the order of the file. */
   public static List<KrlError> sorted(List<KrlError> errors) {
     List<KrlError> sorted = new ArrayList<>(errors);
     sorted.sort(
@@ -102,10 +88,8 @@ public final class DataLists {
   }
 
   /**
-   * Collects what the comments of a data list say of the variables that it declares for everyone.
-   *
-   * @param list the data list
-   * @return the notes by the names of the variables in upper case
+   * Returns the notes in the comments of a data list on its global variables, by the names of the
+   * variables in upper case.
    */
   public static Map<String, VariableNote> notes(DataList list) {
     Map<String, VariableNote> notes = new HashMap<>();
@@ -126,10 +110,9 @@ public final class DataLists {
   }
 
   /**
-   * Makes the name of a system data list.
+   * Returns the name of a system data list, such as {@code $STATE} for {@code state.dat}.
    *
-   * @param text a name with or without {@code $}, or a file's name
-   * @return the name, such as {@code $STATE} for {@code state.dat}
+   * @param text a name with or without {@code $}, or the name of a file
    */
   public static String systemName(String text) {
     String name = text.replaceFirst("\\.[^.]*$", "").toUpperCase(Locale.ROOT);

@@ -16,15 +16,15 @@ public final class FrameArithmetic {
   private FrameArithmetic() {}
 
   /**
-   * Gives the place of one frame that is given in another: {@code left:right}. Assumed: the result
-   * has the type of the right operand, and its Status, Turn and external axes.
+   * Returns the result of the geometric operator, {@code left:right}, which combines two frames.
+   * Assumed: it has the type of the right operand, and its Status, Turn and external axes.
    */
   static KrlValue product(KrlValue left, KrlValue right) throws KrlExecutionException {
     Frame result = frame(left).times(frame(right));
     return replaced((KrlStruct) right, result);
   }
 
-  /** Gives the inverse of a frame, with the type of the operand. */
+  /** Returns the inverse of a frame, with the type of the operand. */
   public static KrlValue inverse(KrlValue operand) throws KrlExecutionException {
     return replaced((KrlStruct) operand, frame(operand).inverse());
   }

@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.data;
 import java.util.Arrays;
 
 /**
- * What stands behind a name: nothing, {@code []}, {@code [1]}, {@code [1,2]} or {@code [1,]}.
+ * The index after a name: no brackets, {@code []}, {@code [1]}, {@code [1,2]} or {@code [1,]}.
  * Immutable.
  */
 public final class Index {
@@ -17,68 +17,44 @@ public final class Index {
   private final boolean open;
 
   /**
-   * Makes an index.
+   * Creates an index.
    *
    * @param numbers the indices, from 1
-   * @param open whether the last dimension is left open, as in {@code []} and {@code [1,]}
+   * @param open whether the last dimension is open, as in {@code []} and {@code [1,]}
    */
   public Index(int[] numbers, boolean open) {
     this.numbers = numbers.clone();
     this.open = open;
   }
 
-  /**
-   * Counts the indices.
-   *
-   * @return how many there are
-   */
+  /** Returns the number of indices. */
   public int count() {
     return numbers.length;
   }
 
-  /**
-   * Gives one index.
-   *
-   * @param dimension which, from 0
-   * @return the index, from 1
-   */
+  /** Returns an index, from 1, by its dimension, from 0. */
   public int number(int dimension) {
     return numbers[dimension];
   }
 
-  /**
-   * Says whether there are no brackets.
-   *
-   * @return whether the name stands alone
-   */
+  /** Returns whether the name has no brackets. */
   public boolean isNone() {
     return numbers.length == 0 && !open;
   }
 
-  /**
-   * Says whether the brackets are empty.
-   *
-   * @return whether it is {@code []}
-   */
+  /** Returns whether it is {@code []}. */
   public boolean isWhole() {
     return numbers.length == 0 && open;
   }
 
-  /**
-   * Says whether the last dimension is left open.
-   *
-   * @return whether it is {@code []} or {@code [1,]}
-   */
+  /** Returns whether the last dimension is open: {@code []} or {@code [1,]}. */
   public boolean isOpen() {
     return open;
   }
 
   /**
-   * Gives the index that stands for a part of what this one stands for: {@code [1,]} and then
-   * {@code [2]} is {@code [1,2]}.
-   *
-   * @param inner the index within that part
-   * @return both together
+   * Returns the index of a part of the part at this index: {@code [1,]} and {@code [2]} are {@code
+   * [1,2]}.
    */
   public Index then(Index inner) {
     if (inner.isNone()) {
@@ -89,7 +65,7 @@ public final class Index {
     return new Index(all, inner.open);
   }
 
-  /** Gives what is left of the index when the first dimensions are dealt with. */
+  /** Returns the rest of the index after its first dimensions. */
   Index after(int dimensions) {
     return new Index(Arrays.copyOfRange(numbers, dimensions, numbers.length), open);
   }

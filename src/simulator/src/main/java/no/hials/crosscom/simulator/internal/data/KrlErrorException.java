@@ -3,29 +3,24 @@ package no.hials.crosscom.simulator.internal.data;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
 
-/** Says what is wrong with one place of a program or a data list. */
+/** Thrown if a program or a data list contains an error. */
 public final class KrlErrorException extends Exception {
   private static final long serialVersionUID = 1L;
 
   private final transient KrlError error;
 
   /**
-   * Makes the exception.
+   * Creates the exception.
    *
-   * @param position where
-   * @param message the rule, what it expects and what it found
+   * @param message the rule, expected and actual
    */
   public KrlErrorException(Position position, String message) {
-    // without a stack trace: the place that matters is in the file
+    // without a stack trace: the position in the file matters
     super(position + ": " + message, null, false, false);
     this.error = new KrlError(position, message);
   }
 
-  /**
-   * Gives the place and the message.
-   *
-   * @return what is wrong
-   */
+  /** Returns the position and the message. */
   public KrlError error() {
     return error;
   }

@@ -10,10 +10,9 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 
 /**
- * What KRL's operators compute. Assumed, since no source defines them
- * (docs/reference/krl-language.md#operators): INT with INT gives INT, a quotient cut off; with a
- * REAL all is REAL, a 32-bit float (docs/reference/krl-values.md#scalars); AND, OR and EXOR always
- * evaluate both operands.
+ * Evaluates the operators of KRL. Assumed, since no source defines them
+ * (docs/reference/krl-language.md#operators): INT and INT give an INT, and a quotient is truncated;
+ * with a REAL the result is a REAL, a 32-bit float; AND, OR and EXOR always evaluate both operands.
  */
 public final class Operators {
   private Operators() {}
@@ -24,7 +23,7 @@ public final class Operators {
     KrlValue apply(KrlValue left, KrlValue right) throws KrlExecutionException;
   }
 
-  /** Gives what an operator does. */
+  /** Returns the operation of an operator. */
   public static Operator of(BinaryOperator operator) {
     return switch (operator) {
       case GEOMETRIC -> FrameArithmetic::product;
@@ -81,25 +80,30 @@ public final class Operators {
     return real(number(left) / divisor);
   }
 
+  /** Returns the result of the sign {@code -}. */
   public static KrlValue negative(KrlValue operand) throws KrlExecutionException {
     return operand instanceof KrlInt number
         ? integer(-(long) number.value())
         : real(-number(operand));
   }
 
+  /** Returns the result of the sign {@code +}. */
   public static KrlValue positive(KrlValue operand) throws KrlExecutionException {
     number(operand);
     return operand;
   }
 
+  /** Returns the result of NOT. */
   public static KrlValue not(KrlValue operand) throws KrlExecutionException {
     return new KrlBool(!bool(operand));
   }
 
+  /** Returns the result of B_NOT. */
   public static KrlValue bitwiseNot(KrlValue operand) throws KrlExecutionException {
     return new KrlInt(~bits(operand));
   }
 
+  /** Returns an INT, and checks its range. */
   public static KrlInt integer(long result) throws KrlExecutionException {
     if (result != (int) result) {
       throw new KrlExecutionException(
@@ -108,7 +112,10 @@ public final class Operators {
     return new KrlInt((int) result);
   }
 
-  /** Rounds to a REAL. Doubles hold sums, products and quotients of two floats well enough. */
+  /**
+   * Returns a REAL, rounded to a float. A double holds the sum, product or quotient of two floats
+   * exactly enough for that.
+   */
   public static KrlReal real(double result) throws KrlExecutionException {
     float rounded = (float) result;
     if (!Float.isFinite(rounded)) {
@@ -119,6 +126,7 @@ public final class Operators {
     return new KrlReal(rounded);
   }
 
+  /** Returns the number of an INT or REAL. */
   public static double number(KrlValue value) throws KrlExecutionException {
     if (value instanceof KrlInt number) {
       return number.value();
@@ -129,6 +137,7 @@ public final class Operators {
     throw wrongType("a number", value);
   }
 
+  /** Returns the fault of a value of the wrong type. */
   public static KrlExecutionException wrongType(String expected, KrlValue value) {
     return new KrlExecutionException(
         KrlExecutionException.WRONG_TYPE,
@@ -149,6 +158,7 @@ public final class Operators {
     throw wrongType("BOOL", value);
   }
 
+  /** Returns the result of {@code ==}. */
   public static boolean areEqual(KrlValue left, KrlValue right) throws KrlExecutionException {
     if (left instanceof KrlBool a && right instanceof KrlBool b) {
       return a.value() == b.value();

@@ -18,34 +18,32 @@ import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Holds types and variables, and knows those of the scope around it: the locals of a routine lie in
- * the data list of its module, and that in the globals of the controller.
+ * Holds types and variables, and looks up the rest in the scope around it: the scope of a routine
+ * is in that of its module, which is in the globals of the controller.
  *
- * <p>Safe for use by several threads; every access is atomic. What is not declared here is looked
- * for in the scope around.
+ * <p>Thread-safe; every access is atomic.
  */
 public final class Scope {
   private static final String OUTPUTS = "$OUT";
 
-  /** Who writes, which decides what is allowed. */
+  /** The writers of a variable, which differ in what they may write. */
   public enum Writer {
-    /** A client over the network: keeps to the access rights, arrays by element only. */
+    /** A client over the network: needs the access right and writes arrays by element only. */
     CLIENT,
-    /** A KRL program: keeps to the access rights. */
+    /** A KRL program: needs the access right. */
     PROGRAM,
-    /** The controller itself, a data list or Java code: everything. */
+    /** The controller itself, a data list or Java code: may write everything. */
     SYSTEM
   }
 
-  /** Refuses values that are of the right type and still not possible, for clients and programs. */
+  /** Checks the values that clients and programs write, beyond their type. */
   @FunctionalInterface
   public interface Guard {
     /**
-     * Looks at a value before it is written.
+     * Checks a value before it is written.
      *
-     * @param path what is written, from the variable's name on
-     * @param value the value
-     * @throws RefusedException if it is not possible
+     * @param path the target, starting with the name of the variable
+     * @throws RefusedException if the value is not allowed
      */
     void check(VariablePath path, KrlValue value) throws RefusedException;
   }
@@ -55,10 +53,10 @@ public final class Scope {
   private final Map<String, VariableEntry> variables = new HashMap<>();
   private final Map<String, Guard> guards = new HashMap<>();
 
-  /** The outputs that system signals are wired to; null if that has to be found out again. */
+  /** The outputs that system signals are wired to; null if unknown. */
   private @Nullable BitSet systemOutputs;
 
-  /** Makes an outermost scope, which knows the base types only. */
+  /** Creates an outermost scope, which contains only the base types. */
   public Scope() {
     parent = null;
     for (Type.Base type : Type.Base.values()) {
@@ -67,7 +65,7 @@ public final class Scope {
   }
 
   /**
-   * Makes a scope without contents.
+   * Creates an empty scope.
    *
    * @param parent the scope around it
    */
@@ -76,10 +74,8 @@ public final class Scope {
   }
 
   /**
-   * Takes over all types, variables and guards of another scope, which can be changed
-   * independently. What follows something there has here the value that was declared.
-   *
-   * @param other a scope
+   * Copies all types, variables and guards of another scope. A bound variable gets its declared
+   * value, and is not bound here.
    */
   public void copyFrom(Scope other) {
     Map<String, Type> otherTypes;
@@ -100,12 +96,7 @@ public final class Scope {
 
   // declarations
 
-  /**
-   * Gives a name as the maps have it.
-   *
-   * @param name a name in any case
-   * @return the name without blanks around it, in upper case
-   */
+  /** Returns a name as a key of the maps: without blanks around it, in upper case. */
   public static String key(String name) {
     return name.strip().toUpperCase(Locale.ROOT);
   }
@@ -121,18 +112,17 @@ public final class Scope {
     }
   }
 
-  /** Declares a type, in place of one of the same name. */
+  /**
+   * Declares a type. Replaces a type of the same name; variables keep their type.
+   *
+   * @throws IllegalArgumentException if the name is not a name of KRL, or is a base type
+   */
   synchronized void declareType(Type type) {
     checkTypeName(type.name());
     types.put(key(type.name()), type);
   }
 
-  /**
-   * Says whether a type is known, here or around.
-   *
-   * @param name its name
-   * @return whether a variable can be declared with it
-   */
+  /** Returns whether a type is declared here or around. */
   public synchronized boolean knowsType(String name) {
     return types.containsKey(key(name)) || (parent != null && parent.knowsType(name));
   }
@@ -140,13 +130,17 @@ public final class Scope {
   /**
    * Returns a variable without a value.
    *
-   * @param type the name of its type, which must be known
+   * @param type the name of its type, which must be declared
    */
   public Storage uninitialised(String type) {
     return type(type).uninitialised();
   }
 
-  /** Gives a type of this scope or of one around it; IllegalArgumentException if none has it. */
+  /**
+   * Returns a type that is declared here or around.
+   *
+   * @throws IllegalArgumentException if it is not declared
+   */
   synchronized Type type(String name) {
     Type type = types.get(key(name));
     if (type != null) {
@@ -158,64 +152,45 @@ public final class Scope {
     throw new IllegalArgumentException("type " + name + " is not declared");
   }
 
-  /** Takes a variable in place of one of the same name in this scope. */
+  /** Declares a variable. Replaces a variable of the same name in this scope. */
   synchronized void put(VariableEntry variable) {
     variables.put(key(variable.name()), variable);
     systemOutputs = null;
   }
 
-  /**
-   * Removes a variable of this scope.
-   *
-   * @param name its name, without index
-   * @return whether there was one
-   */
+  /** Removes a variable of this scope; returns false if it is not declared here. */
   public synchronized boolean remove(String name) {
     systemOutputs = null;
     return variables.remove(key(name)) != null;
   }
 
-  /**
-   * Says whether this scope itself has a variable.
-   *
-   * @param name its name, without index
-   * @return whether there is one
-   */
+  /** Returns whether this scope itself declares a variable. The name has no index. */
   public synchronized boolean contains(String name) {
     return variables.containsKey(key(name));
   }
 
-  /**
-   * Says whether a variable can be accessed from here.
-   *
-   * @param name its name, without index
-   * @return whether this scope or one around it has it
-   */
+  /** Returns whether a variable is declared here or around. The name has no index. */
   public synchronized boolean knows(String name) {
     return contains(name) || (parent != null && parent.knows(name));
   }
 
-  /** Gives the variables of this scope itself, in any order; a copy. */
+  /** Returns a copy of the variables of this scope, in any order. */
   synchronized List<VariableEntry> variables() {
     return List.copyOf(variables.values());
   }
 
-  /** Gives the types of this scope itself, in any order; a copy. */
+  /** Returns a copy of the types of this scope, in any order. */
   synchronized List<Type> types() {
     return List.copyOf(types.values());
   }
 
-  /** Gives a variable of this scope or of one around it by its key; null if none has it. */
+  /** Returns a variable that is declared here or around, by its key; null if it is not declared. */
   synchronized @Nullable VariableEntry lookup(String key) {
     VariableEntry variable = variables.get(key);
     return variable != null || parent == null ? variable : parent.lookup(key);
   }
 
-  /**
-   * Lists the variables of this scope itself.
-   *
-   * @return the names as declared, without dimensions, sorted; a copy
-   */
+  /** Returns a sorted copy of the names of this scope, as declared, without dimensions. */
   public synchronized SortedSet<String> names() {
     SortedSet<String> names = new TreeSet<>();
     for (VariableEntry variable : variables.values()) {
@@ -225,35 +200,34 @@ public final class Scope {
   }
 
   /**
-   * Lets a variable follow something: its value is asked for at each read.
+   * Binds a variable to a source, which is called at each read.
    *
    * @param name a variable of this scope, without index
-   * @param value gives the whole value. It is asked under the lock of this scope, so it must be
-   *     quick and must not wait
+   * @param value returns the whole value; called under the lock of this scope, so it must not block
    */
   public synchronized void bind(String name, Supplier<KrlValue> value) {
     VariableEntry variable = variables.get(key(name));
     if (variable == null || variable.contents() == null) {
-      throw new IllegalArgumentException(name + " is no variable that could be bound");
+      throw new IllegalArgumentException(name + " is not a variable that can be bound");
     }
     variables.put(key(name), variable.bound(value));
   }
 
   /**
-   * Guards a variable of this scope against values that are not possible.
+   * Guards a variable of this scope.
    *
    * @param name the variable, without index
-   * @param guard is asked before each write of a client or a program, under the lock of this scope
+   * @param guard called before each write of a client or a program, under the lock of this scope
    */
   public synchronized void guard(String name, Guard guard) {
     guards.put(key(name), guard);
   }
 
   /**
-   * Makes several changes, or none. Other threads see the scope before or after all of them.
+   * Makes several changes in one atomic step, or none of them.
    *
-   * @param change makes the changes; says whether they are to stay. It must be quick
-   * @return whether they stay; if not, types and variables of this scope are as before
+   * @param change makes the changes; returns false to undo them. It must be quick
+   * @return the result of {@code change}
    */
   public synchronized boolean attempt(BooleanSupplier change) {
     Map<String, Type> oldTypes = Map.copyOf(types);
@@ -276,11 +250,9 @@ public final class Scope {
   // access
 
   /**
-   * Reads a value.
+   * Returns the value of a variable or of a part of it.
    *
-   * @param path what to read
-   * @return the value
-   * @throws RefusedException if there is no such variable, or it has no value
+   * @throws RefusedException if it is not declared or has no value
    */
   public synchronized KrlValue read(VariablePath path) throws RefusedException {
     VariableEntry variable = variables.get(path.first().name());
@@ -292,11 +264,9 @@ public final class Scope {
   }
 
   /**
-   * Reads a value as a controller prints it.
+   * Returns the value of a variable or of a part of it, as a controller prints it.
    *
-   * @param path what to read
-   * @return the text
-   * @throws RefusedException if there is no such variable, or it has no value
+   * @throws RefusedException if it is not declared or has no value
    */
   public synchronized String print(VariablePath path) throws RefusedException {
     VariableEntry variable = variables.get(path.first().name());
@@ -310,11 +280,10 @@ public final class Scope {
   }
 
   /**
-   * Gives the contents of a variable or of a part of it, with or without a value. It never changes.
+   * Returns the contents of a variable or of a part of it, with or without a value.
    *
-   * @param path a variable that is no SIGNAL, or a part of it
-   * @return the contents
-   * @throws RefusedException if there is no such variable
+   * @param path a variable other than a SIGNAL, or a part of it
+   * @throws RefusedException if it is not declared
    */
   public synchronized Storage storage(VariablePath path) throws RefusedException {
     VariableEntry variable = variables.get(path.first().name());
@@ -329,11 +298,10 @@ public final class Scope {
   }
 
   /**
-   * Gives the contents of a whole variable, also of an array, with or without a value.
+   * Returns the contents of a whole variable, which can be an array, with or without a value.
    *
-   * @param name a variable of this scope that is no SIGNAL, without index
-   * @return the contents
-   * @throws RefusedException if there is no such variable
+   * @param name a variable of this scope other than a SIGNAL, without index
+   * @throws RefusedException if it is not declared
    */
   public synchronized Storage contents(String name) throws RefusedException {
     Storage contents = find(key(name)).current();
@@ -359,14 +327,11 @@ public final class Scope {
   }
 
   /**
-   * Writes a value; an aggregate changes the fields it has, a whole array takes all elements or one
-   * value for every element.
+   * Writes a value. An aggregate changes the fields it contains; a whole array takes all its
+   * elements or one value for every element.
    *
-   * @param path what to write
-   * @param value the value
-   * @param writer who writes
-   * @throws RefusedException if there is no such variable, it must not be written, or the value is
-   *     not of its type; then nothing has changed
+   * @throws RefusedException if the target is not declared, must not be written, or has another
+   *     type; then nothing has changed
    */
   public synchronized void write(VariablePath path, KrlValue value, Writer writer)
       throws RefusedException {
@@ -418,23 +383,18 @@ public final class Scope {
 
   // signals
 
-  /**
-   * Says whether a variable is a SIGNAL.
-   *
-   * @param name a variable of this scope, without index
-   * @return whether it is one
-   */
+  /** Returns whether a variable of this scope is a SIGNAL. The name has no index. */
   public synchronized boolean isSignal(String name) {
     VariableEntry variable = variables.get(key(name));
     return variable != null && variable.signal() != null;
   }
 
   /**
-   * Says what a SIGNAL is wired to.
+   * Returns the array that a SIGNAL is wired to: {@code $IN}, {@code $OUT} or another one, in upper
+   * case.
    *
-   * @param name a variable's name, without index, here or around
-   * @return {@code $IN}, {@code $OUT} or another array in upper case; nothing if the variable is no
-   *     SIGNAL or not wired
+   * @param name a variable, here or around, without index
+   * @return empty if the variable is not a SIGNAL or not wired
    */
   public synchronized Optional<String> wiredArray(String name) {
     VariableEntry variable = variables.get(key(name));
@@ -446,10 +406,10 @@ public final class Scope {
   }
 
   /**
-   * Says which input or output a SIGNAL is.
+   * Returns the number of the input or output that a SIGNAL is wired to.
    *
-   * @param name a variable's name, without index, here or around
-   * @return its number; nothing if the variable is no SIGNAL, is not wired or stands for several
+   * @param name a variable, here or around, without index
+   * @return empty if the variable is not a SIGNAL, is not wired or is wired to several
    */
   public synchronized OptionalInt wiredElement(String name) {
     VariableEntry variable = variables.get(key(name));

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * output, or for several as an INT.
  *
  * @param array {@code $IN}, {@code $OUT} or another array in upper case; null without wiring
- * @param first the first element, the lowest bit (assumed: the bit order is unconfirmed)
+ * @param first the first element, the lowest bit (assumed)
  * @param last the last element
  */
 record SignalWiring(@Nullable String array, int first, int last) {

@@ -8,45 +8,40 @@ import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The contents of a variable or of a part of it. Immutable: a write makes a new node, so that a
- * write that is refused half-way has changed nothing, and tables can share their initial contents.
+ * The contents of a variable or of a part of it. Immutable: a write creates new contents, so a
+ * write that is refused half-way changes nothing, and tables can share their initial contents.
  */
 public abstract sealed class Storage
     permits ScalarStorage, TextStorage, StrucStorage, ArrayStorage {
 
   Storage() {}
 
-  /** Makes the new contents of a part out of the old. */
+  /** Returns the new contents of a part, given the old. */
   @FunctionalInterface
   interface Change {
     Storage apply(Storage old) throws RefusedException;
   }
 
-  /** The text as printed, kept since the same variable tends to be read again and again. */
+  /** The printed value, kept because programs and clients read the same variables repeatedly. */
   private @Nullable String text;
 
-  /**
-   * Says whether there is something to print.
-   *
-   * @return whether a part of it has a value
-   */
+  /** Returns whether a part has a value. */
   public abstract boolean initialised();
 
   /**
-   * Gives the value of the whole.
+   * Returns the value of the whole.
    *
-   * @return the value
-   * @throws RefusedException if it has none
+   * @throws RefusedException if it has no value
    */
   public abstract KrlValue value() throws RefusedException;
 
   /**
-   * Gives these contents after a value has been assigned to the whole. As with every change, they
-   * may be this object if that changes nothing: programs assign the same again and again.
+   * Returns the contents after a value has been assigned to the whole. Like every change, this
+   * returns the same object if nothing changes, because programs often assign the same value again.
    */
   abstract Storage assign(KrlValue value) throws RefusedException;
 
-  /** Gives the part that an index stands for. */
+  /** Returns the part at an index. */
   Storage select(Index index) throws RefusedException {
     if (!index.isNone()) {
       throw badIndex("no array, was given index " + index);
@@ -54,24 +49,24 @@ public abstract sealed class Storage
     return this;
   }
 
-  /** Gives these contents after a change of the part that an index stands for. */
+  /** Returns the contents after a change of the part at an index. */
   Storage change(Index index, Change change) throws RefusedException {
     return change.apply(select(index));
   }
 
-  /** Gives a component by its name in upper case. */
+  /** Returns a component by its name in upper case. */
   Storage component(String name) throws RefusedException {
     throw new RefusedException(Refusal.UNKNOWN_COMPONENT, "no structure, has no ." + name);
   }
 
-  /** Gives these contents after a change of a component. */
+  /** Returns the contents after a change of a component. */
   Storage changeComponent(String name, Change change) throws RefusedException {
     return change.apply(component(name));
   }
 
-  /** Gives the value as a controller prints it. */
+  /** Returns the value as a controller prints it. */
   final String text() throws RefusedException {
-    // a race between two threads only prints twice
+    // a race of two threads only prints the value twice
     String known = text;
     if (known == null) {
       known = value().print();
@@ -81,11 +76,9 @@ public abstract sealed class Storage
   }
 
   /**
-   * Gives the part that a path stands for; this is what its first name stands for.
+   * Returns the part at a path, whose first name stands for these contents.
    *
-   * @param path the path
-   * @return the contents of the part
-   * @throws RefusedException if there is no such part
+   * @throws RefusedException if the part does not exist
    */
   public final Storage read(VariablePath path) throws RefusedException {
     Storage storage = select(path.first().index());
@@ -96,48 +89,40 @@ public abstract sealed class Storage
     return storage;
   }
 
-  /** Gives these contents after a value has been assigned to the part a path stands for. */
+  /** Returns the contents after a value has been assigned to the part at a path. */
   final Storage write(VariablePath path, KrlValue value) throws RefusedException {
     return change(path, part -> part.assign(value));
   }
 
   /**
-   * Gives these contents after a program has assigned a value to the part that a path stands for. A
-   * REAL is rounded where an INT is needed.
+   * Returns the contents after a program has assigned a value to the part at a path. A REAL is
+   * rounded if the part is an INT.
    *
-   * @param path the path; this is what its first name stands for
-   * @param value the value
-   * @return the contents after that
-   * @throws RefusedException if there is no such part, or the value is not of its type
+   * @throws RefusedException if the part does not exist or has another type
    */
   public final Storage store(VariablePath path, KrlValue value) throws RefusedException {
     return change(path, part -> part.assign(part.rounded(value)));
   }
 
-  /** Gives what a program's value becomes when it is assigned to the whole. */
+  /** Returns the value to store if a program assigns a value to the whole. */
   KrlValue rounded(KrlValue value) throws RefusedException {
     return value;
   }
 
   /**
-   * Gives the characters of a CHAR array. Unlike its value they can be none at all.
-   *
-   * @return the characters; nothing if this is no CHAR array or it has no value
+   * Returns the characters of a CHAR array, which can be none; empty if it has no value or is not a
+   * CHAR array.
    */
   public Optional<String> characters() {
     return Optional.empty();
   }
 
-  /**
-   * Gives the declared length of a CHAR array.
-   *
-   * @return how many characters it can hold; 0 if this is no CHAR array
-   */
+  /** Returns the declared length of a CHAR array; 0 if this is not a CHAR array. */
   public int capacity() {
     return 0;
   }
 
-  /** Gives these contents after a change of the part a path stands for. */
+  /** Returns the contents after a change of the part at a path. */
   final Storage change(VariablePath path, Change change) throws RefusedException {
     return change(path, 0, change);
   }
@@ -154,9 +139,8 @@ public abstract sealed class Storage
   }
 
   /**
-   * Returns a CHAR array that just holds a text.
+   * Returns a CHAR array with the length and the characters of a text.
    *
-   * @param text the text
    * @throws RefusedException if a character is not in ISO 8859-1
    */
   public static Storage ofText(KrlString text) throws RefusedException {
@@ -171,7 +155,7 @@ public abstract sealed class Storage
     return new RefusedException(Refusal.NOT_INITIALISED, "has no value yet");
   }
 
-  /** Refuses what could never be sent. Only Java code can bring such characters here. */
+  /** Refuses characters that cannot be sent. Only Java code can write them. */
   static void checkLatin1(KrlString string) throws RefusedException {
     if (string.text().chars().anyMatch(c -> c > 0xFF)) {
       throw new RefusedException(Refusal.OUT_OF_RANGE, "is not ISO 8859-1: " + string);

@@ -21,7 +21,7 @@ final class StrucStorage extends Storage {
     return type;
   }
 
-  /** Gives the parts in the order of the type's components. */
+  /** Returns the parts in the order of the components of the type. */
   List<Storage> parts() {
     return List.of(parts);
   }

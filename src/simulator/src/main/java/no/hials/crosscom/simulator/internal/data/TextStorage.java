@@ -65,7 +65,7 @@ final class TextStorage extends Storage {
     if (characters == null) {
       return new ScalarStorage(Type.Base.CHAR, null);
     }
-    // assumed: what lies behind the end of the text reads as blank
+    // assumed: the elements after the end of the text read as blanks
     char c = at < characters.length() ? characters.charAt(at) : ' ';
     return new ScalarStorage(Type.Base.CHAR, new KrlString(String.valueOf(c)));
   }

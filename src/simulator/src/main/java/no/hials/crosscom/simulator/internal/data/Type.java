@@ -15,22 +15,22 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
 
-/** The type of a variable, of one of its elements or of a component. */
+/** The type of a variable without dimensions, of an element or of a component. */
 sealed interface Type {
 
-  /** Gives the name as a declaration has it. */
+  /** Returns the name as declared. */
   String name();
 
-  /** Gives a variable of this type without a value. */
+  /** Returns contents of this type without a value. */
   Storage uninitialised();
 
   /** A type whose values have no parts. */
   sealed interface Scalar extends Type {
 
     /**
-     * Makes of what a client wrote the value that is stored.
+     * Returns the value to store, given a written value.
      *
-     * @throws RefusedException if it is not of this type
+     * @throws RefusedException if the value is not of this type
      */
     KrlValue convert(KrlValue value) throws RefusedException;
 
@@ -45,12 +45,12 @@ sealed interface Type {
         Refusal.WRONG_TYPE, "needs " + type.name() + ", was given " + value.print());
   }
 
-  /** The types that KRL itself has. */
+  /** The base types of KRL. */
   enum Base implements Scalar {
     /**
-     * 32 bits with sign. The text of a REAL is taken if it is a whole number: the original client
-     * wrote {@code 50.0} to {@code $OV_PRO}, and its README shows that a controller took it. That a
-     * broken number is refused, not rounded, is assumed.
+     * A signed 32-bit number. The text of a REAL is accepted if it is a whole number: the original
+     * client wrote {@code 50.0} to {@code $OV_PRO}, and its README shows that a controller accepted
+     * it. Other REALs are refused, not rounded (assumed).
      */
     INT {
       @Override
@@ -65,7 +65,8 @@ sealed interface Type {
       }
     },
     /**
-     * A 32-bit float; INT text is taken too (docs/reference/krl-values.md#what-a-write-accepts).
+     * A 32-bit float; the text of an INT is accepted
+     * (docs/reference/krl-values.md#what-a-write-accepts).
      */
     REAL {
       @Override
@@ -89,7 +90,7 @@ sealed interface Type {
         throw wrongType(this, value);
       }
     },
-    /** One character; as an array a text. */
+    /** One character; an array of it is a text. */
     CHAR {
       @Override
       public KrlValue convert(KrlValue value) throws RefusedException {
@@ -109,8 +110,8 @@ sealed interface Type {
   /**
    * A type with named constants.
    *
-   * @param name the type's name
-   * @param constants the constants by their names in upper case
+   * @param name as declared
+   * @param constants by their names in upper case
    */
   record Enumeration(String name, Map<String, KrlEnum> constants) implements Scalar {
 
@@ -150,10 +151,10 @@ sealed interface Type {
   /**
    * A structure.
    *
-   * @param name the type's name
-   * @param components the components in print order
-   * @param positions where each stands in that order, by its name in upper case
-   * @param depth how many structures lie in one another, this one included
+   * @param name as declared
+   * @param components in print order
+   * @param positions the position of each component, by its name in upper case
+   * @param depth the levels of nested structures, this one included
    */
   record Struc(String name, List<Component> components, Map<String, Integer> positions, int depth)
       implements Type {
@@ -196,8 +197,8 @@ sealed interface Type {
     }
 
     /**
-     * Makes of a position what a variable of another type of position takes over: the components
-     * that it has. Assumed: no source says it, and programs assign {@code $POS_ACT} to a FRAME.
+     * Converts a position of another type: keeps the components that this type has. Assumed,
+     * because programs assign {@code $POS_ACT} to a FRAME.
      */
     KrlStruct ofItsKind(KrlStruct value) {
       String given = value.typeName();
@@ -217,7 +218,7 @@ sealed interface Type {
       return value;
     }
 
-    /** Checks that an aggregate is of this type, by its name, which may be missing. */
+    /** Checks the type name of an aggregate, which can be missing. */
     KrlStruct check(KrlValue value) throws RefusedException {
       if (value instanceof KrlStruct struct
           && (struct.typeName() == null || struct.typeName().equalsIgnoreCase(name))) {

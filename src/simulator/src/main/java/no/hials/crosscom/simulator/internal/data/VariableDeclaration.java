@@ -5,23 +5,20 @@ import java.util.Optional;
 import no.hials.crosscom.lang.Access;
 
 /**
- * How a variable is declared.
+ * The declaration of a variable.
  *
  * @param name as declared, without dimensions
  * @param type the name of the type of an element; {@code SIGNAL} for a signal
- * @param dimensions the length of each, none for what is no array; the last one of a CHAR array is
- *     the length of its texts
+ * @param dimensions the length of each dimension; empty without an array; the last length of a CHAR
+ *     array is the length of its texts
  * @param access what clients and programs may do
  */
 public record VariableDeclaration(
     String name, String type, List<Integer> dimensions, Access access) {
 
   /**
-   * Finds a variable.
-   *
-   * @param scope where it is looked for, there and around
-   * @param name its name in any case, without index
-   * @return how it is declared; nothing if it is not
+   * Returns the declaration of a variable, in a scope or around it, by its name in any case without
+   * index.
    */
   public static Optional<VariableDeclaration> find(Scope scope, String name) {
     return Optional.ofNullable(scope.lookup(Scope.key(name))).map(VariableDeclaration::of);

@@ -8,61 +8,45 @@ import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
 
 /**
- * A variable's name as clients send it, taken apart: {@code LOAD_DATA[1].CM.X} are three steps.
+ * The name of a variable or of a part of it, as clients send it: {@code LOAD_DATA[1].CM.X} has
+ * three steps.
  *
  * @param steps at least one
  */
 public record VariablePath(List<Step> steps) {
-  /** KRL arrays have three dimensions at most (docs/reference/krl-values.md#arrays). */
+  /** The maximum number of dimensions (docs/reference/krl-values.md#arrays). */
   private static final int MAX_DIMENSIONS = 3;
 
   private static final int MAX_INDEX_DIGITS = 9;
 
   /**
-   * One name.
+   * A name with or without an index.
    *
-   * @param name in upper case, since names are the same in any case
-   *     (docs/reference/krl-values.md#names)
-   * @param index what stands behind it
+   * @param name in upper case, because KRL ignores case (docs/reference/krl-values.md#names)
+   * @param index the index after it
    */
   public record Step(String name, Index index) {}
 
-  /**
-   * Gives the variable's own step.
-   *
-   * @return the first step
-   */
+  /** Returns the first step, which names the variable. */
   public Step first() {
     return steps.get(0);
   }
 
-  /**
-   * Says whether a step is the last.
-   *
-   * @param step its position, from 0
-   * @return whether none follows
-   */
+  /** Returns whether a step, counted from 0, is the last. */
   public boolean isLast(int step) {
     return step == steps.size() - 1;
   }
 
-  /**
-   * Gives the path of an array's element.
-   *
-   * @param array the array's name
-   * @param index the index, from 1
-   * @return the path
-   */
+  /** Returns the path of an element of an array. The index starts at 1. */
   public static VariablePath element(String array, int index) {
     return new VariablePath(
         List.of(new Step(array.toUpperCase(Locale.ROOT), new Index(new int[] {index}, false))));
   }
 
   /**
-   * Gives the path of a part of what this one stands for.
+   * Returns the path of a part of the part at this path.
    *
-   * @param inner the path within that part, whose first step has another name for it
-   * @return both together
+   * @param inner the path in that part; its first name is ignored
    */
   public VariablePath then(VariablePath inner) {
     if (inner.steps.size() == 1 && inner.first().index().isNone()) {
@@ -76,10 +60,8 @@ public record VariablePath(List<Step> steps) {
   }
 
   /**
-   * Parses a name as clients send it.
+   * Parses a name such as {@code LOAD_DATA[1].CM.X}.
    *
-   * @param text such as {@code LOAD_DATA[1].CM.X}
-   * @return the path
    * @throws RefusedException if it is not a name
    */
   public static VariablePath parse(String text) throws RefusedException {
@@ -95,12 +77,7 @@ public record VariablePath(List<Step> steps) {
     return out.toString();
   }
 
-  /**
-   * Says whether a text is a KRL name.
-   *
-   * @param text a text
-   * @return whether it is one
-   */
+  /** Returns whether a text is a name of KRL. */
   public static boolean isName(String text) {
     if (text.isEmpty() || !isNameStart(text.charAt(0))) {
       return false;
@@ -125,7 +102,7 @@ public record VariablePath(List<Step> steps) {
     return isNameStart(c) || isDigit(c);
   }
 
-  /** Reads a name from left to right. */
+  /** Parses a name from left to right. */
   private static final class Parser {
     private final String text;
     private int pos;

@@ -17,7 +17,7 @@ final class BuiltInTable {
     return table;
   }
 
-  /** Makes a table of some data lists in the jar. */
+  /** Returns a table of some data lists in the jar. */
   static VariableTable load(List<String> files) {
     VariableTable table = VariableTable.empty();
     for (String file : files) {

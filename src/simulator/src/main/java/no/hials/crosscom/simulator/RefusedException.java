@@ -1,27 +1,27 @@
 package no.hials.crosscom.simulator;
 
-/** Says that the controller refuses an access, and why. */
+/** Thrown if the controller refuses an access. */
 public final class RefusedException extends Exception {
   private static final long serialVersionUID = 1L;
 
   private final Refusal reason;
 
   /**
-   * Makes the exception.
+   * Creates the exception.
    *
-   * @param reason why
-   * @param message the rule, what it expects and what it found
+   * @param reason the reason
+   * @param message the rule, expected and actual
    */
   public RefusedException(Refusal reason, String message) {
-    // without a stack trace: refusing is daily business of a controller, and should be quick
+    // without a stack trace: controllers refuse accesses all the time, and it should be quick
     super(message, null, false, false);
     this.reason = reason;
   }
 
   /**
-   * Gives the reason.
+   * Returns the reason.
    *
-   * @return why the access is refused
+   * @return the reason
    */
   public Refusal reason() {
     return reason;

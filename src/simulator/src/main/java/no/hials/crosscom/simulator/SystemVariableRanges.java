@@ -8,7 +8,7 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.data.Scope;
 
-/** The ranges of system variables, which clients and programs have to keep to. */
+/** The ranges of the system variables, for writes of clients and programs. */
 final class SystemVariableRanges {
   private record Range(String name, int minimum, int maximum) {}
 
@@ -19,7 +19,7 @@ final class SystemVariableRanges {
           new Range("$ADVANCE", 0, 5),
           // docs/reference/system-variables.md#inputs-outputs-and-timers
           new Range("$ANOUT", -1, 1),
-          // these are in %; that 0 and more than 100 are refused is assumed
+          // in %; assumed that 0 and more than 100 are refused
           // (docs/reference/system-variables.md#override-and-speed)
           new Range("$OV_JOG", 0, 100),
           new Range("$VEL_AXIS", 1, 100),
@@ -48,7 +48,7 @@ final class SystemVariableRanges {
     } else if (value instanceof KrlReal real) {
       number = real.value();
     } else {
-      return; // the variable's type says what is wrong with it
+      return; // the type of the variable refuses it
     }
     if (!(number >= range.minimum() && number <= range.maximum())) {
       throw new RefusedException(

@@ -4,19 +4,19 @@ import java.util.List;
 import no.hials.crosscom.lang.Access;
 
 /**
- * What is known of a variable besides its value.
+ * The declaration and the meaning of a variable.
  *
  * @param name the name as declared, without dimensions
- * @param type the name of its type, of an array that of an element; {@code SIGNAL} for a signal
- * @param dimensions the length of each dimension, none for what is no array; the last one of a CHAR
+ * @param type the name of its type, or of the type of an element; {@code SIGNAL} for a signal
+ * @param dimensions the length of each dimension; empty without an array; the last length of a CHAR
  *     array is the length of its texts
  * @param access what clients may do
- * @param unit the unit of its values, such as {@code mm/deg}; empty if it has none or none is known
- * @param meaning what it stands for; of a variable from a user's data list the comment behind its
- *     declaration; empty if there is none
- * @param source where access, unit and meaning are known from:
- *     docs/reference/sources.md#source-tags, {@code U} for what is unconfirmed there, {@code
- *     assumed} for what was chosen for this server; empty for a user's own
+ * @param unit the unit of its values, such as {@code mm/deg}; empty without one
+ * @param meaning the meaning; for a variable from a user's data list the comment after its
+ *     declaration; empty without one
+ * @param source the source of access, unit and meaning: tags of
+ *     docs/reference/sources.md#source-tags, {@code U} if unconfirmed, {@code assumed} if chosen
+ *     for this simulation; empty for a user's variable
  */
 public record VariableInfo(
     String name,

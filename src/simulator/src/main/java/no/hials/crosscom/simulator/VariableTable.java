@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -32,28 +33,27 @@ import org.jspecify.annotations.Nullable;
 /**
  * Holds the variables of the simulated controller: their types, access rights and values.
  *
- * <p>Names are those that clients send, in any case: {@code $OV_PRO}, {@code $POS_ACT.X}, {@code
- * LOAD_DATA[1].CM.X}, {@code $TORQUE_AXIS_ACT[3]}, {@code $TORQUE_AXIS_ACT[]} for a whole array,
- * {@code $MODEL_NAME[]} for a CHAR array, {@code TOOL_NAME[1,]} for one text of several. The
- * methods here are for Java code, which may write everything; a client's write keeps to the access
- * rights and, of {@code $OV_PRO}, {@code $ADVANCE} and some more of {@link #krc4}, to a range. What
- * is not possible is an {@link IllegalArgumentException} that says why.
+ * <p>Names are written as clients send them, in any case: {@code $OV_PRO}, {@code $POS_ACT.X},
+ * {@code LOAD_DATA[1].CM.X}, {@code $TORQUE_AXIS_ACT[3]}, {@code $TORQUE_AXIS_ACT[]} for a whole
+ * array, {@code $MODEL_NAME[]} for a CHAR array, {@code TOOL_NAME[1,]} for one text of several. The
+ * methods are for Java code, which may write everything. A client needs the access right, and must
+ * keep to the ranges of {@code $OV_PRO}, {@code $ADVANCE} and some other variables of {@link
+ * #krc4}. An impossible access throws an {@link IllegalArgumentException}.
  *
- * <p>Safe for use by several threads; every access is atomic. The table starts no thread.
+ * <p>Thread-safe; every access is atomic. The table starts no thread.
  */
 public final class VariableTable {
   private final Scope scope = new Scope();
 
-  /** What is known of the variables, by their names in upper case; replaced, never changed. */
+  /** The notes of the variables, by their names in upper case; replaced, never changed. */
   private volatile Map<String, VariableNote> notes = Map.of();
 
   private VariableTable() {}
 
   /**
-   * Makes a table of a KR 6 R900 sixx with a KR C4 (KSS 8.3), standing at its home position in mode
-   * T1, with some user variables such as {@code MYPOS}. What it holds can be read in the data lists
-   * {@code $TYPES.DAT}, {@code $OPERATE.DAT}, {@code $MACHINE.DAT} and {@code $CONFIG.DAT}, which
-   * lie beside this class in the jar.
+   * Creates a table of a KR 6 R900 sixx with a KR C4 (KSS 8.3) at its home position in mode T1,
+   * with some user variables such as {@code MYPOS}. Its contents are in the data lists {@code
+   * $TYPES.DAT}, {@code $OPERATE.DAT}, {@code $MACHINE.DAT} and {@code $CONFIG.DAT} in the jar.
    *
    * @return a new table
    */
@@ -62,7 +62,7 @@ public final class VariableTable {
   }
 
   /**
-   * Makes a table without variables that knows the base types only.
+   * Creates a table without variables, which has only the base types.
    *
    * @return a new table
    */
@@ -71,7 +71,7 @@ public final class VariableTable {
   }
 
   /**
-   * Makes a table with the same contents, which can be changed independently.
+   * Creates a table with the same contents, which can be changed independently.
    *
    * @return a new table
    */
@@ -85,33 +85,33 @@ public final class VariableTable {
   // data lists
 
   /**
-   * Loads a data list as KSS writes it, such as a robot's own {@code $CONFIG.DAT}. What it declares
-   * takes the place of what is there; the rights of clients to a variable whose name begins with
-   * {@code $} stay. Of a module's list, whose name does not begin with {@code $}, clients see what
-   * it declares GLOBAL, if it is PUBLIC; the rest is checked only.
+   * Loads a data list as KSS writes it, such as a robot's own {@code $CONFIG.DAT}. Its declarations
+   * replace those of the table; a variable whose name starts with {@code $} keeps its access right.
+   * The list of a module, whose name does not start with {@code $}, adds only its GLOBAL
+   * declarations, and only if it is PUBLIC; the rest is only checked.
    *
-   * @param file the file, in ISO 8859-1, with the line ends of any system
+   * @param file the file, in ISO 8859-1, with any line ends
    * @throws IOException if it cannot be read
-   * @throws KrlFileException if something in it is wrong; it says all of it, and the table is as
-   *     before
+   * @throws KrlFileException if it contains errors; the exception lists all of them, and nothing
+   *     has changed
    */
-  public void load(java.nio.file.Path file) throws IOException, KrlFileException {
+  public void load(Path file) throws IOException, KrlFileException {
     load(file.toString(), DataLists.parse(file));
   }
 
   /**
-   * Loads a data list from its text, as {@link #load(java.nio.file.Path)} does.
+   * Loads a data list from its text, as {@link #load(Path)} does.
    *
-   * @param name the name that stands in messages
+   * @param name the name in messages
    * @param text the text
-   * @throws KrlFileException if something in it is wrong; it says all of it, and the table is as
-   *     before
+   * @throws KrlFileException if it contains errors; the exception lists all of them, and nothing
+   *     has changed
    */
   public void load(String name, String text) throws KrlFileException {
     load(name, KrlParser.parse(name, text));
   }
 
-  /** Loads a data list from what came of parsing it. */
+  /** Loads a parsed data list. */
   void load(String name, ParseResult result) throws KrlFileException {
     List<KrlError> errors = new ArrayList<>();
     Optional<DataList> parsed = DataLists.dataList(name, result, errors);
@@ -133,51 +133,51 @@ public final class VariableTable {
   }
 
   /**
-   * Saves all types and variables as a data list. Loaded again, into this table or another, it
-   * gives every variable the value that it has now, also those that follow the simulated robot;
-   * what has no value gets none. A variable that only Java code could declare, with a name longer
-   * than the 24 characters of KRL, is saved, but not loaded again.
+   * Saves all types and variables as a data list. When it is loaded, into this table or another,
+   * every variable gets its present value, even if it follows the simulated robot; variables
+   * without a value stay without one. Java code can declare names longer than the 24 characters of
+   * KRL; such a variable is saved but cannot be loaded.
    *
    * @param file the file, which is overwritten; in ISO 8859-1, with CR and LF
    * @throws IOException if it cannot be written
-   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   * @throws IllegalStateException if a text contains a line break, which a data list cannot contain
    */
-  public void save(java.nio.file.Path file) throws IOException {
+  public void save(Path file) throws IOException {
     DataLists.write(file, toDataList(file.getFileName().toString()));
   }
 
   /**
-   * Saves some variables and the types that they use, as {@link #save(java.nio.file.Path)} does:
-   * {@code save(file, name -> !name.startsWith("$"))} leaves the system variables out.
+   * Saves some variables and their types, as {@link #save(Path)} does: {@code save(file, name ->
+   * !name.startsWith("$"))} omits the system variables.
    *
    * @param file the file, which is overwritten; in ISO 8859-1, with CR and LF
-   * @param variables says of a name as declared whether it is to be saved
+   * @param variables returns whether to save a variable, given its name as declared
    * @throws IOException if it cannot be written
-   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   * @throws IllegalStateException if a text contains a line break, which a data list cannot contain
    */
-  public void save(java.nio.file.Path file, Predicate<String> variables) throws IOException {
+  public void save(Path file, Predicate<String> variables) throws IOException {
     DataLists.write(file, toDataList(file.getFileName().toString(), variables));
   }
 
   /**
-   * Gives the text that {@link #save(java.nio.file.Path)} writes.
+   * Returns the text that {@link #save(Path)} writes.
    *
-   * @param name the name behind {@code DEFDAT}; with {@code $} in front if it has none, since only
-   *     such a data list may declare system variables
+   * @param name the name after {@code DEFDAT}; {@code $} is added if missing, because only such a
+   *     data list can declare system variables
    * @return the text of a data list
-   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   * @throws IllegalStateException if a text contains a line break, which a data list cannot contain
    */
   public String toDataList(String name) {
     return DataListWriter.write(DataLists.systemName(name), scope, null, notes);
   }
 
   /**
-   * Gives the text that {@link #save(java.nio.file.Path, Predicate)} writes.
+   * Returns the text that {@link #save(Path, Predicate)} writes.
    *
-   * @param name the name behind {@code DEFDAT}; with {@code $} in front if it has none
-   * @param variables says of a name as declared whether it is to be saved
+   * @param name the name after {@code DEFDAT}; {@code $} is added if missing
+   * @param variables returns whether to save a variable, given its name as declared
    * @return the text of a data list
-   * @throws IllegalStateException if a text has a line break in it, which no data list can hold
+   * @throws IllegalStateException if a text contains a line break, which a data list cannot contain
    */
   public String toDataList(String name, Predicate<String> variables) {
     Set<String> chosen =
@@ -185,13 +185,13 @@ public final class VariableTable {
     return DataListWriter.write(DataLists.systemName(name), scope, chosen, notes);
   }
 
-  // what is known of the variables
+  // descriptions
 
   /**
    * Describes a variable.
    *
    * @param name its name in any case, without index
-   * @return type, access, unit, meaning; nothing if there is no such variable
+   * @return type, access, unit and meaning; empty if it is not declared
    */
   public Optional<VariableInfo> describe(String name) {
     return VariableDeclaration.find(scope, name).map(this::describe);
@@ -200,7 +200,7 @@ public final class VariableTable {
   /**
    * Describes all variables.
    *
-   * @return what {@link #describe(String)} gives for each, sorted by name; a copy
+   * @return a copy, sorted by name
    */
   public List<VariableInfo> describeAll() {
     List<VariableInfo> all = new ArrayList<>();
@@ -222,7 +222,7 @@ public final class VariableTable {
         note.source());
   }
 
-  /** Forgets what is known of a variable that is no longer the same. */
+  /** Removes the note of a variable that has been replaced or removed. */
   private void forget(String name) {
     String key = Scope.key(name);
     synchronized (scope) {
@@ -237,9 +237,9 @@ public final class VariableTable {
   // declarations
 
   /**
-   * Declares a STRUC type, in place of one of the same name. Variables declared before keep theirs.
+   * Declares a STRUC type. Replaces a type of the same name; variables keep their type.
    *
-   * @param name the type's name
+   * @param name the name of the type
    * @param definition the components in print order, such as {@code REAL SPEED; INT SEAM; CHAR
    *     NAME[24]; FRAME OFFSET}
    */
@@ -248,9 +248,9 @@ public final class VariableTable {
   }
 
   /**
-   * Declares an ENUM type, in place of one of the same name. Variables declared before keep theirs.
+   * Declares an ENUM type. Replaces a type of the same name; variables keep their type.
    *
-   * @param name the type's name
+   * @param name the name of the type
    * @param constants the constants, without {@code #}
    */
   public void declareEnum(String name, String... constants) {
@@ -258,7 +258,7 @@ public final class VariableTable {
   }
 
   /**
-   * Declares a variable that clients may read and write, in place of one of the same name.
+   * Declares a variable that clients may read and write. Replaces a variable of the same name.
    *
    * @param name the name, for an array with its dimensions: {@code MYPOINTS[10]}
    * @param type {@code INT}, {@code REAL}, {@code BOOL}, {@code CHAR}, a declared type, or {@code
@@ -272,7 +272,7 @@ public final class VariableTable {
   }
 
   /**
-   * Declares a variable, in place of one of the same name.
+   * Declares a variable. Replaces a variable of the same name.
    *
    * @param name the name, for an array with its dimensions: {@code MYPOINTS[10]}
    * @param type {@code INT}, {@code REAL}, {@code BOOL}, {@code CHAR}, a declared type, or {@code
@@ -300,7 +300,7 @@ public final class VariableTable {
    * Removes a variable.
    *
    * @param name its name, without index
-   * @return whether there was one
+   * @return false if it was not declared
    */
   public boolean remove(String name) {
     forget(name);
@@ -308,19 +308,19 @@ public final class VariableTable {
   }
 
   /**
-   * Says whether a variable is declared.
+   * Returns whether a variable is declared.
    *
    * @param name its name, without index
-   * @return whether there is one
+   * @return whether it is declared
    */
   public boolean contains(String name) {
     return scope.contains(name);
   }
 
   /**
-   * Lists the variables.
+   * Returns the names of the variables.
    *
-   * @return the names as declared, without dimensions, sorted; a copy
+   * @return a sorted copy of the names as declared, without dimensions
    */
   public SortedSet<String> names() {
     return scope.names();
@@ -329,12 +329,12 @@ public final class VariableTable {
   // access from Java
 
   /**
-   * Reads a variable as the controller prints it: {@code {E6POS: X 525.000, ...}}; the text of a
-   * whole array ends with a blank.
+   * Returns the value of a variable as the controller prints it: {@code {E6POS: X 525.000, ...}};
+   * the text of a whole array ends with a blank.
    *
-   * @param name what to read
+   * @param name the variable, or a part of it
    * @return the text
-   * @throws IllegalArgumentException if there is no such variable or it has no value
+   * @throws IllegalArgumentException if it is not declared or has no value
    */
   public String get(String name) {
     try {
@@ -345,11 +345,11 @@ public final class VariableTable {
   }
 
   /**
-   * Reads a variable as a value.
+   * Returns the value of a variable.
    *
-   * @param name what to read
+   * @param name the variable, or a part of it
    * @return the value
-   * @throws IllegalArgumentException if there is no such variable or it has no value
+   * @throws IllegalArgumentException if it is not declared or has no value
    */
   public KrlValue value(String name) {
     try {
@@ -360,12 +360,12 @@ public final class VariableTable {
   }
 
   /**
-   * Writes a variable, whatever its access rights.
+   * Writes a variable, whatever its access right.
    *
-   * @param name what to write; here a whole array, too
-   * @param text the value as KRL text; an aggregate changes the fields it has; a whole array takes
-   *     all elements or one value for every element
-   * @throws IllegalArgumentException if there is no such variable or the value is not of its type
+   * @param name the variable, or a part of it, or a whole array
+   * @param text the value as KRL text; an aggregate changes the fields it contains; a whole array
+   *     takes all elements or one value for every element
+   * @throws IllegalArgumentException if it is not declared or the value does not have its type
    */
   public void set(String name, String text) {
     try {
@@ -376,12 +376,12 @@ public final class VariableTable {
   }
 
   /**
-   * Writes a variable, whatever its access rights.
+   * Writes a variable, whatever its access right.
    *
-   * @param name what to write; here a whole array, too
-   * @param value the value; an aggregate changes the fields it has; a whole array takes all
+   * @param name the variable, or a part of it, or a whole array
+   * @param value the value; an aggregate changes the fields it contains; a whole array takes all
    *     elements or one value for every element
-   * @throws IllegalArgumentException if there is no such variable or the value is not of its type
+   * @throws IllegalArgumentException if it is not declared or the value does not have its type
    */
   public void set(String name, KrlValue value) {
     try {
@@ -400,7 +400,7 @@ public final class VariableTable {
   /**
    * Reads a variable as a client does.
    *
-   * @param name what to read
+   * @param name the variable, or a part of it
    * @return the text, as the controller prints it
    * @throws RefusedException if the controller refuses the access
    */
@@ -411,7 +411,7 @@ public final class VariableTable {
   /**
    * Reads the value of a variable as a client does.
    *
-   * @param name what to read
+   * @param name the variable, or a part of it
    * @return the value
    * @throws RefusedException if the controller refuses the access
    */
@@ -419,7 +419,7 @@ public final class VariableTable {
     return scope.read(VariablePath.parse(name));
   }
 
-  /** Gives the scope of the global variables. */
+  /** Returns the scope of the global variables. */
   Scope scope() {
     return scope;
   }
@@ -427,9 +427,9 @@ public final class VariableTable {
   /**
    * Writes a variable as a client does.
    *
-   * @param name what to write
+   * @param name the variable, or a part of it
    * @param text the value
-   * @param maxAggregateLength how long the text of an aggregate may be, 0 for no limit
+   * @param maxAggregateLength the maximum length of the text of an aggregate; 0 for no limit
    * @throws RefusedException if the controller refuses the access
    */
   public void write(String name, String text, int maxAggregateLength) throws RefusedException {

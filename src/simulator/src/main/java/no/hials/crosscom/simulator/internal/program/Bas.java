@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * The subprogram BAS of the base technology (docs/reference/krl-language.md#bas), which sets speeds
  * and coordinate systems. What {@code #INITMOV} leaves is in
  * docs/reference/system-variables.md#what-initmov-sets; what the others do is assumed from the
- * names of their commands and of the variables of an inline form.
+ * names of the commands and of the variables of an inline form.
  */
 final class Bas {
   private static final int AXES = 6;
@@ -103,7 +103,7 @@ final class Bas {
     set("$IPO_MODE", get("FDAT_ACT.IPO_FRAME"));
   }
 
-  /** What the inline form leaves open keeps its value. */
+  /** A value that the inline form omits stays as it is. */
   private void ptpData() throws KrlExecutionException {
     setAxesIfGiven("$VEL_AXIS", "PDAT_ACT.VEL");
     setAxesIfGiven("$ACC_AXIS", "PDAT_ACT.ACC");
@@ -158,7 +158,7 @@ final class Bas {
     }
   }
 
-  /** Gives the value of what there has to be, or null if it has none. */
+  /** Returns the value of a variable that must be declared; null if it has no value. */
   private @Nullable KrlValue find(String name) throws KrlExecutionException {
     try {
       return scope.read(VariablePath.parse(name));

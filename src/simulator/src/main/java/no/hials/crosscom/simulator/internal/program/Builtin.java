@@ -6,17 +6,17 @@ import no.hials.crosscom.simulator.KrlExecutionException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A routine that the controller itself has.
+ * A routine that is built into the controller.
  *
- * @param name its name in upper case
- * @param function whether it has a value
- * @param parameters what it takes
- * @param optional how many of the last parameters may be left out
- * @param body what it does
+ * @param name in upper case
+ * @param function whether it returns a value
+ * @param parameters the kinds of its parameters
+ * @param optional the number of parameters at the end that can be omitted
+ * @param body its code
  */
 record Builtin(String name, boolean function, List<Kind> parameters, int optional, Body body) {
 
-  /** What an argument is handed over as. */
+  /** The form of an argument. */
   enum Kind {
     /** A {@link KrlValue}. */
     VALUE,
@@ -26,14 +26,14 @@ record Builtin(String name, boolean function, List<Kind> parameters, int optiona
     OUT
   }
 
-  /** What a built-in routine does. */
+  /** The code of a built-in routine. */
   @FunctionalInterface
   interface Body {
     /**
-     * Executes it.
+     * Executes the routine.
      *
-     * @param symbols what the calling routine can name
-     * @param arguments one for each parameter; null for one that is left out
+     * @param symbols the variables of the calling routine
+     * @param arguments one for each parameter; null for an omitted argument
      * @return the value of a function
      */
     @Nullable KrlValue call(

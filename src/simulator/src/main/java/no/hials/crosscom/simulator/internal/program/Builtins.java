@@ -24,14 +24,14 @@ import no.hials.crosscom.simulator.internal.program.Builtin.Kind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The standard functions and the routines of the base technology.
- * docs/reference/krl-language.md#functions has their names only: parameters and results are
- * assumed, from the names and what programs do with them.
+ * The standard functions and the routines of the base technology. Only their names are documented
+ * (docs/reference/krl-language.md#functions): parameters and results are assumed, from the names
+ * and from programs that use them.
  */
 final class Builtins {
   private static final Map<String, Builtin> ALL = new HashMap<>();
 
-  /** What programs may call on a real controller and not here. */
+  /** The routines of a real controller that are not simulated. */
   private static final Set<String> UNSUPPORTED =
       Set.of("SWRITE", "SREAD", "CWRITE", "CREAD", "COPEN", "CCLOSE");
 
@@ -81,12 +81,12 @@ final class Builtins {
 
   private Builtins() {}
 
-  /** Finds a routine by its name in upper case; null if there is none. */
+  /** Returns a routine by its name in upper case; null if it is unknown. */
   static @Nullable Builtin find(String key) {
     return ALL.get(key);
   }
 
-  /** Says whether a real controller has a routine of that name and this one has not. */
+  /** Returns whether a real controller has the routine but the simulation does not. */
   static boolean isUnsupported(String key) {
     return UNSUPPORTED.contains(key);
   }
@@ -278,7 +278,7 @@ final class Builtins {
     return new KrlInt(fitting.length());
   }
 
-  /** Gives a text as it is compared: without {@code #CASE_SENS} the case of letters is the same. */
+  /** Returns a text for comparison: case is ignored without {@code #CASE_SENS}. */
   private static String folded(@Nullable Object[] arguments, int at, int caseAt)
       throws KrlExecutionException {
     String text = text(arguments, at);

@@ -5,7 +5,7 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import org.jspecify.annotations.Nullable;
 
-/** A routine that is being executed, or an action or condition in it. */
+/** The execution of a routine, or of an action or condition in it. */
 final class CallFrame {
   private final CompiledRoutine routine;
   private final CompiledCode code;
@@ -19,7 +19,7 @@ final class CallFrame {
   private int next;
   private long deadline;
 
-  /** Begins a routine. */
+  /** Creates the frame of a routine. */
   CallFrame(
       CompiledRoutine routine, @Nullable CallFrame caller, boolean resultWanted, int stackBase) {
     this.routine = routine;
@@ -34,7 +34,10 @@ final class CallFrame {
     this.temporaries = new KrlValue[body.temporaries()];
   }
 
-  /** Begins an action or a condition of a routine, which uses that routine's variables. */
+  /**
+   * Creates the frame of an action or a condition of a routine, which uses the variables of the
+   * routine.
+   */
   CallFrame(
       CallFrame owner,
       CompiledCode code,
@@ -56,22 +59,24 @@ final class CallFrame {
     return routine;
   }
 
-  /** Gives the frame that goes on behind this one; null for the outermost. */
+  /** Returns the frame that continues after this one; null for the outermost. */
   @Nullable CallFrame caller() {
     return caller;
   }
 
-  /** Gives why the calling frame was interrupted; null if it has called this one itself. */
+  /**
+   * Returns the interruption of the calling frame; null if that frame has called this one itself.
+   */
   @Nullable Interruption interruption() {
     return interruption;
   }
 
-  /** Says whether the calling frame needs a value. */
+  /** Returns whether the calling frame needs a value. */
   boolean resultWanted() {
     return resultWanted;
   }
 
-  /** Gives how many values of the calling frames are on the stack. */
+  /** Returns the number of values on the stack that belong to calling frames. */
   int stackBase() {
     return stackBase;
   }
@@ -84,22 +89,22 @@ final class CallFrame {
     next = target;
   }
 
-  /** Goes back to the instruction being executed. */
+  /** Goes back to the current instruction. */
   void again() {
     next--;
   }
 
-  /** Goes back to the first instruction of the statement being executed. */
+  /** Goes back to the first instruction of the current statement. */
   void statementAgain() {
     next = code.statement(next - 1);
   }
 
-  /** Gives the place of the instruction that was executed last. */
+  /** Returns the position of the last executed instruction. */
   Position executed() {
     return code.position(next == 0 ? 0 : next - 1);
   }
 
-  /** Gives the place of the instruction that is executed next. */
+  /** Returns the position of the next instruction. */
   Position position() {
     return code.position(next);
   }
@@ -115,7 +120,7 @@ final class CallFrame {
   Reference reference(int slot) {
     Reference reference = references[slot];
     if (reference == null) {
-      throw new IllegalStateException("parameter " + slot + " is none by reference");
+      throw new IllegalStateException("parameter " + slot + " is not by reference");
     }
     return reference;
   }

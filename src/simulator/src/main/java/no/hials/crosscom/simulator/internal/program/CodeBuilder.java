@@ -12,12 +12,12 @@ final class CodeBuilder {
   private final List<Integer> statements = new ArrayList<>();
   private int statement;
 
-  /** A place to jump to, which may be found later than the jump. */
+  /** A jump target, which can be set after the jump. */
   static final class Label {
     private int target = -1;
   }
 
-  /** Begins a statement. */
+  /** Starts a statement. */
   void statement() {
     statement = operations.size();
   }

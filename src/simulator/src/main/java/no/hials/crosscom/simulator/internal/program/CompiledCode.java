@@ -9,9 +9,9 @@ final class CompiledCode {
   private final int[] statements;
 
   /**
-   * @param operations the instructions; the last one never goes on to the next
-   * @param positions where in the source each comes from
-   * @param statements the first instruction of the statement to which each belongs
+   * @param operations the instructions; the last one never continues to the next
+   * @param positions the position of each instruction in the source
+   * @param statements for each instruction, the first instruction of its statement
    */
   CompiledCode(Instruction[] operations, Position[] positions, int[] statements) {
     this.operations = operations;
@@ -31,7 +31,7 @@ final class CompiledCode {
     return positions[at];
   }
 
-  /** Gives the first instruction of the statement to which one belongs. */
+  /** Returns the first instruction of the statement of an instruction. */
   int statement(int at) {
     return statements[at];
   }

@@ -7,8 +7,8 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A routine as the machine knows it. Its calls are compiled before its body, so the body comes
- * later.
+ * A routine in the form that the machine executes. Calls of it are compiled before its body, which
+ * is added later.
  */
 final class CompiledRoutine {
   private final String module;
@@ -22,18 +22,18 @@ final class CompiledRoutine {
    *
    * @param path its name as a path
    * @param array whether it is an array
-   * @param out whether it is handed over by reference
+   * @param out whether it is passed by reference
    */
   record Parameter(VariablePath path, boolean array, boolean out) {}
 
   /**
-   * What a routine consists of.
+   * The body of a routine.
    *
    * @param code its instructions
-   * @param locals its variables without their values. The parameters come first: those by reference
-   *     use theirs if the argument is left out
+   * @param locals its variables without values, the parameters first; a parameter by reference uses
+   *     its own if the argument is omitted
    * @param result a variable of the type of a function's value; null for a subprogram
-   * @param temporaries how many values loops and branches keep
+   * @param temporaries the number of values that loops and branches keep
    */
   record Body(CompiledCode code, List<Storage> locals, @Nullable Storage result, int temporaries) {}
 
@@ -71,7 +71,7 @@ final class CompiledRoutine {
     return body;
   }
 
-  /** Gives the place of the first statement. */
+  /** Returns the position of the first statement. */
   Position begin() {
     return body().code().position(0);
   }

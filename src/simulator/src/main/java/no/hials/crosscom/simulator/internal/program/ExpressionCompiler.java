@@ -19,7 +19,7 @@ import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
-/** Compiles expressions: their instructions leave the value on the stack. */
+/** Compiles expressions to instructions that leave the value on the stack. */
 final class ExpressionCompiler {
   private static final TypeSwitch<ExpressionCompiler, Expression, Void, RuntimeException>
       EXPRESSIONS =
@@ -53,9 +53,8 @@ final class ExpressionCompiler {
   private final boolean mayCall;
 
   /**
-   * @param context the routine
-   * @param code takes the instructions
-   * @param mayCall whether routines that have a source may be called
+   * @param code gets the instructions
+   * @param mayCall whether routines with a source can be called
    */
   ExpressionCompiler(RoutineContext context, CodeBuilder code, boolean mayCall) {
     this.context = context;
@@ -63,7 +62,7 @@ final class ExpressionCompiler {
     this.mayCall = mayCall;
   }
 
-  /** Gives the path of a variable's part; its indices are on the stack. */
+  /** Returns the path of a part of a variable; takes its indices from the stack. */
   @FunctionalInterface
   interface PathSource {
     VariablePath take(KrlVirtualMachine machine) throws KrlExecutionException;
@@ -148,7 +147,7 @@ final class ExpressionCompiler {
   /**
    * Compiles an assignment.
    *
-   * @param value compiles the value, which comes behind the indices of the target
+   * @param value compiles the value, after the indices of the target
    */
   void write(Expression.Variable target, Runnable value) {
     StorageLocation location = context.symbols().resolve(target);
@@ -210,7 +209,7 @@ final class ExpressionCompiler {
   /**
    * Compiles a call.
    *
-   * @param valueWanted whether the value of a function is to be on the stack afterwards
+   * @param valueWanted whether the call leaves the value of a function on the stack
    */
   void call(
       Position position,
@@ -243,7 +242,7 @@ final class ExpressionCompiler {
       boolean valueWanted) {
     checkValue(position, routine.name(), routine.isFunction(), valueWanted);
     if (!mayCall) {
-      // assumed: such a condition is looked at in every cycle and cannot wait
+      // assumed: the condition is evaluated in every cycle and cannot wait
       context.error(position, "the condition of an interrupt must not call " + routine.name());
     }
     List<CompiledRoutine.Parameter> parameters = routine.parameters();
@@ -289,7 +288,7 @@ final class ExpressionCompiler {
     }
   }
 
-  /** Hands over a copy of an array. */
+  /** Passes a copy of an array. */
   private void contents(Expression argument) {
     Position position = argument.position();
     if (argument instanceof Expression.TextLiteral) {

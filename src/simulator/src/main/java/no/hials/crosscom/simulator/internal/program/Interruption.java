@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.program;
 
-/** Why and with what right a program is interrupted: an interrupt or a trigger that has come. */
+/** An interrupt or a trigger that interrupts a program. */
 final class Interruption {
   private final int priority;
   private final CallFrame owner;
@@ -9,9 +9,9 @@ final class Interruption {
   private boolean holding;
 
   /**
-   * @param priority lower numbers go first
-   * @param owner the frame that has declared it, whose variables it uses
-   * @param action what is executed
+   * @param priority lower numbers are more urgent
+   * @param owner the frame of its declaration, whose variables it uses
+   * @param action the action
    * @param trigger whether it is a trigger
    */
   Interruption(int priority, CallFrame owner, CompiledCode action, boolean trigger) {
@@ -37,7 +37,7 @@ final class Interruption {
     return trigger;
   }
 
-  /** Says whether it has put the robot's motions aside. */
+  /** Returns whether it has suspended the motions of the robot. */
   boolean holding() {
     return holding;
   }

@@ -7,21 +7,21 @@ import no.hials.crosscom.lang.Statement.InterruptCommand;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import org.jspecify.annotations.Nullable;
 
-/** The interrupts that a program has declared, and the triggers that have come and not begun. */
+/** The declared interrupts of a program, and its triggers that are due and have not started. */
 final class Interrupts {
-  /** Assumed: 40 to 80 belong to the system, which gives them to triggers. */
+  /** Assumed: the system uses 40 to 80 for triggers. */
   private static final int FIRST_OF_SYSTEM = 40;
 
   private static final int LAST_OF_SYSTEM = 80;
   private static final int LAST = 128;
 
-  /** By priority. A later declaration takes the place of an earlier one (assumed). */
+  /** By priority. A later declaration replaces an earlier one (assumed). */
   private final TreeMap<Integer, Interrupt> declared = new TreeMap<>();
 
-  /** In the order in which they came. */
+  /** In the order of their occurrence. */
   private final List<Interruption> triggers = new ArrayList<>();
 
-  /** What an interrupt is to do. */
+  /** The declaration of an interrupt. */
   record Declaration(int priority, boolean global, CompiledCode condition, CompiledCode action) {}
 
   /** A declared interrupt. */
@@ -59,7 +59,7 @@ final class Interrupts {
     declared.put(declaration.priority(), new Interrupt(declaration, owner));
   }
 
-  /** Forgets what a routine has declared that ends, except for GLOBAL interrupts. */
+  /** Removes the interrupts that an ending routine has declared, except for GLOBAL ones. */
   void forget(CallFrame owner) {
     if (!declared.isEmpty()) {
       declared
@@ -111,7 +111,7 @@ final class Interrupts {
     return machine.condition(interrupt.declaration.condition(), interrupt.owner);
   }
 
-  /** Looks for rising edges. Assumed: while the program is stopped nobody looks. */
+  /** Detects rising edges. Assumed: edges while the program is stopped are not detected. */
   void watch(KrlVirtualMachine machine) throws KrlExecutionException {
     for (Interrupt interrupt : declared.values()) {
       if (interrupt.on) {
@@ -126,7 +126,9 @@ final class Interrupts {
     triggers.add(trigger);
   }
 
-  /** Takes what is to interrupt a program of a given priority next; null if nothing is. */
+  /**
+   * Removes and returns the next interruption of a program with a given priority; null without one.
+   */
   @Nullable Interruption next(int priority) {
     Interruption trigger = null;
     for (Interruption candidate : triggers) {

@@ -10,11 +10,11 @@ import no.hials.crosscom.simulator.KrlExecutionException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Executes a program in steps: {@link #run} is called in each cycle of the controller and goes on
+ * Executes a program in steps: {@link #run} is called in each cycle of the controller and continues
  * until the program has to wait.
  *
- * <p>Starts no thread and is not safe for use by several. The motions that it has handed over are
- * the controller's: who stops, resets or cancels the interpreter stops or forgets them.
+ * <p>Starts no thread and is not thread-safe. The controller owns the motions that the program has
+ * started: to stop, reset or cancel the interpreter does not stop them.
  */
 public final class KrlInterpreter {
 
@@ -23,7 +23,7 @@ public final class KrlInterpreter {
    *
    * @param module the name of its module
    * @param routine its name
-   * @param position the statement that is executed; in a calling routine the call
+   * @param position the current statement; in a calling routine the call
    * @param interrupt whether an interrupt or a trigger has called it
    */
   public record Level(String module, String routine, Position position, boolean interrupt) {}
@@ -35,7 +35,7 @@ public final class KrlInterpreter {
   private List<KrlValue> arguments = List.of();
 
   /**
-   * Makes an interpreter without a program.
+   * Creates an interpreter without a program.
    *
    * @param kind which interpreter; only the robot interpreter can move the robot
    * @param environment the controller
@@ -46,14 +46,13 @@ public final class KrlInterpreter {
   }
 
   /**
-   * Selects a program, in place of one that is not active.
+   * Selects a program. Replaces the selected program unless it is active.
    *
-   * @param newProgram the program
-   * @param newArguments the values of the main routine's first parameters; those behind them stay
-   *     without a value
-   * @return false if the one selected is active; then nothing has changed
-   * @throws KrlExecutionException if the arguments are too many or not of the types of the
-   *     parameters; then nothing has changed
+   * @param newArguments the values of the first parameters of the main routine; the others get no
+   *     value
+   * @return false if a program is active; then nothing has changed
+   * @throws KrlExecutionException if the arguments are too many or have the wrong type; then
+   *     nothing has changed
    */
   public boolean select(Program newProgram, List<KrlValue> newArguments)
       throws KrlExecutionException {
@@ -68,9 +67,9 @@ public final class KrlInterpreter {
   }
 
   /**
-   * Starts the program or lets it go on; from its end it starts again (assumed).
+   * Starts or continues the program. After its end it starts again (assumed).
    *
-   * @return false if none is selected or it is active
+   * @return false if no program is selected or it is active
    */
   public boolean start() {
     if (state == ProgramState.END) {
@@ -83,11 +82,7 @@ public final class KrlInterpreter {
     return true;
   }
 
-  /**
-   * Stops the program.
-   *
-   * @return false if it is not active
-   */
+  /** Stops the program; returns false if it is not active. */
   public boolean stop() {
     if (state != ProgramState.ACTIVE) {
       return false;
@@ -97,9 +92,9 @@ public final class KrlInterpreter {
   }
 
   /**
-   * Sets the program back to its first line.
+   * Resets the program to its first line.
    *
-   * @return false if none is selected or it is active
+   * @return false if no program is selected or it is active
    */
   public boolean reset() {
     Program selected = program;
@@ -116,9 +111,9 @@ public final class KrlInterpreter {
   }
 
   /**
-   * Takes the program away.
+   * Deselects the program.
    *
-   * @return false if none is selected or it is active
+   * @return false if no program is selected or it is active
    */
   public boolean cancel() {
     if (state == ProgramState.ACTIVE || program == null) {
@@ -131,10 +126,10 @@ public final class KrlInterpreter {
   }
 
   /**
-   * Executes the program until it waits, ends or stops, or the instructions are used up.
+   * Executes the program until it waits, ends or stops, or the limit is reached.
    *
-   * @param maxInstructions how many instructions may be executed
-   * @return how many were
+   * @param maxInstructions the maximum number of instructions
+   * @return the number of executed instructions
    */
   public int run(int maxInstructions) {
     if (state != ProgramState.ACTIVE) {
@@ -155,37 +150,25 @@ public final class KrlInterpreter {
   }
 
   /**
-   * Executes the action of a trigger, at the next {@link #run}.
+   * Executes the action of a trigger at the next {@link #run}.
    *
-   * @param trigger one that came with a motion of this interpreter
+   * @param trigger a trigger of a motion of this interpreter
    */
   public void fire(TriggerOrder trigger) {
     machine.fire(trigger.interruption());
   }
 
-  /**
-   * Gives the state.
-   *
-   * @return what {@code $PRO_STATE} tells
-   */
+  /** Returns the value of {@code $PRO_STATE}. */
   public ProgramState state() {
     return state;
   }
 
-  /**
-   * Gives the selected program.
-   *
-   * @return the program; nothing in state FREE
-   */
+  /** Returns the selected program; empty in state FREE. */
   public Optional<Program> program() {
     return Optional.ofNullable(program);
   }
 
-  /**
-   * Gives the calls.
-   *
-   * @return the innermost first; none if no program is selected
-   */
+  /** Returns the calls, the innermost first; empty without a selected program. */
   public List<Level> levels() {
     return machine.levels();
   }

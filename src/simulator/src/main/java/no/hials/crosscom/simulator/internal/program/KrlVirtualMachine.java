@@ -18,16 +18,16 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Executes instructions. An instruction that has to wait is executed again in the next cycle;
- * nothing of it must be done before it is known that it need not wait.
+ * Executes instructions. An instruction that has to wait is executed again in the next cycle, so it
+ * must decide to wait before it has any effect.
  */
 final class KrlVirtualMachine {
-  /** Assumed: no source says how deep KSS lets calls nest. */
+  /** The maximum depth of calls (assumed). */
   static final int MAX_CALLS = 256;
 
   private static final int FIRST_STACK_LENGTH = 64;
 
-  /** What keeps no interruption out: the program itself. */
+  /** The priority of the program itself, which any interruption interrupts. */
   private static final int LOWEST_PRIORITY = Integer.MAX_VALUE;
 
   private static final VariablePath RESULT = path("RESULT");
@@ -37,7 +37,7 @@ final class KrlVirtualMachine {
   private final Interrupts interrupts = new Interrupts();
   private final List<TriggerOrder> nextTriggers = new ArrayList<>();
 
-  /** Values, references and contents of variables; null for an argument that is left out. */
+  /** Values, references and contents of variables; null for an omitted argument. */
   private @Nullable Object[] stack = new Object[FIRST_STACK_LENGTH];
 
   private int height;
@@ -47,7 +47,7 @@ final class KrlVirtualMachine {
   private boolean halted;
   private int executed;
 
-  /** Where the fault was, if not in the statement being executed but in a condition. */
+  /** The position of a fault in a condition; null if the fault is in the current statement. */
   private @Nullable Position faultPosition;
 
   KrlVirtualMachine(Interpreter kind, ProgramEnvironment environment) {
@@ -65,7 +65,7 @@ final class KrlVirtualMachine {
 
   // for the interpreter
 
-  /** Forgets everything. */
+  /** Removes the program and its state. */
   void clear() {
     interrupts.clear();
     nextTriggers.clear();
@@ -76,7 +76,7 @@ final class KrlVirtualMachine {
     halted = false;
   }
 
-  /** Sets the machine to the beginning of a routine. */
+  /** Goes to the start of a routine. */
   void begin(CompiledRoutine routine, List<KrlValue> arguments) throws KrlExecutionException {
     if (arguments.size() > routine.parameters().size()) {
       throw new KrlExecutionException(
@@ -104,7 +104,7 @@ final class KrlVirtualMachine {
     return halted;
   }
 
-  /** Executes instructions until one waits, the program halts or ends, or so many are executed. */
+  /** Executes instructions until one waits, the program halts or ends, or the limit is reached. */
   void run(int maxInstructions) throws KrlExecutionException {
     waiting = false;
     halted = false;
@@ -127,12 +127,12 @@ final class KrlVirtualMachine {
     }
   }
 
-  /** Gives how many instructions the last {@link #run} has executed. */
+  /** Returns the number of instructions that the last {@link #run} has executed. */
   int executed() {
     return executed;
   }
 
-  /** Makes the program ready to begin the statement again that could not be executed. */
+  /** Goes back to the start of the statement that failed. */
   private void recover() {
     CallFrame frame = frame();
     if (faultPosition == null) {
@@ -148,7 +148,7 @@ final class KrlVirtualMachine {
     }
   }
 
-  /** Gives the place of the fault that {@link #run} has thrown. */
+  /** Returns the position of the fault that {@link #run} has thrown. */
   Position faultPosition() {
     return faultPosition == null ? frame().position() : faultPosition;
   }
@@ -164,7 +164,7 @@ final class KrlVirtualMachine {
       Position position = frame == top ? frame.position() : frame.executed();
       CallFrame caller = frame.caller();
       boolean action = frame.interruption() != null;
-      // the action of an interrupt shows as the routine that it calls
+      // the action of an interrupt is shown as the routine it calls
       if (!action || frame == top) {
         interrupt = action || (caller != null && caller.interruption() != null);
         levels.add(
@@ -352,7 +352,7 @@ final class KrlVirtualMachine {
     return frame == null ? null : frame.interruption();
   }
 
-  /** Begins the most urgent interruption that may interrupt what is being executed. */
+  /** Starts the most urgent interruption that has a higher priority than the running code. */
   private void interrupt() {
     Interruption running = interruption();
     Interruption next = interrupts.next(running == null ? LOWEST_PRIORITY : running.priority());
@@ -362,7 +362,7 @@ final class KrlVirtualMachine {
     }
   }
 
-  /** Evaluates a condition, whose instructions neither call nor wait. */
+  /** Returns the value of a condition, whose instructions neither call nor wait. */
   boolean condition(CompiledCode condition, CallFrame owner) throws KrlExecutionException {
     CallFrame interrupted = frame();
     CallFrame frame = new CallFrame(owner, condition, interrupted, null, height);
@@ -399,7 +399,10 @@ final class KrlVirtualMachine {
     }
   }
 
-  /** Cancels the routine of an interrupt and what it has interrupted, down to its declaration. */
+  /**
+   * Cancels the routine of an interrupt and the code it has interrupted, down to the routine that
+   * declared it.
+   */
   void resume() throws KrlExecutionException {
     requireRobot("RESUME");
     CallFrame action = interruptingFrame();
@@ -411,7 +414,7 @@ final class KrlVirtualMachine {
     }
     CallFrame declaring = interruption.owner();
     CallFrame cancelled = calledBy(declaring);
-    // assumed: as on KSS, a program that is to be cancelled runs below the level of declaration
+    // assumed: as on KSS, the cancelled subprogram runs below the level of declaration
     if (cancelled == null || cancelled == action || cancelled.resultWanted()) {
       throw new KrlExecutionException(
           KrlExecutionException.NOT_ALLOWED,
@@ -428,7 +431,9 @@ final class KrlVirtualMachine {
     environment.discardMotion(holds);
   }
 
-  /** Gives the frame that another one has called or been interrupted by; null if it has ended. */
+  /**
+   * Returns the frame that a frame has called, or that has interrupted it; null if it has ended.
+   */
   private @Nullable CallFrame calledBy(CallFrame caller) {
     CallFrame frame = top;
     while (frame != null && frame.caller() != caller) {
@@ -450,22 +455,22 @@ final class KrlVirtualMachine {
     return kind == Interpreter.ROBOT && !environment.motionFinished();
   }
 
-  /** Waits until the robot has ended its motions, which stops the advance run. */
+  /** Waits until the robot has finished its motions, which stops the advance run. */
   void awaitMotion() {
     Interruption interruption = interruption();
-    // the routine of an interrupt runs while the motion of the interrupted program goes on
+    // the motion of the interrupted program continues during the routine of an interrupt
     boolean own = interruption == null || interruption.holding();
     if (own && mustWaitForMotion()) {
       again();
     }
   }
 
-  /** Waits until one more motion may be handed over. */
+  /** Waits until the next motion may be planned. */
   void awaitAdvance() throws KrlExecutionException {
     requireRobot("a motion");
     Interruption interruption = interruption();
     if (interruption != null) {
-      // assumed: a motion of an interrupt's routine brakes the robot first if that has not
+      // assumed: a motion in the routine of an interrupt brakes the robot first
       hold(interruption, false);
     }
     if (!environment.motionFinished() && environment.motionsAhead() >= environment.advance()) {
@@ -473,7 +478,7 @@ final class KrlVirtualMachine {
     }
   }
 
-  /** Waits for the motion just handed over if nothing may be planned ahead. */
+  /** Waits for the last motion if no motion may be planned in advance. */
   void awaitMotionWithoutAdvance() {
     if (environment.advance() == 0 && mustWaitForMotion()) {
       again();
@@ -485,14 +490,14 @@ final class KrlVirtualMachine {
     nextTriggers.add(trigger);
   }
 
-  /** Gives the triggers that wait for a motion; they wait no longer. */
+  /** Removes and returns the triggers of the next motion. */
   List<TriggerOrder> takeTriggers() {
     List<TriggerOrder> triggers = List.copyOf(nextTriggers);
     nextTriggers.clear();
     return triggers;
   }
 
-  /** Gives the module of the routine that is being executed. */
+  /** Returns the module of the current routine. */
   String module() {
     return frame().routine().module();
   }

@@ -18,7 +18,7 @@ import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 
 /**
- * Compiles all modules of a library. First the heads of all routines, so that calls can be checked,
+ * Compiles all modules of a library: first the heads of all routines, so that calls can be checked,
  * then the bodies.
  */
 final class Linker {
@@ -29,18 +29,18 @@ final class Linker {
   private final Map<String, Map<String, CompiledRoutine>> ownRoutines = new HashMap<>();
 
   /**
-   * What came of compiling a module.
+   * A compiled module.
    *
    * @param main the routine that is selected
-   * @param errors what is wrong
-   * @param calledModules the names of the modules that it calls, in upper case
+   * @param errors the errors
+   * @param calledModules the names of the modules it calls, in upper case
    */
   record Linked(CompiledRoutine main, List<KrlError> errors, Set<String> calledModules) {}
 
   /**
    * @param modules by their names in upper case
    * @param globals the variables of the controller
-   * @param stopsAdvanceRun says it of a variable of the controller
+   * @param stopsAdvanceRun whether access to a variable of the controller stops the advance run
    */
   Linker(Map<String, KrlModule> modules, Scope globals, Predicate<String> stopsAdvanceRun) {
     this.modules = modules;
@@ -48,7 +48,7 @@ final class Linker {
     this.stopsAdvanceRun = stopsAdvanceRun;
   }
 
-  /** Compiles everything; gives the modules by their names in upper case. */
+  /** Compiles all modules; returns them by their names in upper case. */
   Map<String, Linked> link() {
     Map<String, List<KrlError>> errors = new HashMap<>();
     modules.forEach((key, module) -> errors.put(key, declare(key, module)));
@@ -67,7 +67,7 @@ final class Linker {
     return (position, message) -> errors.add(new KrlError(position, message));
   }
 
-  /** Declares the routines of a module; gives what is wrong so far. */
+  /** Declares the routines of a module and returns the errors. */
   private List<KrlError> declare(String key, KrlModule module) {
     List<KrlError> errors = new ArrayList<>();
     Map<String, CompiledRoutine> own = new HashMap<>();
@@ -79,7 +79,7 @@ final class Linker {
             new KrlError(
                 routine.position(), "routine " + routine.name() + " stands in this module twice"));
       }
-      // assumed: the first routine can be called from everywhere without GLOBAL
+      // assumed: the first routine is global without GLOBAL
       if (first || routine.global()) {
         globalRoutines.put(Scope.key(routine.name()), head);
       }

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 final class MotionCompiler {
   private static final KrlInt ZERO = new KrlInt(0);
 
-  /** The priority of a trigger's subprogram that the controller is to choose (assumed). */
+  /** The priority that lets the controller choose one for the subprogram of a trigger (assumed). */
   private static final KrlInt AUTOMATIC = new KrlInt(-1);
 
   private final CodeBuilder code;
@@ -40,7 +40,7 @@ final class MotionCompiler {
     code.emit(
         trigger.position(),
         machine -> {
-          // an assignment or a pulse interrupts everything, since it ends at once
+          // an assignment or a pulse ends at once, so it interrupts everything
           int priority = TriggerOrder.priority(calls, machine.popInt());
           double delay = machine.popNumber();
           double distance = machine.popNumber();
@@ -57,10 +57,10 @@ final class MotionCompiler {
     }
   }
 
-  /** Compiles a motion; the advance run has been stopped if its expressions ask for it. */
+  /** Compiles a motion. The caller has compiled the stop of the advance run. */
   void motion(Statement.Motion motion) {
     Position position = motion.position();
-    // the target is evaluated as late as possible, when the motion can be planned (assumed)
+    // the target is evaluated when the motion can be planned (assumed)
     code.emit(position, KrlVirtualMachine::awaitAdvance);
     if (motion.auxiliary() != null) {
       expressions.compile(motion.auxiliary());

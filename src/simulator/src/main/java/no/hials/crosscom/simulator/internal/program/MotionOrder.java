@@ -13,17 +13,17 @@ import org.jspecify.annotations.Nullable;
  * A motion statement with its values.
  *
  * @param kind the kind of motion
- * @param auxiliary the point on the way of a circle, else null
- * @param target the end, with those components that have a value. The type's name is missing if the
- *     statement has an aggregate without it
+ * @param auxiliary the auxiliary point of a circle, else null
+ * @param target the target, with the components that have a value; without a type name if the
+ *     statement has an aggregate without one
  * @param circularAngle {@code CA} in degrees; empty without it
- * @param approximations none for exact positioning
- * @param coordinates {@code #BASE} or {@code #TOOL} behind a relative motion, without {@code #} and
+ * @param approximations empty for exact positioning
+ * @param coordinates {@code #BASE} or {@code #TOOL} after a relative motion, without {@code #} and
  *     in upper case; null without it
- * @param pointName the name of the variable that holds the target; empty for an aggregate
+ * @param pointName the name of the variable of the target; empty for an aggregate
  * @param module the name of the module
- * @param position where the statement stands
- * @param triggers the triggers that wait for this motion
+ * @param position the position of the statement
+ * @param triggers the triggers of this motion
  */
 public record MotionOrder(
     MotionKind kind,

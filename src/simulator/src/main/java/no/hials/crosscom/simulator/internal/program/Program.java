@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.program;
 
-/** A module that can be selected, compiled together with all that it calls. */
+/** A module that can be selected, compiled with all modules it calls. */
 public final class Program {
   private final CompiledRoutine main;
 
@@ -8,11 +8,7 @@ public final class Program {
     this.main = main;
   }
 
-  /**
-   * Gives the name of the module.
-   *
-   * @return the name as written
-   */
+  /** Returns the name of the module, as written. */
   public String name() {
     return main.module();
   }

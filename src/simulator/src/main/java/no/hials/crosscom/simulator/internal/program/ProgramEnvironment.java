@@ -5,62 +5,45 @@ import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.KrlExecutionException;
 
-/** What the interpreter of a program asks of the controller around it. */
+/** The controller as a program uses it. */
 public interface ProgramEnvironment {
 
-  /**
-   * Gives the simulated time.
-   *
-   * @return ms since an arbitrary moment; never less than before
-   */
+  /** Returns the simulated time in ms since an arbitrary moment; it never decreases. */
   long time();
 
-  /**
-   * Gives the value of {@code $ADVANCE}.
-   *
-   * @return how many motions may be planned ahead, 0 to 5
-   */
+  /** Returns {@code $ADVANCE}, the number of motions that may be planned in advance, 0 to 5. */
   int advance();
 
-  /**
-   * Counts the motions that were handed over and have not begun.
-   *
-   * @return how many wait behind the one under way
-   */
+  /** Returns the number of motions that wait for the current motion to end. */
   int motionsAhead();
 
-  /**
-   * Says whether all motions that were handed over have ended, those put aside left out.
-   *
-   * @return true if the robot has nothing left to do
-   */
+  /** Returns whether all motions have ended, except for suspended ones. */
   boolean motionFinished();
 
   /**
-   * Takes a motion to be executed behind those handed over before.
+   * Adds a motion, which starts after the motions before it.
    *
-   * @param order the motion
-   * @throws KrlExecutionException if it is not possible; it stops the program
+   * @throws KrlExecutionException if the motion is not possible; it stops the program
    */
   void move(MotionOrder order) throws KrlExecutionException;
 
   /**
-   * Brakes the robot on its path and puts the motions that were handed over aside. Those handed
-   * over from now on begin when it stands.
+   * Brakes the robot on its path and suspends its motions. Motions that are added later start when
+   * the robot stands.
    *
    * @param maximum whether to brake as hard as possible ({@code BRAKE F})
    */
   void holdMotion(boolean maximum);
 
-  /** Lets the motions go on that the last {@link #holdMotion} put aside. */
+  /** Continues the motions that the last {@link #holdMotion} has suspended. */
   void releaseMotion();
 
   /**
-   * Brakes the robot and forgets all motions handed over since the last {@link #holdMotion}, and
-   * those that were put aside.
+   * Brakes the robot and removes the motions that were suspended by the last {@link #holdMotion} or
+   * added since.
    *
-   * @param holds how many times {@link #holdMotion} is undone, the last first; the motions put
-   *     aside by earlier ones stay
+   * @param holds the number of calls of {@link #holdMotion} to undo, the last first; motions
+   *     suspended by earlier calls stay
    */
   void discardMotion(int holds);
 
@@ -68,34 +51,29 @@ public interface ProgramEnvironment {
    * Sets an output for a time.
    *
    * @param output the number of the output
-   * @param level what it becomes
-   * @param seconds how long
+   * @param level its value during the pulse
+   * @param seconds the length of the pulse
    * @throws KrlExecutionException if it is not possible; it stops the program
    */
   void pulse(int output, boolean level, double seconds) throws KrlExecutionException;
 
   /**
-   * Computes where given axis positions bring the tool, by {@code $TOOL} and {@code $BASE}.
+   * Returns the position of the tool at given axis positions, by {@code $TOOL} and {@code $BASE}.
    *
    * @param axes an AXIS or E6AXIS
-   * @return an E6POS; nothing if there is none
+   * @return an E6POS; empty if it cannot be calculated
    */
   Optional<KrlStruct> forward(KrlStruct axes);
 
   /**
-   * Computes axis positions that bring the tool to a position, by {@code $TOOL} and {@code $BASE}.
+   * Returns axis positions for a position of the tool, by {@code $TOOL} and {@code $BASE}.
    *
    * @param position a FRAME, POS or E6POS
-   * @param start the AXIS or E6AXIS to which the result is to be close
-   * @return an E6AXIS; nothing if there is none
+   * @param start an AXIS or E6AXIS; the result is close to it
+   * @return an E6AXIS; empty if the position cannot be reached
    */
   Optional<KrlStruct> inverse(KrlStruct position, KrlStruct start);
 
-  /**
-   * Learns why the program has stopped.
-   *
-   * @param fault the fault
-   * @param position where it is
-   */
+  /** Called when a fault has stopped the program, with its position. */
   void fault(KrlExecutionException fault, Position position);
 }

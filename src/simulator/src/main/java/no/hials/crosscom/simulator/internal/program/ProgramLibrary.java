@@ -19,7 +19,7 @@ import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import org.jspecify.annotations.Nullable;
 
-/** The modules on the controller, by name in any case. Not safe for use by several threads. */
+/** The modules on the controller; their names ignore case. Not thread-safe. */
 public final class ProgramLibrary {
   private final Scope globals;
   private final Predicate<String> stopsAdvanceRun;
@@ -27,16 +27,16 @@ public final class ProgramLibrary {
   /** By name in upper case. */
   private final Map<String, KrlModule> modules = new TreeMap<>();
 
-  /** What came of compiling them; null if that has to be done again. */
+  /** The compiled modules; null after a change. */
   private @Nullable Map<String, Linker.Linked> linked;
 
   /**
-   * Makes a library without modules.
+   * Creates a library without modules.
    *
    * @param globals the variables of the controller
-   * @param stopsAdvanceRun says of a variable of the controller, by its name in upper case, whether
-   *     access to it waits until the robot has ended its motions; of a SIGNAL it is asked for the
-   *     inputs or outputs that it is wired to
+   * @param stopsAdvanceRun whether access to a variable of the controller, by its name in upper
+   *     case, waits until the robot has finished its motions; for a SIGNAL it gets the name of the
+   *     inputs or outputs
    */
   public ProgramLibrary(Scope globals, Predicate<String> stopsAdvanceRun) {
     this.globals = globals;
@@ -44,13 +44,13 @@ public final class ProgramLibrary {
   }
 
   /**
-   * Adds a module, in place of one of the same name, and sets up its variables. A program that is
-   * selected keeps the old one.
+   * Adds a module and creates its variables. Replaces a module of the same name; a selected program
+   * keeps the old one.
    *
-   * @param source its routines, in which the parser has found nothing wrong
+   * @param source its routines, parsed without errors
    * @param data its data list, or null
-   * @return what is wrong in the data list, and then nothing has changed; {@link #check} says what
-   *     is wrong in the routines
+   * @return the errors of the data list, with which nothing changes; {@link #check} returns the
+   *     errors of the routines
    */
   public List<KrlError> put(SourceFile source, @Nullable DataList data) {
     List<KrlError> errors = new ArrayList<>();
@@ -69,32 +69,22 @@ public final class ProgramLibrary {
   }
 
   /**
-   * Sets up the variables of a module again that is there already.
+   * Creates the variables of a module again.
    *
-   * @param data its data list
-   * @return what is wrong in the data list; then nothing has changed
+   * @return the errors of the data list, with which nothing changes
    */
   public List<KrlError> put(DataList data) {
     KrlModule module = modules.get(Scope.key(data.name()));
     return module == null ? List.of() : put(module.source(), data);
   }
 
-  /**
-   * Removes a module.
-   *
-   * @param name its name
-   * @return whether there was one
-   */
+  /** Removes a module; returns false if it does not exist. */
   public boolean remove(String name) {
     linked = null;
     return modules.remove(Scope.key(name)) != null;
   }
 
-  /**
-   * Lists the modules.
-   *
-   * @return the names as written, sorted; a copy
-   */
+  /** Returns a sorted copy of the names of the modules, as written. */
   public SortedSet<String> names() {
     SortedSet<String> names = new TreeSet<>();
     modules.values().forEach(module -> names.add(module.name()));
@@ -102,20 +92,15 @@ public final class ProgramLibrary {
   }
 
   /**
-   * Gives the variables of a module.
-   *
-   * @param name the module's name
-   * @return its data list and, around it, the globals; nothing if there is no such module
+   * Returns the variables of a module, with the globals around them; empty if it does not exist.
    */
   public Optional<Scope> scope(String name) {
     return Optional.ofNullable(modules.get(Scope.key(name))).map(KrlModule::scope);
   }
 
   /**
-   * Checks a module by itself: that all it names is known and used as it is declared.
-   *
-   * @param name the module's name
-   * @return what is wrong, in the order of the file; empty if nothing is
+   * Returns the errors of a module in the order of the file: unknown names, and names that are not
+   * used as declared.
    */
   public List<KrlError> check(String name) {
     Linker.Linked module = linked().get(Scope.key(name));
@@ -136,12 +121,9 @@ public final class ProgramLibrary {
   }
 
   /**
-   * Compiles a module and all that it calls.
+   * Compiles a module and all modules it calls.
    *
-   * @param name the module's name
-   * @return the program
-   * @throws LinkException if there is no such module, or something is wrong in it or in one that it
-   *     calls
+   * @throws LinkException if the module does not exist, or one of them contains an error
    */
   public Program program(String name) throws LinkException {
     Linker.Linked module = linked().get(Scope.key(name));
@@ -158,7 +140,7 @@ public final class ProgramLibrary {
     return new Program(module.main());
   }
 
-  /** Gives a module and all that it calls, directly or not. */
+  /** Returns the names of a module and of all modules it calls, directly or not. */
   private Set<String> used(String key) {
     Set<String> used = new TreeSet<>();
     Deque<String> left = new ArrayDeque<>(List.of(key));

@@ -7,11 +7,11 @@ import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 
 /**
- * A variable, or a part of it, that was handed over as {@code :OUT}. Its indices are those of the
- * moment of the call.
+ * A variable, or a part of it, that was passed as {@code :OUT}, with the indices at the time of the
+ * call.
  *
- * @param location where the variable lives
- * @param frame the frame in which that is
+ * @param location the location of the variable
+ * @param frame the frame of that location
  * @param path the part
  */
 record Reference(StorageLocation location, CallFrame frame, VariablePath path) {

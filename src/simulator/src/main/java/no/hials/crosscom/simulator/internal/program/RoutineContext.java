@@ -11,7 +11,7 @@ import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import org.jspecify.annotations.Nullable;
 
-/** What the compiler knows of the routine that it compiles. */
+/** The routine that is being compiled, and the names it can use. */
 final class RoutineContext {
   private static final TypeSwitch<RoutineContext, Expression, Boolean, RuntimeException> STOPS =
       TypeSwitch.create(
@@ -44,11 +44,12 @@ final class RoutineContext {
   private int temporaries;
 
   /**
-   * @param symbols the variables that it can name
-   * @param routines the routines that it can call, by their names in upper case; the module's first
-   * @param stopsAdvanceRun says it of a variable of the controller
-   * @param errors is told what is wrong
-   * @param calledModules takes the modules that it calls
+   * @param symbols the variables it can use
+   * @param routines the routines it can call, by their names in upper case; those of its module
+   *     first
+   * @param stopsAdvanceRun whether access to a variable of the controller stops the advance run
+   * @param errors gets the errors
+   * @param calledModules gets the modules it calls
    */
   RoutineContext(
       SymbolTable symbols,
@@ -71,7 +72,7 @@ final class RoutineContext {
     errors.accept(position, message);
   }
 
-  /** Finds a routine that has a source; null if there is none. */
+  /** Returns a routine with a source; null if it is unknown. */
   @Nullable CompiledRoutine routine(String name) {
     String key = Scope.key(name);
     for (Map<String, CompiledRoutine> known : routines) {
@@ -92,7 +93,7 @@ final class RoutineContext {
     return temporaries;
   }
 
-  /** Says whether one of the expressions names a variable that stops the advance run. */
+  /** Returns whether one of the expressions uses a variable that stops the advance run. */
   boolean stopAdvanceRun(List<? extends @Nullable Expression> expressions) {
     return expressions.stream()
         .anyMatch(expression -> expression != null && stopsAdvanceRun(expression));

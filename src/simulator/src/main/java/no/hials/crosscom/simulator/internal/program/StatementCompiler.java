@@ -21,7 +21,7 @@ import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
-/** Compiles the statements of a routine. The stack is as high after each as it was before. */
+/** Compiles the statements of a routine. Each statement leaves the stack as it was. */
 final class StatementCompiler {
   private static final TypeSwitch<StatementCompiler, Statement, Void, RuntimeException> STATEMENTS =
       TypeSwitch.create(
@@ -81,7 +81,7 @@ final class StatementCompiler {
 
   private static final double MILLIS = 1000;
 
-  /** In ms; added to a time it is still a time. */
+  /** In ms. Its sum with any time is still a time. */
   private static final double LONGEST_WAIT = 1e15;
 
   private final RoutineContext context;
@@ -92,12 +92,11 @@ final class StatementCompiler {
   private final Deque<CodeBuilder.Label> loopEnds = new ArrayDeque<>();
   private final Map<String, CodeBuilder.Label> labels = new HashMap<>();
 
-  /** Whether CONTINUE stands ahead of the statement. */
+  /** Whether CONTINUE precedes the statement. */
   private boolean goOn;
 
   /**
-   * @param context the routine
-   * @param function whether it is a function
+   * @param function whether the routine is a function
    */
   StatementCompiler(RoutineContext context, boolean function) {
     this.context = context;
@@ -142,7 +141,7 @@ final class StatementCompiler {
     }
   }
 
-  /** Stops the advance run if one of the expressions asks for it. */
+  /** Stops the advance run if one of the expressions requires it. */
   private void awaitFor(Position position, @Nullable Expression... used) {
     if (context.stopAdvanceRun(Arrays.asList(used))) {
       await(position);
@@ -199,7 +198,7 @@ final class StatementCompiler {
         });
   }
 
-  /** Compiles the action of an interrupt or a trigger, which uses the routine's variables. */
+  /** Compiles the action of an interrupt or a trigger, which uses the variables of the routine. */
   private CompiledCode detached(Statement.Action action) {
     StatementCompiler compiler = new StatementCompiler(context, false);
     ACTIONS.run(compiler, action);
@@ -265,16 +264,14 @@ final class StatementCompiler {
     code.mark(end);
   }
 
-  /** Compiles a body that is left by EXIT, and by jumps to the label that is given. */
+  /** Compiles the body of a loop; EXIT jumps to a label. */
   private void body(List<Statement> body, CodeBuilder.Label end) {
     loopEnds.push(end);
     statements(body);
     loopEnds.pop();
   }
 
-  /**
-   * Counts up to and including the last value; the values of TO and STEP are those of the start.
-   */
+  /** Counts up to the last value, included. TO and STEP are evaluated once, at the start. */
   private void loop(Statement.For loop) {
     Position position = loop.position();
     int last = context.newTemporary();
@@ -316,7 +313,7 @@ final class StatementCompiler {
 
   private static void checkStep(KrlValue step) throws KrlExecutionException {
     if (step.equals(ZERO)) {
-      // assumed: no source says what a step of 0 does
+      // assumed
       throw new KrlExecutionException(
           KrlExecutionException.OUT_OF_RANGE, "the STEP of FOR must not be 0");
     }
@@ -371,7 +368,7 @@ final class StatementCompiler {
     code.mark(end);
   }
 
-  /** Gives the place of a label, which may come before or behind its jumps. */
+  /** Returns the target of a label, which can precede or follow its jumps. */
   private CodeBuilder.Label label(String name) {
     return labels.computeIfAbsent(Scope.key(name), key -> new CodeBuilder.Label());
   }

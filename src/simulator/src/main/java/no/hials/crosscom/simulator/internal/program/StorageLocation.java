@@ -9,24 +9,24 @@ import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 
 /**
- * Where a variable of a routine lives. The compiler finds that out once; what a path leads to from
- * there can be another part each time.
+ * The location of a variable of a routine. The compiler finds it once; the path to a part can
+ * differ each time.
  */
 sealed interface StorageLocation {
 
-  /** Gives a part of the variable, with or without a value. */
+  /** Returns a part of the variable, with or without a value. */
   Storage storage(CallFrame frame, VariablePath path) throws RefusedException;
 
   KrlValue value(CallFrame frame, VariablePath path) throws RefusedException;
 
   void store(CallFrame frame, VariablePath path, KrlValue value) throws RefusedException;
 
-  /** Gives the path of the variable where it really is, for messages. */
+  /** Returns the path of the variable at its location, for messages. */
   default String name(CallFrame frame, VariablePath path) {
     return path.toString();
   }
 
-  /** Reads a value, which must be there. */
+  /** Returns a value, which must exist. */
   default KrlValue read(CallFrame frame, VariablePath path) throws KrlExecutionException {
     try {
       KrlValue value = value(frame, path);
@@ -50,7 +50,7 @@ sealed interface StorageLocation {
   }
 
   /**
-   * A variable that the routine has declared, or a parameter by value.
+   * A variable of the routine, or a parameter by value.
    *
    * @param slot its number in the frame
    */
@@ -101,7 +101,7 @@ sealed interface StorageLocation {
   /**
    * A variable of a module or of the controller.
    *
-   * @param scope the scope that has declared it
+   * @param scope the scope that declares it
    */
   record Shared(Scope scope) implements StorageLocation {
     @Override

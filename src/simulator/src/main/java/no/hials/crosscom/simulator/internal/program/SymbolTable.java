@@ -26,7 +26,9 @@ import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
-/** The variables that a routine can name: its own, its module's, and those of the controller. */
+/**
+ * The variables that a routine can use: its own, those of its module, and those of the controller.
+ */
 final class SymbolTable {
   /** Declares the types, which parameters and variables need. */
   private static final TypeSwitch<SymbolTable, Declaration, Void, KrlErrorException> TYPES =
@@ -63,7 +65,7 @@ final class SymbolTable {
   private final Map<String, KrlModule> modules;
   private final BiConsumer<Position, String> errors;
 
-  /** What the routine declares, without values. */
+  /** The declarations of the routine, without values. */
   private final Scope own;
 
   /** The names of the parameters in upper case. */
@@ -73,10 +75,10 @@ final class SymbolTable {
   private final List<Storage> locals = new ArrayList<>();
 
   /**
-   * @param module the routine's module
+   * @param module the module of the routine
    * @param globals the variables of the controller
    * @param modules all modules by their names in upper case
-   * @param errors is told what is wrong
+   * @param errors gets the errors
    */
   SymbolTable(
       KrlModule module,
@@ -94,7 +96,7 @@ final class SymbolTable {
     return locals;
   }
 
-  /** Gives the scope through which a routine sees all that is not in its frame. */
+  /** Returns the scope of all variables that are not in the frame of the routine. */
   Scope scope() {
     return own;
   }
@@ -139,7 +141,7 @@ final class SymbolTable {
     int slot = locals.size();
     String key = Scope.key(parameter.name());
     if (parameter.array() > 1 && !parameter.out()) {
-      // assumed: KSS hands over no array by value at all
+      // assumed: KSS passes no array by value
       errors.accept(
           parameter.position(),
           "an array of several dimensions is handed over as :OUT only, " + key + " is :IN");
@@ -213,7 +215,7 @@ final class SymbolTable {
     return new Declarator(variable.position(), variable.name(), dimensions, null);
   }
 
-  /** Makes a variable of another module known: {@code IMPORT ... IS /R1/MODULE..NAME}. */
+  /** Declares a variable of another module: {@code IMPORT ... IS /R1/MODULE..NAME}. */
   private void importVariable(Declaration.External external) {
     int dots = external.source().lastIndexOf("..");
     if (dots < 0) {
@@ -231,7 +233,7 @@ final class SymbolTable {
     locations.put(key, new StorageLocation.Shared(other.scope()));
   }
 
-  /** Gives a variable of a type, for the value of a function; null if there is no such type. */
+  /** Returns a variable for the value of a function; null if the type is unknown. */
   @Nullable Storage result(Position position, String type) {
     if (!own.knowsType(type)) {
       errors.accept(position, "type " + type + " is not declared");
@@ -242,7 +244,7 @@ final class SymbolTable {
 
   // look-up
 
-  /** Finds a variable by its name in upper case; null if there is none. */
+  /** Returns the location of a variable by its name in upper case; null if it is not declared. */
   @Nullable StorageLocation find(String key) {
     StorageLocation location = locations.get(key);
     if (location != null) {
@@ -256,7 +258,10 @@ final class SymbolTable {
     return null;
   }
 
-  /** Finds the variable of an expression and checks its components; null if that is wrong. */
+  /**
+   * Returns the location of the variable of an expression and checks its components; null after an
+   * error.
+   */
   @Nullable StorageLocation resolve(Expression.Variable variable) {
     String key = Scope.key(variable.name());
     StorageLocation location = find(key);
@@ -284,13 +289,13 @@ final class SymbolTable {
     }
   }
 
-  /** Says whether it is {@code NAME[]} or {@code NAME[,]}, which a call can hand over. */
+  /** Returns whether it is {@code NAME[]} or {@code NAME[,]}, which a call can pass. */
   static boolean isWholeArray(Expression.Variable variable) {
     Expression.Step last = variable.steps().get(variable.steps().size() - 1);
     return variable.steps().size() == 1 && last.open() && last.indices().isEmpty();
   }
 
-  /** Gives the path with 1 for every index: which one it will be does not matter here. */
+  /** Returns the path with 1 for every index; the index does not matter for a check. */
   private static VariablePath firstElements(Expression.Variable variable) {
     List<VariablePath.Step> steps = new ArrayList<>();
     for (Expression.Step step : variable.steps()) {
@@ -302,7 +307,8 @@ final class SymbolTable {
   }
 
   /**
-   * Gives what decides whether access stops the advance run: the variable, or what it is wired to.
+   * Returns the name that decides whether access stops the advance run: the variable of the
+   * controller, or the array that a SIGNAL is wired to.
    */
   Optional<String> ofController(Expression.Variable variable) {
     String key = Scope.key(variable.name());
@@ -317,7 +323,7 @@ final class SymbolTable {
     return shared.scope() == globals ? Optional.of(key) : Optional.empty();
   }
 
-  /** Gives the number of the output that a SIGNAL is; nothing for anything else. */
+  /** Returns the number of the output that a SIGNAL is wired to; empty for anything else. */
   OptionalInt output(String name) {
     return own.wiredArray(name).filter("$OUT"::equals).isPresent()
         ? own.wiredElement(name)

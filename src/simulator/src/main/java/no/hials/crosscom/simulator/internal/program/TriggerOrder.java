@@ -3,11 +3,11 @@ package no.hials.crosscom.simulator.internal.program;
 import no.hials.crosscom.simulator.KrlExecutionException;
 
 /**
- * A {@code TRIGGER} with its values. The controller gives it back to {@link KrlInterpreter#fire}
- * when the robot comes by.
+ * A {@code TRIGGER} with its values. The controller passes it to {@link KrlInterpreter#fire} when
+ * the robot passes its point.
  */
 public final class TriggerOrder {
-  /** Assumed: the first of those that the system keeps for triggers. */
+  /** Assumed: the first priority that the system keeps for triggers. */
   private static final int AUTOMATIC = 40;
 
   private final boolean onPath;
@@ -28,8 +28,9 @@ public final class TriggerOrder {
   }
 
   /**
-   * Gives the priority of a trigger's action. An assignment and a pulse end at once and come before
-   * all else; a subprogram has that of an interrupt, which PRIO=-1 leaves to the controller.
+   * Returns the priority of the action of a trigger. An assignment and a pulse end at once and
+   * precede all else; a subprogram has the priority of an interrupt, which the controller chooses
+   * for PRIO=-1.
    */
   static int priority(boolean calls, int given) throws KrlExecutionException {
     if (!calls) {
@@ -46,30 +47,20 @@ public final class TriggerOrder {
     return interruption;
   }
 
-  /**
-   * Says what the distance means.
-   *
-   * @return true for {@code PATH}: mm from the end of the motion; false for {@code DISTANCE}
-   */
+  /** Returns whether it is {@code PATH}: the distance is in mm from the end of the motion. */
   public boolean onPath() {
     return onPath;
   }
 
   /**
-   * Gives the place.
-   *
-   * @return 0 for the start and 1 for the end of the motion; with {@code PATH} mm from the end,
-   *     negative for a place ahead of it
+   * Returns the distance: 0 for the start and 1 for the end of the motion; with {@code PATH} in mm
+   * from the end, negative before it.
    */
   public double distance() {
     return distance;
   }
 
-  /**
-   * Gives the shift in time.
-   *
-   * @return ms, negative for earlier
-   */
+  /** Returns the delay in ms, negative for earlier. */
   public double delayMillis() {
     return delayMillis;
   }

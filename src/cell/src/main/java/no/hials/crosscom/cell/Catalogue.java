@@ -76,7 +76,7 @@ public final class Catalogue {
   }
 
   /**
-   * Gives these and what data lists of a controller declare. What is known already stays, since it
+   * Returns this catalogue with the declarations of data lists. Known variables stay, since they
    * has unit and access.
    *
    * @param lists by the files that they are from
@@ -234,7 +234,7 @@ public final class Catalogue {
     return structures.getOrDefault(key(symbol.type()), List.of());
   }
 
-  /** Returns the constants of an enumeration without {@code #}, none of what is none. */
+  /** Returns the constants of an enumeration without {@code #}; empty for other types. */
   public List<String> constants(CatalogueEntry symbol) {
     return symbol.type().equals("BOOL")
         ? List.of()

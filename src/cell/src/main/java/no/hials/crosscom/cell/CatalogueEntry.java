@@ -48,7 +48,7 @@ public record CatalogueEntry(
     return type.equals("CHAR") && !dimensions.isEmpty();
   }
 
-  /** Gives type, unit and meaning in a few words. */
+  /** Returns type, unit and meaning in a few words. */
   public String summary() {
     StringBuilder words = new StringBuilder(type);
     if (!unit.isEmpty()) {

@@ -12,7 +12,7 @@ import java.nio.file.Path;
 public final class CsvFile {
   private CsvFile() {}
 
-  /** Makes something of rows. */
+  /** Converts rows. */
   @FunctionalInterface
   public interface Contents<T> {
     T of(Iterable<CsvRecord> rows) throws IOException;
@@ -45,7 +45,7 @@ public final class CsvFile {
     }
   }
 
-  /** Says in which line a file has no CSV. */
+  /** Returns a message with the line where the file is not CSV. */
   private static FileException unreadable(Path file, CsvParseException e) {
     String reason =
         file.toString().endsWith(".jsonl")

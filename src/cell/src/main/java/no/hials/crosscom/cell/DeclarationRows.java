@@ -19,10 +19,10 @@ public final class DeclarationRows {
    * @param name with its dimensions, as {@code MYPOSITIONS[50]}
    * @param type the name of its type; STRUC and ENUM for types, SIGNAL for signals; empty for what
    *     is given a value only
-   * @param value the initial value, or what a type is made of; empty if there is none
+   * @param value the initial value, or the parts of a type; empty without a value
    * @param words GLOBAL and CONST where they are written
    * @param line where it stands
-   * @param comment the comment behind it
+   * @param comment the comment on the line
    */
   public record Row(
       String name, String type, String value, List<String> words, int line, String comment) {}

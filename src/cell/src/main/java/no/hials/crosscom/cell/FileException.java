@@ -3,7 +3,7 @@ package no.hials.crosscom.cell;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Says that a file that was named in the arguments or for this program cannot be used. */
+/** Thrown when a file named in the arguments or the environment cannot be used. */
 public final class FileException extends IOException {
   private static final long serialVersionUID = 1L;
 
@@ -16,7 +16,7 @@ public final class FileException extends IOException {
   }
 
   /**
-   * Makes one that says what cannot be done to a file.
+   * Creates an exception about an operation on a file.
    *
    * @param verb as in {@code cannot read}
    */

@@ -2,7 +2,7 @@ package no.hials.crosscom.cell;
 
 import java.io.IOException;
 
-/** Says that something was not sent to the controller, since the user does not want it. */
+/** Thrown when a request was not sent because the user does not allow it. */
 public final class NotSentException extends IOException {
   private static final long serialVersionUID = 1L;
 

@@ -3,13 +3,13 @@ package no.hials.crosscom.cell;
 import java.io.IOException;
 import java.util.Locale;
 
-/** Says that the data could not be written, to stdout or into a file. */
+/** Thrown when data cannot be written to stdout or a file. */
 public final class OutputException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
   private final boolean brokenPipe;
 
-  /** Makes one for stdout. */
+  /** Creates the exception for stdout. */
   public OutputException(IOException cause) {
     this("the output", cause);
   }

@@ -1,6 +1,6 @@
 package no.hials.crosscom.cell;
 
-/** Makes texts of others, and numbers, fit for a line of the terminal. */
+/** Makes foreign texts and numbers safe to print on a line of the terminal. */
 public final class Printable {
   private Printable() {}
 

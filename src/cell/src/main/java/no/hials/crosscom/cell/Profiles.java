@@ -121,7 +121,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
   /**
    * Returns a robot.
    *
-   * @throws FileException if there is none of this name
+   * @throws FileException if no robot has this name
    */
   public Robot robot(String name) throws FileException {
     Robot robot = robots.get(name);

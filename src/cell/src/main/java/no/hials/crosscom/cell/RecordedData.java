@@ -44,7 +44,7 @@ public final class RecordedData {
     return start;
   }
 
-  /** Gives what was recorded, in the order of the columns. */
+  /** Returns the recorded columns, in the order of the file. */
   public List<Series> series() {
     return series;
   }
@@ -54,7 +54,7 @@ public final class RecordedData {
     return series.stream().filter(one -> one.name().equalsIgnoreCase(name)).findFirst();
   }
 
-  /** Gives how long the readings took, in ms: one series for each robot. */
+  /** Returns the access times in ms: one series for each robot. */
   public List<Series> accessTimes() {
     return accessTimes;
   }
@@ -81,7 +81,7 @@ public final class RecordedData {
     }
   }
 
-  /** Makes columns of rows. */
+  /** Turns rows into columns. */
   private static final class Rows {
     private final List<String> header;
     private final List<CsvRecord> rows;
@@ -248,14 +248,12 @@ public final class RecordedData {
       return seconds.clone();
     }
 
-    /**
-     * Returns the numbers; NaN where there is none: in a gap, if it could not be read, or a text.
-     */
+    /** Returns the numbers; NaN in a gap, after a failed reading, and for a text. */
     public double[] values() {
       return values.clone();
     }
 
-    /** Gives what stands there, such as {@code #T1} and {@code TRUE}; empty as in a gap. */
+    /** Returns the texts of the cells, such as {@code #T1} and {@code TRUE}; empty in a gap. */
     public List<String> texts() {
       return List.copyOf(texts);
     }

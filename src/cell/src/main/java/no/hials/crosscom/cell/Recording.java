@@ -28,9 +28,9 @@ public interface Recording extends Closeable {
    */
   void add(SampledRobot robot, Sample sample, Duration since);
 
-  /** Takes what became of a connection. */
+  /** Called when a connection is lost or restored. */
   void connectionChanged(SampledRobot robot, ConnectionEvent event);
 
-  /** Writes what stands behind the samples. */
+  /** Writes the end of the recording, after the samples. */
   void end(Sampling sampling);
 }

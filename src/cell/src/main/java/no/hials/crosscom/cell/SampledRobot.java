@@ -56,12 +56,12 @@ public final class SampledRobot implements Closeable {
     return robot.name();
   }
 
-  /** Gives what to print before a message about it. */
+  /** Returns the text to print before a message about the robot. */
   public String label() {
     return robot.label();
   }
 
-  /** Gives what a variable of it is called beside those of others, as {@code cell1:$OV_PRO}. */
+  /** Returns the name of a variable among those of other robots, such as {@code cell1:$OV_PRO}. */
   public String qualified(String variable) {
     return name().isEmpty() ? variable : name() + ":" + variable;
   }
@@ -158,17 +158,17 @@ public final class SampledRobot implements Closeable {
     }
   }
 
-  /** Gives how many samples came. */
+  /** Returns the number of samples. */
   long samples() {
     return samples;
   }
 
-  /** Gives how many readings have failed as a whole. */
+  /** Returns the number of failed readings. */
   private long failedReadings() {
     return watch == null ? 0 : watch.failedPolls();
   }
 
-  /** Gives how many of them were since the last sample. */
+  /** Returns the number of failed readings since the last sample. */
   long failedSinceSample() {
     return failedReadings() - failedBeforeSample;
   }
@@ -181,7 +181,7 @@ public final class SampledRobot implements Closeable {
     return samples == 0 ? Duration.ZERO : sumOfAccess.dividedBy(samples);
   }
 
-  /** Says how it goes: samples, rate, access time, and what went wrong. */
+  /** Returns a summary: samples, rate, access time, and failures. */
   public String summary() {
     Duration time =
         firstTime == null || lastTime == null
@@ -206,7 +206,7 @@ public final class SampledRobot implements Closeable {
     return text.toString();
   }
 
-  /** Says what became of a connection. */
+  /** Returns the text of a connection event. */
   public static String text(ConnectionEvent event) {
     CrossComException cause = event.cause();
     return event.kind() == ConnectionEvent.Kind.RECONNECTED

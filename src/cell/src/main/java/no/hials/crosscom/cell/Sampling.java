@@ -59,12 +59,12 @@ public final class Sampling implements Closeable {
     }
   }
 
-  /** Takes what is read. */
+  /** Receives samples and events. */
   public interface Listener {
-    /** Takes a sample. */
+    /** Called when a sample arrives. */
     void sampled(SampledRobot robot, Sample sample) throws IOException;
 
-    /** Takes what became of a connection. */
+    /** Called when a connection is lost or restored. */
     void connectionChanged(SampledRobot robot, ConnectionEvent event) throws IOException;
 
     /**
@@ -103,8 +103,8 @@ public final class Sampling implements Closeable {
   }
 
   /**
-   * Tells when a watch has ended, and what it gave last: its listener, which hears nothing of the
-   * end, may be behind.
+   * Reports the end of a watch and its last sample: the listener, which is not told of the end, may
+   * be behind.
    */
   static final class End implements Flow.Subscriber<Sample> {
     private final SampledRobot robot;
@@ -177,7 +177,7 @@ public final class Sampling implements Closeable {
     return plan.period();
   }
 
-  /** Gives how much time has passed between the first sample of all and a time. */
+  /** Returns the time from the first sample of all robots to a point in time. */
   public Duration since(Instant time) {
     return start == null ? Duration.ZERO : Duration.between(start, time);
   }
@@ -243,7 +243,7 @@ public final class Sampling implements Closeable {
     Thread.currentThread().interrupt();
   }
 
-  /** Takes what was read before the end. */
+  /** Delivers the samples read before the end. */
   private void finish(Listener listener) throws IOException, InterruptedException {
     robots.forEach(SampledRobot::stop);
     long begin = System.nanoTime();

@@ -40,7 +40,7 @@ public final class Times {
   }
 
   /**
-   * Prints a number of 10^-{@code digits} seconds, with {@code scale} digits behind the point, the
+   * Prints a number of 10^-{@code digits} seconds, with {@code scale} digits after the point, the
    * rest cut off.
    */
   private static String decimal(Duration time, int digits, int scale) {

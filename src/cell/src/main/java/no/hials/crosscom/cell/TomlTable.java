@@ -117,7 +117,7 @@ final class TomlTable {
   }
 
   /**
-   * Gives what a text or number stands for, as that of an option; null if it is not there.
+   * Returns the converted value of a text or number; null if the key is absent.
    *
    * @param types which of them it may be
    */

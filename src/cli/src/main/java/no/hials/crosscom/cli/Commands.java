@@ -49,7 +49,7 @@ public enum Commands {
   }
 
   /**
-   * Makes one command, so that a run need not make them all: that takes longer than a read.
+   * Creates one command, so that a run need not create them all: that takes longer than a read.
    *
    * @return a {@link ConsoleCommand}, or a {@link CommandLine} with subcommands of its own
    */
@@ -76,7 +76,7 @@ public enum Commands {
     };
   }
 
-  /** Gives what stands above the group in the help. */
+  /** Returns the title of the group in the help. */
   String title() {
     return title;
   }

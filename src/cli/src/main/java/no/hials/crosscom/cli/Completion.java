@@ -101,7 +101,7 @@ final class Completion {
     }
   }
 
-  /** Says where a command's words belong: behind its own name, and before those below it. */
+  /** Returns the place of a command's words: after its name and before its subcommands. */
   private static String condition(CommandSpec command) {
     List<String> conditions = new ArrayList<>();
     for (CommandSpec above = command; above.parent() != null; above = above.parent()) {

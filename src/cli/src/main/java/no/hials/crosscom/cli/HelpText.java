@@ -48,7 +48,7 @@ final class HelpText {
     return command.positionalParameters().stream().filter(argument -> !argument.hidden()).toList();
   }
 
-  /** Gives what stands behind {@code Usage:}, in one line. */
+  /** Returns the text after {@code Usage:} in one line. */
   static String synopsis(CommandSpec command) {
     UsageMessageSpec usage = command.usageMessage();
     int width = usage.width();

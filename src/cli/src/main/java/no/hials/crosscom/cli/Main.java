@@ -104,7 +104,7 @@ public final class Main {
     return ExitCode.USAGE;
   }
 
-  /** Says what is wrong with the arguments. */
+  /** Returns a message about wrong arguments. */
   public static String message(ParameterException e) {
     if (e instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
       String argument = "'" + unmatched.getUnmatched().get(0) + "'";
@@ -137,7 +137,7 @@ public final class Main {
       return ExitCode.STOPPED;
     }
     if (e instanceof OutputException lost) {
-      // whoever read the output has closed it, as head does: it has what it wants
+      // the reader of the output has closed it, as head does: it has enough
       if (!lost.isBrokenPipe()) {
         console.failure(lost, verbose);
       }

@@ -116,7 +116,8 @@ class ArchitectureTest {
             .collect(groupingBy(JavaClass::getPackageName, counting()));
 
     files.keySet().removeAll(LARGE_PACKAGES);
-    assertThat(files).allSatisfy((name, count) -> assertThat(count).isLessThanOrEqualTo(MOST_FILES));
+    assertThat(files)
+        .allSatisfy((name, count) -> assertThat(count).isLessThanOrEqualTo(MOST_FILES));
   }
 
   private static boolean isTopLevel(JavaClass type) {

@@ -2,7 +2,7 @@ package no.hials.crosscom.cli.base;
 
 import java.io.IOException;
 
-/** Says that the mock server could not be started, as on a port that is in use. */
+/** Thrown when the mock server cannot be started, for example on a port in use. */
 public final class CannotListenException extends IOException {
   private static final long serialVersionUID = 1L;
 

@@ -31,7 +31,7 @@ public final class Console implements WritePermission.Questions {
   /** Asks a person, who is there. */
   @FunctionalInterface
   public interface Questions {
-    /** Gives what the person types; null if that is nothing, not even a line's end. */
+    /** Returns the typed line; null at the end of the input. */
     @Nullable String ask(String question);
   }
 
@@ -81,12 +81,12 @@ public final class Console implements WritePermission.Questions {
     return charset.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : charset;
   }
 
-  /** Gives stdin. */
+  /** Returns stdin. */
   public Reader in() {
     return in;
   }
 
-  /** Gives stdout for texts of picocli. It swallows errors, so data goes through {@link #print}. */
+  /** Returns stdout for texts of picocli. It hides errors, so data goes through {@link #print}. */
   public PrintWriter out() {
     return out;
   }
@@ -123,7 +123,7 @@ public final class Console implements WritePermission.Questions {
     err.flush();
     String answer = Terminal.readLine();
     if (answer == null) {
-      err.println(); // the end of input leaves the cursor behind the question
+      err.println(); // the end of input leaves the cursor after the question
     }
     return answer;
   }
@@ -151,7 +151,7 @@ public final class Console implements WritePermission.Questions {
     }
   }
 
-  /** Prints a message behind the program's name. */
+  /** Prints a message after the program's name. */
   public void error(String message) {
     err.println(PROGRAM + ": " + Printable.message(message));
   }

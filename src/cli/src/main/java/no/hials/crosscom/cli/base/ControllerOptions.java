@@ -71,7 +71,7 @@ public final class ControllerOptions {
       })
   private List<String> robots = new ArrayList<>();
 
-  /** Makes {@code --robot=NAME} of each argument {@code @NAME} before {@code --}. */
+  /** Replaces each argument {@code @NAME} before {@code --} by {@code --robot=NAME}. */
   public static String[] withNamesAsOptions(String... args) {
     List<String> result = new ArrayList<>();
     boolean options = true;

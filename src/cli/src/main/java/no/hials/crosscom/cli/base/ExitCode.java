@@ -8,7 +8,7 @@ import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.CrossComValueException;
 
-/** How a command ended, from the best to the gravest. {@link ConsoleCommand} documents them. */
+/** How a command ended, from the best to the worst. {@link ConsoleCommand} documents them. */
 public enum ExitCode {
   DONE(0),
   REFUSED(1),
@@ -38,7 +38,7 @@ public enum ExitCode {
     return Arrays.stream(values()).filter(each -> each.code == code).findFirst().orElseThrow();
   }
 
-  public ExitCode orGraver(ExitCode other) {
+  public ExitCode orWorse(ExitCode other) {
     return compareTo(other) >= 0 ? this : other;
   }
 

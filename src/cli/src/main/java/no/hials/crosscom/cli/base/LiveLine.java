@@ -41,13 +41,13 @@ public final class LiveLine implements AutoCloseable {
 
   /** Shows another text. */
   public void show(String text) {
-    // what is behind the text is cleared after it, or the line would flicker; then back to its
+    // the rest of the line is cleared after the text, or the line would flicker; then back to its
     // beginning, where the terminal shows Ctrl-C
     write(NO_WRAP + text + CLEAR_REST + WRAP + "\r");
     isThere = true;
   }
 
-  /** Takes the line away, until the next {@link #show}. */
+  /** Clears the line until the next {@link #show}. */
   public void clear() {
     if (isThere) {
       write("\r" + CLEAR_REST);

@@ -53,7 +53,7 @@ public final class LocalFiles {
     }
   }
 
-  /** Finds the data list beside a program, whatever the case of its name; null if there is none. */
+  /** Finds the data list next to a program, in any case of its name; null without one. */
   public static @Nullable Path dataListOf(Path program) throws FileException {
     Path folder = program.toAbsolutePath().getParent();
     if (folder == null) {

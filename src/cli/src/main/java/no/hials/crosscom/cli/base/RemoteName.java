@@ -3,8 +3,8 @@ package no.hials.crosscom.cli.base;
 import java.util.Locale;
 
 /**
- * Takes apart and puts together names of files on the controller, such as {@code
- * KRC:\R1\PROGRAM\X.SRC} and {@code /R1/X.SRC}.
+ * Splits and joins names of files on the controller, such as {@code KRC:\R1\PROGRAM\X.SRC} and
+ * {@code /R1/X.SRC}.
  */
 public final class RemoteName {
   private RemoteName() {}
@@ -40,8 +40,7 @@ public final class RemoteName {
   }
 
   /**
-   * Returns the name of the data list beside a program, in capital letters if the program's ending
-   * is.
+   * Returns the name of the data list of a program, in capital letters if the program's ending is.
    */
   public static String dataListOf(String program) {
     boolean capitals = program.endsWith(".SRC") || program.endsWith(".SUB");

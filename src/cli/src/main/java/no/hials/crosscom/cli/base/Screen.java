@@ -31,10 +31,10 @@ public final class Screen implements AutoCloseable {
   private long next = System.nanoTime();
   private boolean left;
 
-  /** Gives what is to be seen. */
+  /** Supplies the lines of the screen. */
   @FunctionalInterface
   public interface Content {
-    /** Gives at most as many lines as there is room for, none wider than that. */
+    /** Returns at most as many lines as fit, none wider than the screen. */
     List<AttributedString> lines(int columns, int rows, boolean colours);
   }
 
@@ -59,7 +59,7 @@ public final class Screen implements AutoCloseable {
     return text == null ? "" : Curses.tputs(text);
   }
 
-  /** Takes the terminal; gives null if it cannot be used so. */
+  /** Opens the terminal; returns null if it cannot show a screen. */
   public static @Nullable Screen open(Console console) {
     try {
       return new Screen(

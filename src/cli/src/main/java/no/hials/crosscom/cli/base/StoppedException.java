@@ -1,6 +1,6 @@
 package no.hials.crosscom.cli.base;
 
-/** Says that the user stopped a command before its end. */
+/** Thrown when the user stops a command before its end. */
 public final class StoppedException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

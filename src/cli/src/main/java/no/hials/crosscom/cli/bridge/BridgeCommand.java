@@ -67,7 +67,7 @@ public abstract class BridgeCommand extends ConsoleCommand {
   }
 
   /**
-   * Says that the controller refused, and why that may be so.
+   * Prints that the controller refused, and possible reasons.
    *
    * @param general the likely cause if it gives no reason, which is code 0
    */
@@ -82,7 +82,7 @@ public abstract class BridgeCommand extends ConsoleCommand {
     return ExitCode.REFUSED;
   }
 
-  /** Says why access may be denied. */
+  /** Returns possible reasons for denied access. */
   String accessHint() {
     return "likely cause: the operating mode or the state of the program does not allow it";
   }

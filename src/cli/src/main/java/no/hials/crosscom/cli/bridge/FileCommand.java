@@ -31,7 +31,7 @@ import picocli.CommandLine.Command;
 public final class FileCommand {
   private FileCommand() {}
 
-  /** Makes it, with its commands. */
+  /** Creates the command with its subcommands. */
   public static CommandLine commandLine(Console console) {
     return new CommandLine(new FileCommand())
         .addSubcommand(new FileLs(console))

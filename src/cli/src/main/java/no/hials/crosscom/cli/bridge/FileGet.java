@@ -36,7 +36,7 @@ import picocli.CommandLine.Parameters;
           + " is to have.",
       "",
       "A file of this computer is overwritten only after a question, or with --yes. Each is written"
-          + " beside its place, as NAME.RANDOM.part, and takes its place when all of it is there.",
+          + " next to its place, as NAME.RANDOM.part, and takes its place when it is complete.",
       "",
       "JSON: one object a file (JSON Lines), with command, local, name and size.",
       "",
@@ -58,7 +58,7 @@ final class FileGet extends FileSubcommand {
       names = "--with-dat",
       order = 4,
       description =
-          "With each .src and .sub, also the .dat of the same name beside it if there is" + " one.")
+          "With each .src and .sub, also the .dat of the same name next to it, if it exists.")
   private boolean withDat;
 
   @Option(

@@ -45,7 +45,7 @@ import picocli.CommandLine.Parameters;
       "",
       "A file that is there already is overwritten only after a question, or with --yes. Of a file"
           + " whose upload fails the controller has nothing, unless the message says otherwise;"
-          + " those behind it are not uploaded.",
+          + " those after it are not uploaded.",
       "",
       "With --select, what the controller answered is said: a program with errors is uploaded, but"
           + " cannot be selected (exit code 1).",
@@ -73,7 +73,7 @@ final class FilePut extends FileSubcommand {
       names = "--with-dat",
       order = 4,
       description =
-          "With each .src and .sub, also the .dat of the same name beside it if there is" + " one.")
+          "With each .src and .sub, also the .dat of the same name next to it, if it exists.")
   private boolean withDat;
 
   @Option(
@@ -171,7 +171,7 @@ final class FilePut extends FileSubcommand {
       throws IOException {
     boolean folder = isFolder(files, remote);
     if (!folder && arguments.size() > 2) {
-      throw wrongUsage("for several files REMOTE must be a folder, " + remote + " is none");
+      throw wrongUsage("for several files REMOTE must be a folder, " + remote + " is not");
     }
     List<Job> jobs = new ArrayList<>();
     Set<String> names = new HashSet<>();
@@ -224,7 +224,7 @@ final class FilePut extends FileSubcommand {
     }
   }
 
-  /** Says what this program finds wrong, since the controller does not say what it did. */
+  /** Prints the errors that this program finds, since the controller reports none. */
   private void hintOfErrors(Path file) throws IOException {
     List<KrlError> errors = KrlParser.parse(file).errors();
     errors.stream().limit(MAX_ERRORS).forEach(error -> console().hint(error.toString()));

@@ -26,7 +26,7 @@ import picocli.CommandLine.Parameters;
     description = {"Deletes files on the controller. It asks before, unless --yes is given."},
     footer = {
       "",
-      "Nothing is deleted unless all of them are there. If one cannot be deleted, those behind it"
+      "Nothing is deleted unless all of them are there. If one cannot be deleted, those after it"
           + " are not tried.",
       "",
       "JSON: one object a file (JSON Lines), with command and name.",

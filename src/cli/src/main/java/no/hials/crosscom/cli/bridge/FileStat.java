@@ -69,7 +69,7 @@ final class FileStat extends FileSubcommand {
           print(details, first);
           first = false;
         } catch (CrossComRefusedException e) {
-          result = result.orGraver(failed(e));
+          result = result.orWorse(failed(e));
         }
       }
     }

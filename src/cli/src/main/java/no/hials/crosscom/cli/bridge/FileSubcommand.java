@@ -60,7 +60,7 @@ abstract class FileSubcommand extends BridgeCommand {
     }
   }
 
-  /** Reports a failure, with what may be behind it. */
+  /** Reports a failure with possible reasons. */
   final ExitCode failed(CrossComException e) {
     if (e instanceof CrossComRefusedException refused) {
       return refused(refused, "likely cause: there is no such file or folder");
@@ -113,7 +113,7 @@ abstract class FileSubcommand extends BridgeCommand {
     return new Progress(console(), name, !isVerbose() && Terminal.showsProgress(), stop);
   }
 
-  /** Says what was left, if anything was. */
+  /** Prints what was left, if anything. */
   final void hintOfRest(String participle, List<String> names) {
     if (!names.isEmpty()) {
       console().hint("not " + participle + ": " + String.join(" ", names));

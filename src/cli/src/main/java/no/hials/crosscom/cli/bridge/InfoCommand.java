@@ -117,7 +117,7 @@ public final class InfoCommand extends BridgeCommand {
     table.print(console());
   }
 
-  /** Gives numbers as {@code 0-7 10}. */
+  /** Returns numbers in the form {@code 0-7 10}. */
   private static String ranges(Iterable<Integer> numbers) {
     List<String> ranges = new ArrayList<>();
     int first = -2;

@@ -26,7 +26,7 @@ import picocli.CommandLine.Command;
 public final class ProgramCommands {
   private ProgramCommands() {}
 
-  /** Makes it, with its commands. */
+  /** Creates the command with its subcommands. */
   public static CommandLine commandLine(Console console) {
     return new CommandLine(new ProgramCommands())
         .addSubcommand(new ProgramChoice.Select(console))

@@ -121,7 +121,7 @@ abstract class ProgramOrder extends BridgeCommand {
   /** {@code program reset}. */
   @Command(
       name = "reset",
-      description = {"Resets the selected program, so that a start begins it anew."})
+      description = {"Resets the selected program, so that a start runs it from the beginning."})
   static final class Reset extends ProgramOrder {
     Reset(Console console) {
       super(console, "reset");

@@ -19,7 +19,10 @@ import org.jspecify.annotations.Nullable;
  */
 record ProgramStatus(Interpreter interpreter, @Nullable String program, @Nullable String state) {
 
-  /** Asks for it. What cannot be read is left out: this is only told beside what was done. */
+  /**
+   * Reads the state. Variables that cannot be read are left out: the state is only an addition to
+   * the result.
+   */
   static ProgramStatus read(CrossComClient client, Interpreter interpreter) throws IOException {
     int number = interpreter.code();
     return new ProgramStatus(

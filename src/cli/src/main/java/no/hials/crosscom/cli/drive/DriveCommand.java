@@ -95,7 +95,7 @@ public final class DriveCommand extends ConsoleCommand {
       description = {
         "keyboard (if not given), gamepad, csv:FILE for a recording, or udp:PORT for datagrams (udp"
             + " for port 7070). Datagrams are taken from this computer only, unless an address of"
-            + " it is given: udp:ADDRESS:PORT. Then whoever reaches that moves the robot."
+            + " it is given: udp:ADDRESS:PORT. Then anyone who reaches that address can move the robot."
       })
   private DriveDevice.@Nullable Choice device;
 

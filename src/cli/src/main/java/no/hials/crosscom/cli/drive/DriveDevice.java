@@ -76,7 +76,7 @@ final class DriveDevice implements InputDevice {
           host == null ? InetAddress.getLoopbackAddress() : InetAddress.getByName(host);
       UdpJsonInput udp = UdpJsonInput.listen(new InetSocketAddress(address, port));
       String warning =
-          address.isLoopbackAddress() ? "" : "; whoever reaches this port moves the robot";
+          address.isLoopbackAddress() ? "" : "; anyone who reaches this port can move the robot";
       return new DriveDevice(
           udp,
           deadZone,
@@ -109,7 +109,7 @@ final class DriveDevice implements InputDevice {
     }
   }
 
-  /** Tells the user what to do. */
+  /** Returns instructions for the user. */
   String greeting() {
     return greeting;
   }
@@ -123,7 +123,7 @@ final class DriveDevice implements InputDevice {
         : standing && device instanceof CsvReplay replay && replay.isOver();
   }
 
-  /** Gives what the loop saw last. */
+  /** Returns the last state that the loop saw. */
   Input latest() {
     return latest;
   }

@@ -46,7 +46,7 @@ final class DriveEnd {
   }
 
   /**
-   * Gives lines that help.
+   * Returns lines of advice.
    *
    * @param selected the name of the program that is selected on the controller; empty if unknown
    */

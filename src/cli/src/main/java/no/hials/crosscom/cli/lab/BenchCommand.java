@@ -237,7 +237,7 @@ public final class BenchCommand extends ConsoleCommand {
     }
   }
 
-  /** Gives what the user named, each name once. */
+  /** Returns the names that the user gave, each once. */
   private Set<String> wanted() {
     Set<String> wanted = new LinkedHashSet<>(names);
     wanted.addAll(written);
@@ -267,7 +267,7 @@ public final class BenchCommand extends ConsoleCommand {
       return ExitCode.REFUSED;
     }
     Map<String, Double> serverMillis = serverMillis(controller.client(), accesses);
-    return tried.orGraver(measure(controller, accesses, serverMillis));
+    return tried.orWorse(measure(controller, accesses, serverMillis));
   }
 
   private String firstRead(CrossComClient client, String name) throws IOException {

@@ -23,7 +23,7 @@ import no.hials.crosscom.lab.plot.Panel;
 import no.hials.crosscom.lab.plot.Series;
 import org.HdrHistogram.Histogram;
 
-/** Says what {@code bench} measured: as a table, as JSON, as a chart. */
+/** Reports the results of {@code bench} as a table, as JSON or as a chart. */
 final class BenchReport {
   private static final double[] PERCENTILES = {50, 90, 99, 99.9};
   private static final int BINS_OF_CHART = 80;
@@ -114,7 +114,7 @@ final class BenchReport {
     return result.tallies().stream().mapToLong(tally -> tally.times().getTotalCount()).sum();
   }
 
-  /** Gives how many accesses of all clients were answered in a second. */
+  /** Returns the number of answered accesses a second, of all clients. */
   private double rate() {
     return accesses() / Math.max(1e-9, result.duration().toNanos() / 1e9);
   }

@@ -92,7 +92,7 @@ public final class ExperimentCommand extends ConsoleCommand {
       description = "The form of the picture, png or svg; png if not given.")
   private String format = "png";
 
-  @Option(names = "--csv", order = 2, description = "Write CSV files beside the picture.")
+  @Option(names = "--csv", order = 2, description = "Write CSV files next to the picture.")
   private boolean csv;
 
   @Option(
@@ -199,7 +199,7 @@ public final class ExperimentCommand extends ConsoleCommand {
     }
     ExitCode worst = ExitCode.DONE;
     for (Experiment each : chosen) {
-      worst = worst.orGraver(run(each));
+      worst = worst.orWorse(run(each));
     }
     return worst;
   }

@@ -158,7 +158,7 @@ public final class PlotCommand extends ConsoleCommand {
     return Chart.stacked(heading, panels);
   }
 
-  /** Gives what the columns of a panel have in common: the unit, and the structure or array. */
+  /** Returns the common unit and structure or array of the columns of a panel. */
   private static String group(PlotData.Column column) {
     String variable = variable(column.name());
     return column.unit() + (variable.equals(column.name()) ? "" : " " + variable);

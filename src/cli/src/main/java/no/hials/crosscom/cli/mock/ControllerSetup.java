@@ -28,7 +28,7 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
 
   private static final String PROGRAMS = "KRC:\\R1\\Program\\";
 
-  /** Says what is wrong with the names of the files, or nothing. */
+  /** Returns what is wrong with the names of the files; empty if they are right. */
   Optional<String> mistake() {
     for (Path file : configs) {
       if (!hasEnding(file, ".dat")) {

@@ -41,7 +41,7 @@ import picocli.CommandLine.Option;
     description = {
       "Simulates a controller with KUKAVARPROXY or C3 Bridge (KR 6 R900 sixx, KR C4) until Ctrl-C:"
           + " its variables, its programs, its files and its robot.",
-      "The first line of stdout says on which port, behind the last colon."
+      "The first line of stdout ends with the port, after the last colon."
     },
     footer = {
       "",
@@ -147,7 +147,7 @@ public final class MockCommand extends ConsoleCommand {
       paramLabel = "FILE.src",
       description = {
         "Load a program (.src, or .sub for the submit interpreter), with the data list of the same"
-            + " name beside it. It may stand there several times; the first .src and the first .sub"
+            + " name next to it. Can be repeated; the first .src and the first .sub"
             + " are selected."
       })
   private List<Path> programs = new ArrayList<>();
@@ -222,7 +222,7 @@ public final class MockCommand extends ConsoleCommand {
       rules.add(argument("--fault", () -> FaultRule.parse(fault, seed)));
     }
     InetAddress address = addressOf(host);
-    // in this order: a signal behind the first line finds both there
+    // in this order: a signal after the first line finds both there
     try (StopSignal stop = new StopSignal();
         MockServer server =
             Robots.listen(
@@ -261,12 +261,15 @@ public final class MockCommand extends ConsoleCommand {
     }
   }
 
-  /** Says who else reaches a server on this address; nothing if nobody does. */
+  /**
+   * Returns a warning about who else reaches a server on this address; empty for the loopback
+   * address.
+   */
   static Optional<String> warning(InetAddress address) {
     return address.isLoopbackAddress()
         ? Optional.empty()
         : Optional.of(
-            "warning: whoever reaches this machine over the network can read and write the"
+            "warning: anyone who reaches this machine over the network can read and write the"
                 + " controller's variables, and needs no password");
   }
 

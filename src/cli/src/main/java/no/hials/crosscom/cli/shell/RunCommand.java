@@ -114,7 +114,7 @@ public final class RunCommand extends ConsoleCommand {
     }
   }
 
-  /** Says all that is wrong, and whether nothing is. */
+  /** Prints all errors, and returns whether there are none. */
   private boolean parse(List<String> lines, List<Step> steps) {
     boolean right = true;
     for (int i = 0; i < lines.size(); i++) {

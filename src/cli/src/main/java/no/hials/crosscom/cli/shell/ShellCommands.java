@@ -35,7 +35,7 @@ final class ShellCommands {
 
   private ShellCommands() {}
 
-  /** Gives their names, sorted. */
+  /** Returns the names of the commands, sorted. */
   static SortedSet<String> names() {
     SortedSet<String> names = new TreeSet<>();
     Arrays.stream(Commands.values()).forEach(group -> names.addAll(group.names()));

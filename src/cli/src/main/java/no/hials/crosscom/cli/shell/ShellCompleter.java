@@ -51,7 +51,7 @@ final class ShellCompleter implements Completer {
     candidates.addAll(candidates(line));
   }
 
-  /** Gives what may stand where the cursor is. */
+  /** Returns the candidates at the cursor. */
   List<Candidate> candidates(ParsedLine line) {
     String word = line.word().substring(0, line.wordCursor());
     List<String> before = line.words().subList(0, line.wordIndex());
@@ -201,7 +201,7 @@ final class ShellCompleter implements Completer {
   /**
    * Creates a candidate.
    *
-   * @param complete whether a blank goes behind it
+   * @param complete whether a blank follows it
    * @param sort its place in the list, where that is not the alphabet's
    */
   private static Candidate candidate(String value, String description, boolean complete, int sort) {

@@ -12,7 +12,7 @@ import no.hials.crosscom.lang.Access;
 final class ShellHelp {
   private ShellHelp() {}
 
-  /** Tells the language. */
+  /** Returns the help text of the language. */
   static List<String> language() {
     List<String> lines = new ArrayList<>();
     lines.add("$OV_PRO              reads a variable, a field, an element or a whole array");
@@ -23,7 +23,7 @@ final class ShellHelp {
     return lines;
   }
 
-  /** Tells what is known of a variable. */
+  /** Returns the facts about a variable. */
   static List<String> of(String path, CatalogueEntry symbol, Catalogue symbols) {
     List<String> lines = new ArrayList<>();
     String name = path.toUpperCase(Locale.ROOT);

@@ -97,7 +97,7 @@ sealed interface ShellLine {
   /**
    * Understands a line.
    *
-   * @throws ShellSyntaxException if it is none
+   * @throws ShellSyntaxException if the line is not in the language
    */
   static ShellLine parse(String line) throws ShellSyntaxException {
     // a file may begin with a byte order mark, and files put together have one further down
@@ -182,7 +182,7 @@ sealed interface ShellLine {
 
   private static String only(String command, List<String> rest) throws ShellSyntaxException {
     if (rest.size() != 1) {
-      throw new ShellSyntaxException(command + " needs one word behind it, has " + rest.size());
+      throw new ShellSyntaxException(command + " needs one word after it, has " + rest.size());
     }
     return rest.get(0);
   }
@@ -190,7 +190,7 @@ sealed interface ShellLine {
   private static void nothingBehind(String command, List<String> rest) throws ShellSyntaxException {
     if (!rest.isEmpty()) {
       throw new ShellSyntaxException(
-          command + " needs nothing behind it, has " + String.join(" ", rest));
+          command + " needs nothing after it, has " + String.join(" ", rest));
     }
   }
 }

@@ -79,7 +79,7 @@ final class ShellSymbols {
         : Catalogue.of(simulation.variables().toDataList("$VARIABLES"));
   }
 
-  /** Gives what is known without asking the controller. */
+  /** Returns the names that are known without asking the controller. */
   Catalogue known() {
     CompletableFuture<Catalogue> everything;
     synchronized (this) {
@@ -95,8 +95,8 @@ final class ShellSymbols {
   }
 
   /**
-   * Gives everything; without what the controller declares if that takes too long, which is there
-   * the next time then.
+   * Returns all names; without those of the controller if they take too long, which are there the
+   * next time then.
    */
   Catalogue everything() {
     try {

@@ -31,7 +31,7 @@ final class ShellWords {
     return word.equalsIgnoreCase("set") || word.equalsIgnoreCase("write");
   }
 
-  /** Takes the double quotes off a word that stands in them. */
+  /** Removes the double quotes around a word. */
   static String unquoted(String word) {
     boolean inQuotes = word.length() > 1 && word.startsWith("\"") && word.endsWith("\"");
     return inQuotes ? word.substring(1, word.length() - 1) : word;

@@ -36,7 +36,7 @@ import picocli.CommandLine.Parameters;
     },
     footer = {
       "",
-      "If a variable cannot be read, the others still are; the exit code is that of the gravest"
+      "If a variable cannot be read, the others still are; the exit code is that of the worst"
           + " failure, which is the highest. A lost connection ends the command. Control characters"
           + " in a value are printed as \\x0A, so that a line is a variable.",
       "",
@@ -111,7 +111,7 @@ public final class ReadCommand extends ConsoleCommand {
         Printed lines = one.join();
         lines.out.toString().lines().forEach(console()::print);
         lines.err.toString().lines().forEach(console()::hint);
-        result = result.orGraver(lines.result);
+        result = result.orWorse(lines.result);
       }
       return result;
     } finally {
@@ -162,7 +162,7 @@ public final class ReadCommand extends ConsoleCommand {
           console.print(read(client, names.get(i)));
         } catch (CrossComException e) {
           console.failure(label, e, isVerbose());
-          result = result.orGraver(ExitCode.ofFailedRead(e));
+          result = result.orWorse(ExitCode.ofFailedRead(e));
           if (endsTheConnection(e)) {
             if (names.size() > 1) {
               // with the one that was due, as not every failure of a connection names it
@@ -174,7 +174,7 @@ public final class ReadCommand extends ConsoleCommand {
         } catch (IllegalArgumentException e) {
           // a name that cannot be sent
           console.failure(label, e, isVerbose());
-          result = result.orGraver(ExitCode.USAGE);
+          result = result.orWorse(ExitCode.USAGE);
         }
       }
       return result;

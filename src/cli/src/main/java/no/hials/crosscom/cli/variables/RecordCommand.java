@@ -166,7 +166,7 @@ public final class RecordCommand extends ConsoleCommand {
         : new JsonRecording(sink);
   }
 
-  /** Says what came of each robot. */
+  /** Returns a summary of each robot. */
   private String summary(Sampling sampling) {
     String to = out.equals(STDOUT) ? "" : " to " + out;
     return sampling.robots().stream()

@@ -68,7 +68,7 @@ final class SamplingOptions {
     ExitCode result = ExitCode.DONE;
     for (Sampling.Failure failure : sampling.failedToConnect()) {
       command.console().failure(failure.label(), failure.cause(), command.isVerbose());
-      result = result.orGraver(ExitCode.ofFailedRead(failure.cause()));
+      result = result.orWorse(ExitCode.ofFailedRead(failure.cause()));
     }
     List<Sampling.Failure> failures;
     try {
@@ -78,7 +78,7 @@ final class SamplingOptions {
       throw command.wrongUsage(String.valueOf(e.getMessage()));
     }
     for (Sampling.Failure failure : failures) {
-      result = result.orGraver(ExitCode.ofFailedRead(failure.cause()));
+      result = result.orWorse(ExitCode.ofFailedRead(failure.cause()));
     }
     failures.stream().map(Sampling.Failure::message).distinct().forEach(command.console()::error);
     return result;

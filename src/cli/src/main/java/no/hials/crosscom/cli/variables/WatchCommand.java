@@ -102,7 +102,7 @@ public final class WatchCommand extends ConsoleCommand {
     return result;
   }
 
-  /** Tells of connections on stderr. */
+  /** Reports connections on stderr. */
   private abstract class Printed implements Sampling.Listener {
     @Override
     public final void connectionChanged(SampledRobot robot, ConnectionEvent event) {

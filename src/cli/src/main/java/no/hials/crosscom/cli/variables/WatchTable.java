@@ -111,7 +111,7 @@ final class WatchTable {
     return value instanceof KrlInt || value instanceof KrlReal;
   }
 
-  /** Takes a sample. */
+  /** Called when a sample arrives. */
   void add(SampledRobot robot, Sample sample) {
     for (Map.Entry<String, Reading> entry : sample.readings().entrySet()) {
       String name = robot.qualified(entry.getKey());
@@ -150,7 +150,7 @@ final class WatchTable {
     return rows;
   }
 
-  /** Takes what became of a connection. */
+  /** Called when a connection is lost or restored. */
   void connectionChanged(SampledRobot robot, ConnectionEvent event) {
     losses.put(robot, Printable.of(SampledRobot.text(event)));
   }

@@ -52,7 +52,7 @@ public final class PseudoTerminal implements AutoCloseable {
   /**
    * Starts a command.
    *
-   * @param environment beside that of this process; the kind of the terminal is xterm
+   * @param environment added to that of this process; the kind of the terminal is xterm
    * @param form what {@code sh} is to do, with {@code %s} for the command
    */
   public static PseudoTerminal start(Map<String, String> environment, String form, String... args)
@@ -159,7 +159,7 @@ public final class PseudoTerminal implements AutoCloseable {
         .orElseThrow();
   }
 
-  /** Takes the terminal away, as when its window is closed. */
+  /** Closes the terminal, as when its window is closed. */
   public void hangUp() {
     process.destroyForcibly();
   }

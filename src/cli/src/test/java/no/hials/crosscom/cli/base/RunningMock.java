@@ -35,7 +35,7 @@ public final class RunningMock implements AutoCloseable {
 
   private void serve(String... args) {
     code.complete(Main.run(args, out, err));
-    // whoever waits for a line gets this one, and fails
+    // a caller that waits for a line gets this one, and fails
     out.write("ended");
     out.flush();
   }
@@ -61,7 +61,7 @@ public final class RunningMock implements AutoCloseable {
             .toArray(String[]::new));
   }
 
-  /** Reads one variable and gives what stands behind the equals sign. */
+  /** Reads one variable and returns the text after the equals sign. */
   public String read(String name) {
     Cli.Result result = run("read", name);
     if (result.code() != 0) {

@@ -254,7 +254,7 @@ class FileTransferTest {
   void putsSeveralFilesIntoAFolderOnly() throws IOException {
     Cli.Result result = put(file("a.src", A), file("b.src", A), "/R1/NEW");
 
-    assertThat(result.err()).contains("for several files REMOTE must be a folder, /R1/NEW is none");
+    assertThat(result.err()).contains("for several files REMOTE must be a folder, /R1/NEW is not");
     assertThat(result.code()).isEqualTo(2);
   }
 

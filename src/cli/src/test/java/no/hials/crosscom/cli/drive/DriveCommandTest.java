@@ -59,7 +59,7 @@ class DriveCommandTest {
     return Files.writeString(folder.resolve("replay.csv"), csv);
   }
 
-  /** Gives where the robot was in each cycle. */
+  /** Returns the position of the robot in each cycle. */
   private static double[] recorded(Path file, String column) throws IOException {
     return Files.readAllLines(file).stream()
         .skip(1)

@@ -32,7 +32,7 @@ class DriveIT {
         Cli.argsOn(server, "drive --yes --no-watchdog", options));
   }
 
-  /** Gives what {@code stty} shows twice, the same before and after. */
+  /** Returns the output of {@code stty} twice, equal before and after. */
   private static void assertRestored(String shown) {
     List<String> settings =
         Pattern.compile("speed \\d+ baud.*?(?= extproc|-extproc)", Pattern.DOTALL)

@@ -87,9 +87,9 @@ class ShellLineTest {
         "get $A 5         | must be the name of a variable",
         "= 50             | must be the name of a variable",
         "MYSTRING[] \"x   | a text must end with a double quote",
-        "wait             | wait needs one word behind it, has 0",
+        "wait             | wait needs one word after it, has 0",
         "wait long        | the time to wait must be like 500, 500ms, 3s or 1m, is long",
-        "exit now         | exit needs nothing behind it, has now",
+        "exit now         | exit needs nothing after it, has now",
         "$A $B            | $B is no KRL value",
         "mock --port 0    | there is no command mock",
       })

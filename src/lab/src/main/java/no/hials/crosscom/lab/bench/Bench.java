@@ -40,7 +40,7 @@ public final class Bench implements Closeable {
   /**
    * What is to be measured.
    *
-   * @param accesses in this order, a write behind the read of what it writes back
+   * @param accesses in this order, a write after the read of the value that it writes back
    * @param clients how many at the same time
    * @param rounds how often each client does all accesses; null if the time says when it ends
    * @param length how long it is measured; null if rounds are counted
@@ -55,7 +55,7 @@ public final class Bench implements Closeable {
       int warmUp,
       Sink sink) {}
 
-  /** Takes each access that is measured, from the threads of all clients. */
+  /** Receives each measured access, from the threads of all clients. */
   @FunctionalInterface
   public interface Sink {
     /**
@@ -268,7 +268,7 @@ public final class Bench implements Closeable {
       plan.sink().add(start - begin, number, plan.accesses().get(i), took, kind);
     }
 
-    /** Connects anew where the connection may be lost; the time for it is in no measurement. */
+    /** Reconnects where the connection may be lost; no measurement includes that time. */
     private void recoverFrom(@Nullable CrossComException failure) {
       if (failure == null || BenchTally.keepsConnection(failure)) {
         failuresInSuccession = 0;

@@ -19,7 +19,7 @@ import no.hials.crosscom.protocol.value.KrlValue;
  */
 public record BenchAccess(boolean write, String name, String type, int bytes) {
 
-  /** Makes one of the value that the variable has. */
+  /** Creates an access from the present value of the variable. */
   public static BenchAccess of(boolean write, String name, String value) {
     return new BenchAccess(write, name, type(value), value.length());
   }

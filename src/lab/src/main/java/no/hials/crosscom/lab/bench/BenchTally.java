@@ -42,7 +42,7 @@ public final class BenchTally {
     return times;
   }
 
-  /** Gives how many accesses failed, by what went wrong. */
+  /** Returns the number of failed accesses by kind of failure. */
   public Map<String, Long> failures() {
     return failures;
   }
@@ -51,7 +51,7 @@ public final class BenchTally {
     return failures.values().stream().mapToLong(Long::longValue).sum();
   }
 
-  /** Says in a word or two what went wrong. */
+  /** Returns the kind of a failure in a word or two. */
   static String kind(CrossComException e) {
     if (e instanceof CrossComAccessException) {
       return REFUSED;

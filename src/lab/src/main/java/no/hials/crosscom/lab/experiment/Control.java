@@ -78,7 +78,7 @@ enum Control {
     return label;
   }
 
-  /** Says what is controlled. */
+  /** Returns the controlled quantity. */
   String quantity() {
     return quantity;
   }
@@ -95,7 +95,7 @@ enum Control {
     return isCartesian() ? "mm" : "°";
   }
 
-  /** Gives where in a trace the coordinate to the right is; the one upwards is behind it. */
+  /** Returns the index in a trace of the horizontal coordinate; the vertical one follows it. */
   int firstCoordinate() {
     return isCartesian() ? 1 : 0;
   }
@@ -104,7 +104,7 @@ enum Control {
     return isCartesian() ? "XYZABC".substring(coordinate, coordinate + 1) : "A" + (coordinate + 1);
   }
 
-  /** Gives where a figure is to be at a time, in the coordinates of a trace. */
+  /** Returns the set point at a time, in the coordinates of a trace. */
   Shape.Point desired(Shape shape, double part) {
     Shape.Point p = shape.at(part).times(isCartesian() ? MM : DEGREES);
     return isCartesian()

@@ -34,7 +34,7 @@ public interface Experiment {
   String name();
 
   /**
-   * Says what it does.
+   * Returns a description.
    *
    * @return a sentence
    */
@@ -50,7 +50,7 @@ public interface Experiment {
   }
 
   /**
-   * Gives what it uses where the user wants nothing else.
+   * Returns the default settings.
    *
    * @return the settings
    */

@@ -64,7 +64,7 @@ final class FollowLine implements Experiment {
 
   @Override
   public String description() {
-    return "A straight line by damped least squares (EXT_MOVE_AXIS), beside the controller's own"
+    return "A straight line by damped least squares (EXT_MOVE_AXIS), next to the controller's own"
         + " kinematics (ACTUATOR).";
   }
 
@@ -122,7 +122,7 @@ final class FollowLine implements Experiment {
     }
   }
 
-  /** Gives where on the line the tool is to be. */
+  /** Returns the set point of the tool on the line. */
   private static Frame line(double time, double lap) {
     return WAY.move(START, Math.min(1, time / lap));
   }
@@ -160,7 +160,7 @@ final class FollowLine implements Experiment {
 
   // what is measured
 
-  /** Gives how far from the line the tool was, at the nearest point of the line. */
+  /** Returns the distance of the tool from the nearest point of the line. */
   private static double deviation(Frame tool) {
     double x = tool.x() - START.x();
     double y = tool.y() - START.y();

@@ -55,7 +55,7 @@ record Misses(long byAccess, long byWaking, long byCollection, long byOther) {
         byOther + other.byOther);
   }
 
-  /** Gives which of all periods a cycle began in. */
+  /** Returns the number of the period in which a cycle began. */
   private static long slot(Trace.Cycle cycle, double dt) {
     return (long) Math.floor(cycle.time() * 1e3 / dt + 1e-6);
   }

@@ -40,7 +40,7 @@ final class Pauses implements AutoCloseable {
     }
   }
 
-  /** Says that the loop is at its first cycle; what comes later is no news. */
+  /** Called at the first cycle of the loop; later calls have no effect. */
   synchronized void begin() {
     if (begin < 0) {
       begin = System.currentTimeMillis();
@@ -64,7 +64,7 @@ final class Pauses implements AutoCloseable {
   }
 
   /**
-   * Gives those since {@link #begin}.
+   * Returns the pauses since {@link #begin}.
    *
    * @param past how long the loop had run then, s
    */
@@ -72,7 +72,7 @@ final class Pauses implements AutoCloseable {
     return pauses.stream().map(pause -> new Pause(pause.begin() + past, pause.length())).toList();
   }
 
-  /** Gives for how many ms there were pauses in a time. */
+  /** Returns the total length of the pauses in a period, in ms. */
   static double millisBetween(List<Pause> pauses, double from, double to) {
     double sum = 0;
     for (Pause pause : pauses) {

@@ -74,9 +74,9 @@ enum Shape {
     }
   }
 
-  /** Gives where the figure is. */
+  /** Returns the point of the figure. */
   abstract Point at(double part);
 
-  /** Gives how fast it goes on. */
+  /** Returns the velocity along the figure. */
   abstract Point velocity(double part);
 }

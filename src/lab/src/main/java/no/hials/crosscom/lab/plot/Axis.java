@@ -9,7 +9,7 @@ package no.hials.crosscom.lab.plot;
 public record Axis(String name, String unit) {
 
   /**
-   * Returns the text beside the axis.
+   * Returns the label of the axis.
    *
    * @return name and unit
    */

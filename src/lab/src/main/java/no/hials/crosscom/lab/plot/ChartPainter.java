@@ -136,7 +136,7 @@ final class ChartPainter {
     return painters;
   }
 
-  /** Gives what the x axis of a panel shows: the same as others with this axis. */
+  /** Returns the range of the x axis of a panel: shared by all panels with this axis. */
   private Range xRange(Panel panel) {
     if (panel.scale() != Panel.Scale.FREE) {
       return panel.xRange().padded(PADDING_Y);
@@ -149,7 +149,7 @@ final class ChartPainter {
     return common.padded(PADDING_X);
   }
 
-  /** Gives what the y axis shows: nothing below zero if there is nothing. */
+  /** Returns the range of the y axis: from zero if no value is below. */
   private static Range yRange(Panel panel) {
     Range range = panel.yRange();
     Range padded = range.padded(PADDING_Y);

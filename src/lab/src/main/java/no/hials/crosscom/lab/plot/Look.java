@@ -9,7 +9,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
  * Colour, stroke and mark of a series.
  *
  * <p>The colours are those of Okabe and Ito, which people with any colour vision tell apart,
- * without their yellow, which is too light on white. Behind the last one they begin again, dashed.
+ * without their yellow, which is too light on white. After the last one they begin again, dashed.
  */
 record Look(Color color, BasicStroke stroke, Marker marker) {
   static final Color INK = new Color(0x222222);
@@ -48,7 +48,7 @@ record Look(Color color, BasicStroke stroke, Marker marker) {
     return new Look(color, stroke(1.6f, dashes), marker);
   }
 
-  /** Gives what marks a point of a line that has no neighbour. */
+  /** Returns the marker of a point without neighbours. */
   Marker dot() {
     return SeriesMarkers.CIRCLE;
   }

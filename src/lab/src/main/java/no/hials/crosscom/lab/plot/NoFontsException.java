@@ -2,7 +2,7 @@ package no.hials.crosscom.lab.plot;
 
 import java.io.IOException;
 
-/** Says that no text can be drawn, since this machine has no fonts that Java finds. */
+/** Thrown when no text can be drawn because Java finds no fonts. */
 public final class NoFontsException extends IOException {
   private static final long serialVersionUID = 1L;
 

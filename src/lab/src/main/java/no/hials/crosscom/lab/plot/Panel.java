@@ -8,7 +8,7 @@ import java.util.List;
  * @param title what stands above it; empty for none
  * @param x the axis to the right
  * @param y the axis upwards
- * @param series what it shows, the first one behind the others
+ * @param series what it shows, the first one at the back
  * @param labels texts in it
  * @param scale how the axes go together
  */

@@ -17,7 +17,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
  * Draws the plot of a panel: XChart its axes, this class what is in them. XChart draws a line piece
- * by piece, so that dashes begin anew at each point and an SVG becomes long.
+ * by piece, so that dashes start again at each point and an SVG becomes long.
  */
 final class PanelPainter {
   /**
@@ -53,7 +53,7 @@ final class PanelPainter {
     }
   }
 
-  /** Gives how wide everything left of the plot is. */
+  /** Returns the width of everything left of the plot. */
   double axisWidth() {
     return laidOut().getYAxisLeftWidth();
   }
@@ -95,7 +95,7 @@ final class PanelPainter {
     y = y.ofSpan(unit * plot.getHeight());
   }
 
-  /** Gives what is within the axes of a chart that was drawn. */
+  /** Returns the area within the axes of a drawn chart. */
   private Rectangle2D plot(XYChart chart) {
     double left = chart.getScreenXFromChart(x.min());
     double top = chart.getScreenYFromChart(y.max());

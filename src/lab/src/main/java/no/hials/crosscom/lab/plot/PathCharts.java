@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Makes charts of where a point went. */
+/** Creates charts of the path of a point. */
 public final class PathCharts {
   private PathCharts() {}
 
@@ -62,7 +62,7 @@ public final class PathCharts {
     }
   }
 
-  /** Says where from a track is looked at. */
+  /** Returns the direction of view. */
   @FunctionalInterface
   private interface Projection {
     Flat of(Track track);

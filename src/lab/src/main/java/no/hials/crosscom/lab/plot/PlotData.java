@@ -75,7 +75,7 @@ public final class PlotData {
       return new Axis(name, unit);
     }
 
-    /** Returns the numbers of the first column beside {@link #y}. */
+    /** Returns the numbers of the first column, for {@link #y}. */
     public double[] x() {
       return x.clone();
     }
@@ -94,7 +94,7 @@ public final class PlotData {
       return Arrays.stream(y).anyMatch(value -> !Double.isNaN(value));
     }
 
-    /** Returns the first other text; empty if there is none. */
+    /** Returns the first other text; empty without one. */
     public String text() {
       return text;
     }
@@ -110,7 +110,7 @@ public final class PlotData {
     return title;
   }
 
-  /** Gives what the first column has. */
+  /** Returns the contents of the first column. */
   public Axis x() {
     return x;
   }

@@ -32,7 +32,7 @@ record Range(double min, double max) {
   }
 
   /**
-   * Gives what an axis shows: some room at both ends, and more than a point.
+   * Returns the range of an axis: with a margin at both ends, and never a single point.
    *
    * @param part of the span, at each end
    */

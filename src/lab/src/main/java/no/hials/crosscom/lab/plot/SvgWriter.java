@@ -26,7 +26,7 @@ import org.w3c.dom.Element;
 final class SvgWriter {
   private static final String NAMESPACE = "http://www.w3.org/2000/svg";
 
-  /** Digits behind the point: a hundredth of a pixel. */
+  /** Digits after the point: a hundredth of a pixel. */
   private static final int PRECISION = 2;
 
   private SvgWriter() {}

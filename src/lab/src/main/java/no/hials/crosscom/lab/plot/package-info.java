@@ -1,6 +1,6 @@
 /**
  * Charts as files, PNG or SVG: what is to be seen in records ({@link
- * no.hials.crosscom.lab.plot.Chart}, its panels and their series), and how it is drawn behind them.
+ * no.hials.crosscom.lab.plot.Chart}, its panels and their series), and the code that draws them.
  *
  * <p>XChart draws the axes of a panel and Batik writes the SVG. The rest is drawn here, since
  * XChart breaks dashes at each point, drops a point that stands between two gaps, wraps no legend,

@@ -35,30 +35,32 @@ import no.hials.crosscom.simulator.internal.core.Pacemaker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A simulated KR C4: what a person could do with it at its pendant. It loads data lists and
- * programs, runs them with a robot interpreter and a submit interpreter, moves a simulated robot,
- * and shows all that in its system variables.
+ * A simulated KR C4 with its pendant. It loads data lists and programs, runs them with a robot
+ * interpreter and a submit interpreter, moves a simulated robot, and shows all that in its system
+ * variables.
  *
- * <p>Its time passes in cycles of 12 ms as its {@link SimulationClock} says. With {@link
+ * <p>Time passes in cycles of 12 ms, at the pace of the {@link SimulationClock}. With {@link
  * SimulationClock#stepped} the same calls give the same trajectory, bit by bit.
  *
  * <p>Operating modes: in T1 the robot is slow ({@code $RED_T1}, {@code $VEL_CP_T1}, {@code
- * $SPEED_LIMIT_TEACH_MODE}); in T1 and T2 {@link ProgramControl#start} stands for holding the
- * enabling switch and the start key, in AUT for pressing the start key; in EXT only {@link
+ * $SPEED_LIMIT_TEACH_MODE}). In T1 and T2 {@link ProgramControl#start} stands for holding the
+ * enabling switch and the start key, in AUT for pressing the start key. In EXT only {@link
  * #externalStart} starts. A change of the mode stops the robot's program. There is no BCO run: the
- * first motion of a program is like any other (a real controller goes to the first point slowly,
+ * first motion of a program is like any other (a real controller moves to the first point slowly,
  * and waits).
  *
- * <p>What stops a program in error is a {@link Message} that has to be confirmed before the next
- * start; {@code $STOPMESS} is TRUE until then. The reference has no numbers of KSS's messages;
- * those from 9001 on are this simulation's own. A target that cannot be reached stops the program
- * at its motion statement; a path that turns out to lead nowhere, behind it.
+ * <p>An error that stops a program is a {@link Message}, which has to be confirmed before the next
+ * start; {@code $STOPMESS} is TRUE until then. KSS's message numbers are not known; those from 9001
+ * on are this simulation's own. A target out of reach stops the program at its motion statement; a
+ * path that cannot be followed to its end, after it.
  *
- * <p>Threads: one daemon, unless the clock is stepped, which {@link #close} ends. All methods are
- * safe for use by several threads.
+ * <p>Threads: one daemon, unless the clock is stepped; {@link #close} ends it. All methods are safe
+ * for use by several threads.
  */
 public final class Controller implements AutoCloseable {
-  /** With a stepped clock all is the same each time: {@code $DATE}, too, as $OPERATE.DAT has it. */
+  /**
+   * The first {@code $DATE} with a stepped clock, so that each run is the same; from $OPERATE.DAT.
+   */
   private static final LocalDateTime BEGIN = LocalDateTime.of(2014, 3, 14, 10, 15, 30);
 
   private final ControllerCore core;
@@ -77,12 +79,12 @@ public final class Controller implements AutoCloseable {
   private final Map<String, DataList> dataLists = new HashMap<>();
 
   /**
-   * Creates a controller. Its time passes from now on.
+   * Creates a controller. Its time starts now.
    *
    * @param variables its variables
-   * @param clock how its time passes
+   * @param clock the pace of its time
    * @param model the robot that it moves
-   * @param threadName the name of its thread, which a stepped clock does not need
+   * @param threadName the name of its thread; a stepped clock needs none
    */
   public Controller(
       VariableTable variables, SimulationClock clock, RobotModel model, String threadName) {
@@ -120,7 +122,7 @@ public final class Controller implements AutoCloseable {
   // files
 
   /**
-   * Connects a file tree: what is loaded from now on appears in it as files, and {@link
+   * Connects a file tree. Programs that are loaded from now on appear in it as files, and {@link
    * #loadFromFiles} loads its programs.
    *
    * @param files the files of the controller
@@ -131,7 +133,7 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
-   * Loads new and changed programs of the connected file tree and finds a module.
+   * Loads new and changed programs of the connected file tree, and finds a module.
    *
    * @param name such as {@code /R1/X.SRC}, {@code KRC:\R1\PROGRAM\X.SRC} or {@code X}, in any case
    * @return the name by which {@link ProgramControl#select} selects the module
@@ -146,11 +148,11 @@ public final class Controller implements AutoCloseable {
     return programs.prepare(name);
   }
 
-  /** Hears of the files of modules; nothing of the controller is locked meanwhile. */
+  /** Called after a file was loaded, without a lock of the controller. */
   @FunctionalInterface
   interface LoadListener {
     /**
-     * Hears that a file was loaded.
+     * Called after a file was loaded.
      *
      * @param module the module's name
      * @param ending src, sub or dat
@@ -160,13 +162,13 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
-   * Loads a data list or a program. For a {@code .src} or {@code .sub} file the {@code .dat} file
-   * of the same name beside it is loaded, too, if there is one.
+   * Loads a data list or a program. With a {@code .src} or {@code .sub} file the {@code .dat} file
+   * of the same name in its folder is loaded too, if it exists.
    *
    * @param file a {@code .dat}, {@code .src} or {@code .sub} file
    * @return the name of the module
    * @throws IOException if the file cannot be read
-   * @throws KrlFileException if something is wrong in it; then nothing has changed
+   * @throws KrlFileException if it has errors; then nothing has changed
    */
   public String load(Path file) throws IOException, KrlFileException {
     String name = String.valueOf(file.getFileName());
@@ -190,7 +192,7 @@ public final class Controller implements AutoCloseable {
     return Files.readString(file, StandardCharsets.ISO_8859_1);
   }
 
-  /** Finds the data list of a source file, whatever the case of its name. */
+  /** Finds the data list of a source file, in any case. */
   private static @Nullable Path dataListOf(Path file) throws IOException {
     String name = String.valueOf(file.getFileName());
     int dot = name.lastIndexOf('.');
@@ -208,15 +210,15 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
-   * Loads a data list or a program. A list whose name begins with {@code $} is one of the
-   * controller: what it declares is global. Another belongs to the module of its name, whichever of
-   * both is loaded first; the module's variables then have their initial values. A module takes the
-   * place of an older one; a program that is selected keeps the old one until it is selected again.
+   * Loads a data list or a program. A list whose name begins with {@code $} belongs to the
+   * controller: its declarations are global. Any other belongs to the module of its name, whichever
+   * is loaded first; the module's variables then have their initial values. A module replaces an
+   * older one; a selected program keeps the old module until it is selected again.
    *
    * @param fileName the file's name, for messages
    * @param text its contents
    * @return the name of the module
-   * @throws KrlFileException if something is wrong in it; then nothing has changed
+   * @throws KrlFileException if it has errors; then nothing has changed
    */
   public String load(String fileName, String text) throws KrlFileException {
     KrlFile file = take(fileName, KrlParser.parse(fileName, text), null);
@@ -224,7 +226,7 @@ public final class Controller implements AutoCloseable {
     return file.name();
   }
 
-  /** Does what {@link #load(String, String)} does with a file that is known already. */
+  /** Loads a file as {@link #load(String, String)} does, without calling the listener. */
   String take(String fileName, String text) throws KrlFileException {
     return take(fileName, KrlParser.parse(fileName, text), null).name();
   }
@@ -274,7 +276,7 @@ public final class Controller implements AutoCloseable {
 
   private void takeData(String fileName, DataList list, ParseResult parsed)
       throws KrlFileException {
-    // of a module's list it shows what is global, and says what is wrong
+    // of a module's list this publishes the global declarations, and reports the errors
     variables.load(fileName, parsed);
     if (!list.name().startsWith("$")) {
       core.withLibrary(
@@ -299,10 +301,10 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
-   * Checks a module as selecting it does: that everything it names is known.
+   * Checks a module as its selection does: all names in it must be known.
    *
    * @param name the module's name
-   * @return what is wrong; empty if nothing is
+   * @return the errors; empty if it can be selected
    */
   public List<KrlError> check(String name) {
     return core.withLibrary(library -> library.check(name));
@@ -311,26 +313,25 @@ public final class Controller implements AutoCloseable {
   // programs
 
   /**
-   * Gives the robot interpreter.
+   * Returns the robot interpreter.
    *
-   * @return what selects, starts and stops its program
+   * @return the control of its program
    */
   public ProgramControl robot() {
     return robot;
   }
 
   /**
-   * Gives the submit interpreter, which runs beside the other one and moves nothing.
+   * Returns the submit interpreter, which runs in parallel and cannot move the robot.
    *
-   * @return what selects, starts and stops its program
+   * @return the control of its program
    */
   public ProgramControl submit() {
     return submit;
   }
 
   /**
-   * Starts the robot's program in the way that the mode allows: as {@link #externalStart} in EXT,
-   * else by the start key.
+   * Starts the robot's program: in EXT as {@link #externalStart}, else with the start key.
    *
    * @throws IllegalStateException if it cannot be started now
    */
@@ -342,13 +343,17 @@ public final class Controller implements AutoCloseable {
     }
   }
 
-  /** Starts the robot's program as a higher-level controller does; in mode EXT only. */
+  /**
+   * Starts the robot's program as a higher-level controller does, in mode EXT only.
+   *
+   * @throws IllegalStateException if it cannot be started now
+   */
   public void externalStart() {
     core.start(Interpreter.ROBOT, true);
   }
 
   /**
-   * Gives the operating mode.
+   * Returns the operating mode.
    *
    * @return the mode; T1 at first
    */
@@ -360,7 +365,7 @@ public final class Controller implements AutoCloseable {
    * Turns the key switch. On entry to T2 {@code $OV_PRO} falls to 10 if {@code $T2_OV_REDUCE} is
    * TRUE, as it is at first.
    *
-   * @param mode the mode
+   * @param mode the new mode
    */
   public void setMode(OperatingMode mode) {
     core.setMode(mode);
@@ -376,7 +381,7 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
-   * Gives the messages.
+   * Returns the messages.
    *
    * @return the last 1000, the oldest first
    */
@@ -385,9 +390,9 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
-   * Confirms all messages that wait for it.
+   * Confirms all messages.
    *
-   * @return how many did
+   * @return the number of messages that were waiting for it
    */
   public int confirmAll() {
     return core.confirmAll();
@@ -396,69 +401,74 @@ public final class Controller implements AutoCloseable {
   // the robot
 
   /**
-   * Moves the robot as one motion statement, without a program.
+   * Moves the robot without a program, as a motion statement does: after motions that are still
+   * under way, exactly to the target.
    *
-   * @param kind the kind of motion
-   * @param target the statement's position, such as an E6POS
-   * @throws KrlExecutionException if the motion is impossible
-   * @throws IllegalStateException if the robot cannot be moved now
+   * @param kind the kind of motion, not a circle
+   * @param target the position of the statement: an E6POS, E6AXIS, or for a relative motion a
+   *     difference
+   * @throws KrlExecutionException if the target is out of reach
+   * @throws IllegalStateException if a program is active, the robot is jogged, or the emergency
+   *     stop or a message stops it
    */
   public void move(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     core.move(kind, target);
   }
 
   /**
-   * Presses a jog key or moves the 6D mouse: the robot moves towards a position until {@link
-   * #releaseJog}.
+   * Presses a jog key or moves the 6D mouse: in T1 and T2 the robot moves at {@code $OV_JOG} %
+   * until {@link #releaseJog}, at most to the end of its reach.
    *
-   * @param kind the kind of motion
-   * @param target the position at the end of the axis or direction
-   * @throws KrlExecutionException if the motion is impossible
-   * @throws IllegalStateException if the robot cannot be jogged now
+   * @param kind PTP to an axis position far away, or LIN_REL by a large difference
+   * @param target the position or the difference
+   * @throws KrlExecutionException if the robot cannot start to move there
+   * @throws IllegalStateException if a program is active, the mode is not T1 or T2, or the
+   *     emergency stop or a message stops the robot
    */
   public void jog(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     core.jog(kind, target);
   }
 
-  /** Releases the jog key. */
+  /** Releases the jog key: a robot that is jogged slows down and stands. */
   public void releaseJog() {
     core.releaseJog();
   }
 
   /**
-   * Gives the robot.
+   * Returns the robot.
    *
-   * @return its geometry, its speeds, and the limits that {@code $SOFTN_END} and {@code $SOFTP_END}
-   *     have now
+   * @return its geometry, its speeds, and the current limits of {@code $SOFTN_END} and {@code
+   *     $SOFTP_END}
    */
   public RobotModel model() {
     return core.model();
   }
 
   /**
-   * Gives where the robot is.
+   * Returns the position of the robot.
    *
-   * @return the commanded axis angles, in degrees, as {@code $AXIS_ACT} has them
+   * @return the commanded axis angles, in degrees, as in {@code $AXIS_ACT}
    */
   public Axes axes() {
     return core.axes();
   }
 
   /**
-   * Says whether the robot stands.
+   * Returns whether the robot stands.
    *
-   * @return whether no axis moves
+   * @return true if no axis moves
    */
   public boolean standing() {
     return core.standing();
   }
 
   /**
-   * Puts the robot somewhere, at once; no program may be active. One that was stopped on a motion
-   * goes on behind it.
+   * Puts the robot at a position immediately; no program may be active. A program that was stopped
+   * in a motion continues after it.
    *
-   * @param axes where, in degrees
-   * @throws IllegalArgumentException if it is outside of the software limits
+   * @param axes the position, in degrees
+   * @throws IllegalArgumentException if it is outside the software limits
+   * @throws IllegalStateException if a program is active
    */
   public void place(Axes axes) {
     core.place(axes);
@@ -467,31 +477,31 @@ public final class Controller implements AutoCloseable {
   // time
 
   /**
-   * Gives the simulated time.
+   * Returns the simulated time.
    *
-   * @return the time since the controller was made; whole cycles of 12 ms
+   * @return the time since the controller was created; whole cycles of 12 ms
    */
   public Duration time() {
     return Duration.ofMillis(core.time());
   }
 
   /**
-   * Lets time pass. Only with {@link SimulationClock#stepped}.
+   * Advances the time. Only with {@link SimulationClock#stepped}.
    *
-   * @param time how much; rounded up to whole cycles of 12 ms
-   * @throws IllegalStateException if the clock is another one, or the server is closed
+   * @param time rounded up to whole cycles of 12 ms
+   * @throws IllegalStateException if the clock is not stepped, or the controller is closed
    */
   public void step(Duration time) {
     stepUntil(() -> false, time);
   }
 
   /**
-   * Lets time pass until something is true. Only with {@link SimulationClock#stepped}.
+   * Advances the time until a condition is true. Only with {@link SimulationClock#stepped}.
    *
-   * @param condition asked before each cycle of 12 ms; it may read variables over the network
-   * @param limit how much simulated time at most
-   * @return whether it became true; false if the time is over
-   * @throws IllegalStateException if the clock is another one, or the server is closed
+   * @param condition called before each cycle of 12 ms; it may read variables over the network
+   * @param limit the most simulated time
+   * @return whether it became true within the limit
+   * @throws IllegalStateException if the clock is not stepped, or the controller is closed
    */
   public boolean stepUntil(BooleanSupplier condition, Duration limit) {
     if (!(clock instanceof SimulationClock.Stepped)) {
@@ -502,7 +512,7 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
-   * Gives all that was selected and where it stands, for a person to read.
+   * Returns the mode and the selected programs with their states.
    *
    * @return such as {@code AUT, ACTUATOR #P_ACTIVE line 26}
    */

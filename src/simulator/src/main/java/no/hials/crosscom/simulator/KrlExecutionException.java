@@ -1,23 +1,21 @@
 package no.hials.crosscom.simulator;
 
-/** Says why a program cannot go on. It stops with a message. */
+/** Thrown when a KRL statement cannot be executed. The program stops with a message. */
 public final class KrlExecutionException extends Exception {
   private static final long serialVersionUID = 1L;
 
-  /*
-   * The numbers are this simulation's own: no source has the numbers of KSS.
-   */
+  /** The numbers are this simulation's own: no source has the numbers of KSS. */
 
   /** A variable, or a part of it, was read before it had a value. */
   public static final int NOT_INITIALISED = 9001;
 
-  /** An index is not in the range of its array. */
+  /** An index is outside the range of its array. */
   public static final int BAD_INDEX = 9002;
 
-  /** A value is not of the type that is needed. */
+  /** A value is of the wrong type. */
   public static final int WRONG_TYPE = 9003;
 
-  /** A value is of the right type and still not possible. */
+  /** A value is of the right type but not possible. */
   public static final int OUT_OF_RANGE = 9004;
 
   /** A number is divided by zero. */
@@ -26,10 +24,10 @@ public final class KrlExecutionException extends Exception {
   /** A result is too large for its type. */
   public static final int OVERFLOW = 9006;
 
-  /** The variable must not be written. */
+  /** A variable cannot be written. */
   public static final int READ_ONLY = 9007;
 
-  /** Calls are nested too deep. */
+  /** Calls are nested too deeply. */
   public static final int CALL_STACK = 9008;
 
   /** A function ended without a value. */
@@ -41,10 +39,10 @@ public final class KrlExecutionException extends Exception {
   private final int number;
 
   /**
-   * Makes the fault.
+   * Creates the exception.
    *
    * @param number the number of the message
-   * @param text the rule that broke, what was expected and what was found
+   * @param text the rule that broke, expected and actual
    */
   public KrlExecutionException(int number, String text) {
     // without a stack trace: the position in the program is what matters
@@ -53,11 +51,11 @@ public final class KrlExecutionException extends Exception {
   }
 
   /**
-   * Makes the fault of an access that was refused.
+   * Creates the exception of an access that was refused.
    *
    * @param name the variable
-   * @param refused why
-   * @return the fault
+   * @param refused the reason
+   * @return the exception
    */
   public static KrlExecutionException of(String name, RefusedException refused) {
     int number =
@@ -72,9 +70,9 @@ public final class KrlExecutionException extends Exception {
   }
 
   /**
-   * Gives the number.
+   * Returns the number of the message.
    *
-   * @return the number of the message
+   * @return the number
    */
   public int number() {
     return number;

@@ -4,19 +4,19 @@ import java.util.List;
 import java.util.stream.Collectors;
 import no.hials.crosscom.lang.KrlError;
 
-/** Says all that is wrong with a data list or a program; nothing of it has been loaded. */
+/** Thrown with all errors of a data list or a program; nothing of it has been loaded. */
 public final class KrlFileException extends Exception {
   private static final long serialVersionUID = 1L;
 
-  /** So many errors are in the message; a file that is no data list at all has hundreds. */
+  /** The number of errors in the message; a file that is no data list has hundreds. */
   private static final int SHOWN = 20;
 
   private final transient List<KrlError> errors;
 
   /**
-   * Makes the exception.
+   * Creates the exception.
    *
-   * @param errors what is wrong, in the order of the file; at least one
+   * @param errors the errors in the order of the file; at least one
    */
   public KrlFileException(List<KrlError> errors) {
     super(message(errors));
@@ -31,9 +31,9 @@ public final class KrlFileException extends Exception {
   }
 
   /**
-   * Gives all that is wrong.
+   * Returns the errors.
    *
-   * @return the errors in the order of the file, each with its place
+   * @return the errors in the order of the file, each with its position
    */
   public List<KrlError> errors() {
     return errors;

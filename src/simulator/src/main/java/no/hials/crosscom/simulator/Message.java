@@ -5,21 +5,20 @@ import java.time.Duration;
 /**
  * A message of the simulated controller, as the pendant would show it.
  *
- * @param kind what it asks of people
- * @param number its number; those of KSS where they are known, which few are: see {@link
- *     Controller}
- * @param text what it says, with file and line where it concerns a program
- * @param time when it came, in simulated time since the start
+ * @param kind what a person has to do
+ * @param number its number; few of KSS's are known, see {@link Controller}
+ * @param text the text, with file and line if it concerns a program
+ * @param time the simulated time of the message since the start
  */
 public record Message(Kind kind, int number, String text, Duration time) {
 
   /** The kinds of message. */
   public enum Kind {
-    /** Needs nothing. */
+    /** No action needed. */
     NOTIFICATION,
-    /** A program waits for something. */
+    /** A program is waiting. */
     STATUS,
-    /** Has stopped the robot, and has to be confirmed. */
+    /** The robot was stopped, and the message has to be confirmed. */
     ACKNOWLEDGEMENT
   }
 

@@ -10,8 +10,8 @@ import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import no.hials.crosscom.simulator.internal.program.LinkException;
 
 /**
- * An interpreter of the simulated controller: selects a program and runs it. What the state does
- * not allow is an {@link IllegalStateException} that says why, and changes nothing.
+ * An interpreter of the simulated controller: selects a program and runs it. A call that the state
+ * does not allow throws an {@link IllegalStateException} with the reason, and changes nothing.
  */
 public final class ProgramControl {
   private final ControllerCore core;
@@ -26,7 +26,7 @@ public final class ProgramControl {
    * Selects a program, in place of one that is not active.
    *
    * @param name the name of its module, in any case
-   * @throws KrlFileException if there is none of that name, or it or one that it calls has errors
+   * @throws KrlFileException if the module does not exist, or it or one that it calls has errors
    */
   public void select(String name) throws KrlFileException {
     select(name, List.of());
@@ -37,7 +37,8 @@ public final class ProgramControl {
    *
    * @param name the name of its module, in any case
    * @param arguments the values
-   * @throws KrlFileException if there is none of that name, or it or one that it calls has errors
+   * @throws KrlFileException if the module does not exist, or it or one that it calls has errors
+   * @throws IllegalArgumentException if the values do not match the parameters
    */
   public void select(String name, List<KrlValue> arguments) throws KrlFileException {
     try {
@@ -49,12 +50,12 @@ public final class ProgramControl {
     }
   }
 
-  /** Starts the selected program, or lets it go on; from its end it begins again. */
+  /** Starts the selected program or continues it; after its end it starts again. */
   public void start() {
     core.start(kind, false);
   }
 
-  /** Stops the program, if it runs; the robot slows down on its path. */
+  /** Stops the program if it is active; the robot slows down on its path. */
   public void stop() {
     core.stop(kind);
   }
@@ -64,31 +65,31 @@ public final class ProgramControl {
     core.reset(kind);
   }
 
-  /** Stops the program and takes it away. */
+  /** Stops the program and deselects it. */
   public void cancel() {
     core.cancel(kind);
   }
 
   /**
-   * Gives the state.
+   * Returns the state.
    *
-   * @return what {@code $PRO_STATE0} or {@code $PRO_STATE1} shows
+   * @return the value of {@code $PRO_STATE0} or {@code $PRO_STATE1}
    */
   public ProgramState state() {
     return core.state(kind);
   }
 
   /**
-   * Names the selected program.
+   * Returns the selected program.
    *
-   * @return the name of its module; nothing if none is selected
+   * @return the name of its module; empty if none is selected
    */
   public Optional<String> program() {
     return core.program(kind);
   }
 
   /**
-   * Gives the line of the program pointer.
+   * Returns the line of the program pointer.
    *
    * @return the line in the file of the innermost routine; 0 if no program is selected
    */

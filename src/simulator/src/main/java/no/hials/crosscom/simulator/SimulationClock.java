@@ -2,11 +2,11 @@ package no.hials.crosscom.simulator;
 
 import java.util.Locale;
 
-/** How the time of the simulated controller passes. */
+/** The pace of the simulated controller's time. */
 public sealed interface SimulationClock {
 
   /**
-   * Lets it pass as real time does.
+   * Returns a clock at the pace of real time.
    *
    * @return the clock
    */
@@ -15,7 +15,7 @@ public sealed interface SimulationClock {
   }
 
   /**
-   * Lets it pass at a multiple of real time, as far as the machine can follow.
+   * Returns a clock at a multiple of real time, as far as the machine can keep up.
    *
    * @param factor more than 0, at most 10,000
    * @return the clock
@@ -25,7 +25,7 @@ public sealed interface SimulationClock {
   }
 
   /**
-   * Lets it pass as fast as the machine can, while a program runs.
+   * Returns a clock that is as fast as the machine allows while a program runs.
    *
    * @return the clock
    */
@@ -34,7 +34,7 @@ public sealed interface SimulationClock {
   }
 
   /**
-   * Lets it stand still, until {@link Controller#step} is called.
+   * Returns a clock that stands still until {@link Controller#step} is called.
    *
    * @return the clock
    */
@@ -43,7 +43,7 @@ public sealed interface SimulationClock {
   }
 
   /**
-   * Understands a text.
+   * Parses a clock.
    *
    * @param text {@code real}, {@code max}, {@code stepped}, or a factor such as {@code 10}
    * @return the clock
@@ -68,9 +68,9 @@ public sealed interface SimulationClock {
   }
 
   /**
-   * Time that passes in proportion to real time.
+   * Time in proportion to real time.
    *
-   * @param factor how much faster; more than 0, at most 10,000
+   * @param factor the multiple of real time; more than 0, at most 10,000
    */
   record Running(double factor) implements SimulationClock {
     private static final double MAX_FACTOR = 10_000;
@@ -84,9 +84,9 @@ public sealed interface SimulationClock {
     }
   }
 
-  /** Time that passes as fast as possible while a program runs, and as real time otherwise. */
+  /** Time as fast as possible while a program runs, and as real time otherwise. */
   record Unlimited() implements SimulationClock {}
 
-  /** Time that a test lets pass. */
+  /** Time that a test advances. */
   record Stepped() implements SimulationClock {}
 }

@@ -1,30 +1,17 @@
 package no.hials.crosscom.simulator;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.SortedSet;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Stream;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.KrlError;
-import no.hials.crosscom.lang.KrlFile;
-import no.hials.crosscom.lang.KrlParser;
-import no.hials.crosscom.lang.ParseResult;
-import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.OperatingMode;
@@ -70,13 +57,8 @@ public final class Controller implements AutoCloseable {
   private final ProgramControl submit;
   private final @Nullable Pacemaker pacemaker;
 
+  private final ModuleLoader loader;
   private volatile @Nullable FileTreePrograms programFiles;
-
-  /** Called after a file was loaded. */
-  private volatile LoadListener listener = (module, ending, text) -> {};
-
-  /** Data lists of modules, by name in upper case; guarded by the core. */
-  private final Map<String, DataList> dataLists = new HashMap<>();
 
   /**
    * Creates a controller. Its time starts now.
@@ -95,6 +77,7 @@ public final class Controller implements AutoCloseable {
             ? BEGIN
             : LocalDateTime.now(ZoneId.systemDefault());
     core = new ControllerCore(variables.scope(), model, begin);
+    loader = new ModuleLoader(core, variables);
     robot = new ProgramControl(core, Interpreter.ROBOT);
     submit = new ProgramControl(core, Interpreter.SUBMIT);
     pacemaker =
@@ -128,8 +111,9 @@ public final class Controller implements AutoCloseable {
    * @param files the files of the controller
    */
   public void connect(FileTree files) {
-    programFiles = new FileTreePrograms(files, this);
-    listener = programFiles::show;
+    FileTreePrograms programs = new FileTreePrograms(files, loader);
+    programFiles = programs;
+    loader.listener(programs::show);
   }
 
   /**
@@ -148,19 +132,6 @@ public final class Controller implements AutoCloseable {
     return programs.prepare(name);
   }
 
-  /** Called after a file was loaded, without a lock of the controller. */
-  @FunctionalInterface
-  interface LoadListener {
-    /**
-     * Called after a file was loaded.
-     *
-     * @param module the module's name
-     * @param ending src, sub or dat
-     * @param text the contents
-     */
-    void loaded(String module, String ending, String text);
-  }
-
   /**
    * Loads a data list or a program. With a {@code .src} or {@code .sub} file the {@code .dat} file
    * of the same name in its folder is loaded too, if it exists.
@@ -171,42 +142,7 @@ public final class Controller implements AutoCloseable {
    * @throws KrlFileException if it has errors; then nothing has changed
    */
   public String load(Path file) throws IOException, KrlFileException {
-    String name = String.valueOf(file.getFileName());
-    String text = text(file);
-    Path beside = dataListOf(file);
-    if (beside == null) {
-      return load(name, text);
-    }
-    String listText = text(beside);
-    ParseResult data = KrlParser.parse(String.valueOf(beside.getFileName()), listText);
-    KrlFile module = take(name, KrlParser.parse(name, text), data);
-    listener.loaded(module.name(), "dat", listText);
-    tell(module, name, text);
-    return module.name();
-  }
-
-  private static String text(Path file) throws IOException {
-    if (!Files.exists(file)) {
-      throw new NoSuchFileException(file.toString(), null, "there is no such file");
-    }
-    return Files.readString(file, StandardCharsets.ISO_8859_1);
-  }
-
-  /** Finds the data list of a source file, in any case. */
-  private static @Nullable Path dataListOf(Path file) throws IOException {
-    String name = String.valueOf(file.getFileName());
-    int dot = name.lastIndexOf('.');
-    Path folder = file.toAbsolutePath().getParent();
-    if (dot < 0 || folder == null || name.substring(dot).equalsIgnoreCase(".dat")) {
-      return null;
-    }
-    String wanted = name.substring(0, dot) + ".dat";
-    try (Stream<Path> files = Files.list(folder)) {
-      return files
-          .filter(other -> String.valueOf(other.getFileName()).equalsIgnoreCase(wanted))
-          .min(Comparator.naturalOrder())
-          .orElse(null);
-    }
+    return loader.load(file);
   }
 
   /**
@@ -221,74 +157,11 @@ public final class Controller implements AutoCloseable {
    * @throws KrlFileException if it has errors; then nothing has changed
    */
   public String load(String fileName, String text) throws KrlFileException {
-    KrlFile file = take(fileName, KrlParser.parse(fileName, text), null);
-    tell(file, fileName, text);
-    return file.name();
+    return loader.load(fileName, text);
   }
 
-  /** Loads a file as {@link #load(String, String)} does, without calling the listener. */
-  String take(String fileName, String text) throws KrlFileException {
-    return take(fileName, KrlParser.parse(fileName, text), null).name();
-  }
-
-  private void tell(KrlFile file, String fileName, String text) {
-    boolean submit = fileName.toLowerCase(Locale.ROOT).endsWith(".sub");
-    String ending = submit ? "sub" : "src";
-    listener.loaded(file.name(), file instanceof DataList ? "dat" : ending, text);
-  }
-
-  private KrlFile take(String fileName, ParseResult parsed, @Nullable ParseResult beside)
-      throws KrlFileException {
-    List<KrlError> errors = new ArrayList<>(parsed.errors());
-    if (beside != null) {
-      errors.addAll(beside.errors());
-    }
-    KrlFile file = parsed.file().orElse(null);
-    if (!errors.isEmpty() || file == null) {
-      throw new KrlFileException(errors);
-    }
-    if (file instanceof SourceFile source) {
-      takeSource(source, beside);
-    } else {
-      takeData(fileName, (DataList) file, parsed);
-    }
-    return file;
-  }
-
-  private void takeSource(SourceFile source, @Nullable ParseResult beside) throws KrlFileException {
-    List<KrlError> errors =
-        core.withLibrary(
-            library -> {
-              DataList data = dataLists.get(key(source.name()));
-              if (beside != null && beside.file().orElse(null) instanceof DataList list) {
-                data = list;
-              }
-              List<KrlError> found = library.put(source, data);
-              if (found.isEmpty() && data != null) {
-                dataLists.put(key(source.name()), data);
-              }
-              return found;
-            });
-    if (!errors.isEmpty()) {
-      throw new KrlFileException(errors);
-    }
-  }
-
-  private void takeData(String fileName, DataList list, ParseResult parsed)
-      throws KrlFileException {
-    // of a module's list this publishes the global declarations, and reports the errors
-    variables.load(fileName, parsed);
-    if (!list.name().startsWith("$")) {
-      core.withLibrary(
-          library -> {
-            dataLists.put(key(list.name()), list);
-            return library.put(list);
-          });
-    }
-  }
-
-  private static String key(String name) {
-    return name.toUpperCase(Locale.ROOT);
+  ModuleLoader loader() {
+    return loader;
   }
 
   /**

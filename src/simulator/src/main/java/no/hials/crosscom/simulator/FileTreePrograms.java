@@ -38,14 +38,14 @@ final class FileTreePrograms {
   private static final int MAX_LENGTH = 4 << 20;
 
   private final ControllerFileSystem files;
-  private final Controller controller;
+  private final ModuleLoader loader;
 
   /** The loaded modules, by the name of their file in capital letters without the extension. */
   private final Map<String, Module> loaded = new HashMap<>();
 
-  FileTreePrograms(FileTree files, Controller controller) {
+  FileTreePrograms(FileTree files, ModuleLoader loader) {
     this.files = ControllerFileSystem.of(files);
-    this.controller = controller;
+    this.loader = loader;
     try {
       modules().forEach(this::keepList);
     } catch (IOException e) {
@@ -211,7 +211,7 @@ final class FileTreePrograms {
           }
           String text = new String(content, StandardCharsets.ISO_8859_1);
           try {
-            module.name = controller.take(file, text);
+            module.name = loader.take(file, text);
           } catch (KrlFileException e) {
             // a new list is taken by the module of a loaded program, with errors until that is
             // loaded too

@@ -22,7 +22,7 @@ final class FileTreeProgramsTest {
   void start() throws IOException {
     controller = Cell.stepped(VariableTable.krc4());
     tree = FileTree.inMemory();
-    programs = new FileTreePrograms(tree, controller);
+    programs = new FileTreePrograms(tree, controller.loader());
   }
 
   @AfterEach

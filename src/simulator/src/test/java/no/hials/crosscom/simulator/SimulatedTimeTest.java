@@ -61,9 +61,9 @@ class SimulatedTimeTest {
     assertThatThrownBy(step::get)
         .isInstanceOf(ExecutionException.class)
         .hasCauseInstanceOf(IllegalStateException.class)
-        .hasMessageContaining("step: the server is closed");
+        .hasMessageContaining("step: the controller is closed");
     assertThatThrownBy(() -> cell.controller.step(Duration.ofMillis(12)))
-        .hasMessage("step: the server is closed");
+        .hasMessage("step: the controller is closed");
   }
 
   // determinism

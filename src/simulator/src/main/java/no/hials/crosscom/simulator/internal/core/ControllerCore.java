@@ -332,7 +332,7 @@ public final class ControllerCore {
         return false;
       }
       if (closed) {
-        throw new IllegalStateException("step: the server is closed");
+        throw new IllegalStateException("step: the controller is closed");
       }
       cycle();
     }

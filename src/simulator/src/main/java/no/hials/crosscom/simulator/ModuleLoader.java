@@ -1,0 +1,157 @@
+package no.hials.crosscom.simulator;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Stream;
+import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.KrlFile;
+import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.lang.ParseResult;
+import no.hials.crosscom.lang.SourceFile;
+import no.hials.crosscom.simulator.internal.core.ControllerCore;
+import org.jspecify.annotations.Nullable;
+
+/** Loads data lists and programs into the controller. Thread-safe. */
+final class ModuleLoader {
+  /** Called after a file was loaded, without a lock of the controller. */
+  @FunctionalInterface
+  interface LoadListener {
+    void loaded(String module, String extension, String text);
+  }
+
+  private final ControllerCore core;
+  private final VariableTable variables;
+  private volatile LoadListener listener = (module, ending, text) -> {};
+
+  /** Data lists of modules, by name in upper case; guarded by the core. */
+  private final Map<String, DataList> dataLists = new HashMap<>();
+
+  ModuleLoader(ControllerCore core, VariableTable variables) {
+    this.core = core;
+    this.variables = variables;
+  }
+
+  void listener(LoadListener loaded) {
+    listener = loaded;
+  }
+
+  String load(Path file) throws IOException, KrlFileException {
+    String name = String.valueOf(file.getFileName());
+    String text = text(file);
+    Path beside = dataListOf(file);
+    if (beside == null) {
+      return load(name, text);
+    }
+    String listText = text(beside);
+    ParseResult data = KrlParser.parse(String.valueOf(beside.getFileName()), listText);
+    KrlFile module = take(name, KrlParser.parse(name, text), data);
+    listener.loaded(module.name(), "dat", listText);
+    tell(module, name, text);
+    return module.name();
+  }
+
+  private static String text(Path file) throws IOException {
+    if (!Files.exists(file)) {
+      throw new NoSuchFileException(file.toString(), null, "there is no such file");
+    }
+    return Files.readString(file, StandardCharsets.ISO_8859_1);
+  }
+
+  /** Finds the data list of a source file, in any case. */
+  private static @Nullable Path dataListOf(Path file) throws IOException {
+    String name = String.valueOf(file.getFileName());
+    int dot = name.lastIndexOf('.');
+    Path folder = file.toAbsolutePath().getParent();
+    if (dot < 0 || folder == null || name.substring(dot).equalsIgnoreCase(".dat")) {
+      return null;
+    }
+    String wanted = name.substring(0, dot) + ".dat";
+    try (Stream<Path> files = Files.list(folder)) {
+      return files
+          .filter(other -> String.valueOf(other.getFileName()).equalsIgnoreCase(wanted))
+          .min(Comparator.naturalOrder())
+          .orElse(null);
+    }
+  }
+
+  String load(String fileName, String text) throws KrlFileException {
+    KrlFile file = take(fileName, KrlParser.parse(fileName, text), null);
+    tell(file, fileName, text);
+    return file.name();
+  }
+
+  /** Loads a file as {@link #load(String, String)} does, without calling the listener. */
+  String take(String fileName, String text) throws KrlFileException {
+    return take(fileName, KrlParser.parse(fileName, text), null).name();
+  }
+
+  private void tell(KrlFile file, String fileName, String text) {
+    boolean submit = fileName.toLowerCase(Locale.ROOT).endsWith(".sub");
+    String ending = submit ? "sub" : "src";
+    listener.loaded(file.name(), file instanceof DataList ? "dat" : ending, text);
+  }
+
+  private KrlFile take(String fileName, ParseResult parsed, @Nullable ParseResult beside)
+      throws KrlFileException {
+    List<KrlError> errors = new ArrayList<>(parsed.errors());
+    if (beside != null) {
+      errors.addAll(beside.errors());
+    }
+    KrlFile file = parsed.file().orElse(null);
+    if (!errors.isEmpty() || file == null) {
+      throw new KrlFileException(errors);
+    }
+    if (file instanceof SourceFile source) {
+      takeSource(source, beside);
+    } else {
+      takeData(fileName, (DataList) file, parsed);
+    }
+    return file;
+  }
+
+  private void takeSource(SourceFile source, @Nullable ParseResult beside) throws KrlFileException {
+    List<KrlError> errors =
+        core.withLibrary(
+            library -> {
+              DataList data = dataLists.get(key(source.name()));
+              if (beside != null && beside.file().orElse(null) instanceof DataList list) {
+                data = list;
+              }
+              List<KrlError> found = library.put(source, data);
+              if (found.isEmpty() && data != null) {
+                dataLists.put(key(source.name()), data);
+              }
+              return found;
+            });
+    if (!errors.isEmpty()) {
+      throw new KrlFileException(errors);
+    }
+  }
+
+  private void takeData(String fileName, DataList list, ParseResult parsed)
+      throws KrlFileException {
+    // of a module's list this publishes the global declarations, and reports the errors
+    variables.load(fileName, parsed);
+    if (!list.name().startsWith("$")) {
+      core.withLibrary(
+          library -> {
+            dataLists.put(key(list.name()), list);
+            return library.put(list);
+          });
+    }
+  }
+
+  private static String key(String name) {
+    return name.toUpperCase(Locale.ROOT);
+  }
+}

@@ -4,14 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.lang.reflect.Method;
 import java.time.Duration;
 import java.util.function.BooleanSupplier;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
-import no.hials.crosscom.simulator.BrokenVariable;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.SimulationClock;
+import no.hials.crosscom.simulator.VariableTable;
+import no.hials.crosscom.simulator.internal.data.Scope;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -141,12 +143,24 @@ class ControllerClockTest {
     }
   }
 
+  /** Makes each write to MYINT fail with an error that is not the controller's. */
+  private static void breakMyInt(VariableTable variables) throws ReflectiveOperationException {
+    Method scope = VariableTable.class.getDeclaredMethod("scope");
+    scope.setAccessible(true);
+    ((Scope) scope.invoke(variables))
+        .guard(
+            "MYINT",
+            (path, value) -> {
+              throw new UnsupportedOperationException("broken on purpose");
+            });
+  }
+
   @Test
   void anErrorOfTheSimulationStopsTheProgramsAndLeavesTheServer() throws Exception {
     try (MockServer server = start(SimulationClock.unlimited());
         RawClient client = new RawClient(server)) {
       Controller controller = server.controller();
-      BrokenVariable.breakMyInt(server.variables());
+      breakMyInt(server.variables());
       run(controller, "MYINT=1");
       await(() -> !controller.messages().isEmpty());
 

@@ -187,16 +187,17 @@ class ExpressionTest {
     Rig rig =
         new Rig()
             .execute(
-                "ARR[] = 1.6\n"
-                    + "I = ARR[5]\n"
-                    + "ARR[1] = 4\n"
-                    + "TAKE(ARR[])\n"
-                    + "END\n"
-                    + "DEF TAKE(A[]:IN)\n"
-                    + "DECL INT A[]\n"
-                    + "DECL INT MINE[5]\n"
-                    + "MINE[] = A[]\n"
-                    + "J = MINE[1]");
+                """
+                ARR[] = 1.6
+                I = ARR[5]
+                ARR[1] = 4
+                TAKE(ARR[])
+                END
+                DEF TAKE(A[]:IN)
+                DECL INT A[]
+                DECL INT MINE[5]
+                MINE[] = A[]
+                J = MINE[1]""");
 
     assertThat(rig.get("I")).isEqualTo("2");
     assertThat(rig.get("J")).isEqualTo("4");

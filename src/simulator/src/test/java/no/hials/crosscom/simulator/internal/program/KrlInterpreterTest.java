@@ -131,11 +131,13 @@ class KrlInterpreterTest {
     Rig rig =
         new Rig()
             .start(
-                "DEF TEST()\n"
-                    + "INTERRUPT DECL 5 WHEN $IN[1] DO I=I+1\n"
-                    + "INTERRUPT ON\n"
-                    + "WAIT FOR FALSE\n"
-                    + "END\n")
+                """
+                DEF TEST()
+                INTERRUPT DECL 5 WHEN $IN[1] DO I=I+1
+                INTERRUPT ON
+                WAIT FOR FALSE
+                END
+                """)
             .cycle()
             .set("$IN[1]", "TRUE");
 

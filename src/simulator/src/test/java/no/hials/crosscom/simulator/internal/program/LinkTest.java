@@ -121,12 +121,14 @@ class LinkTest {
     assertThat(
             new Rig()
                 .errorsOf(
-                    "DEF TEST()\n"
-                        + "INTERRUPT DECL 4 WHEN SLOW() DO TEST()\n"
-                        + "END\n"
-                        + "DEFFCT BOOL SLOW()\n"
-                        + "RETURN TRUE\n"
-                        + "ENDFCT\n"))
+                    """
+                    DEF TEST()
+                    INTERRUPT DECL 4 WHEN SLOW() DO TEST()
+                    END
+                    DEFFCT BOOL SLOW()
+                    RETURN TRUE
+                    ENDFCT
+                    """))
         .containsExactly("test.src:2:23: the condition of an interrupt must not call SLOW");
   }
 

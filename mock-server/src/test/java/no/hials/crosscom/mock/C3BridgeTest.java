@@ -76,7 +76,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What a server in the part of C3 Bridge does beyond the measured rows. */
+/** Tests the behaviour of C3 Bridge beyond the measured rows. */
 final class C3BridgeTest {
   private MockServer server;
   private RawClient client;
@@ -265,7 +265,7 @@ final class C3BridgeTest {
     assertThatThrownBy(() -> client.exchange(new BenchmarkReadRequest(2, 1, List.of("PING"))))
         .hasMessage("the server closed the connection");
     try (RawClient other = new RawClient(server)) {
-      // a malformed one of type 20
+      // a malformed request of type 20
       other.send("00 01 00 01 14");
       assertThat(other.receiveAll()).isEmpty();
     }

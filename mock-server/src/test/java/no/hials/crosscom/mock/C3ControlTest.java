@@ -38,7 +38,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The messages of C3 Bridge for programs, motions and keys, on the simulated controller. */
+/** Tests the messages of C3 Bridge for programs, motions and keys. */
 final class C3ControlTest {
   private static final Duration SHORT = Duration.ofMillis(240);
   private static final Duration LONG = Duration.ofSeconds(60);
@@ -346,7 +346,7 @@ final class C3ControlTest {
       Axes there = controller.axes();
       assertThat(there.get(0)).isStrictlyBetween(1.0, controller.model().maximum(0));
       assertThat(there.with(0, 0)).isEqualTo(START);
-      // nothing is left of it
+      // the motion has ended
       controller.step(LONG);
       assertThat(controller.axes()).isEqualTo(there);
     }

@@ -30,16 +30,16 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Sends every row of the measured requests, {@code c3-vectors.tsv}, in their order to one server,
- * and compares the answers and what becomes of the connection.
+ * and compares the answers and the state of the connection.
  */
 final class C3VectorsTest {
   private static final HexFormat HEX = HexFormat.ofDelimiter(" ").withUpperCase();
   private static final int GIVE_UP_MILLIS = 20_000;
 
-  /** What the measured server said its port was. */
+  /** The port of the measured server. */
   private static final String PORT = "7000";
 
-  /** The rows that cannot be compared, and why. */
+  /** The rows that cannot be compared, with the reason. */
   private static final Map<String, String> LEFT_OUT =
       Map.ofEntries(
           Map.entry("0 read empty value", "no KRL value has an empty text"),
@@ -57,7 +57,7 @@ final class C3VectorsTest {
                   + " printed one)",
               "the robot cannot reach its own foot"));
 
-  /** What has to be done before a row, by the beginning of the request and the meaning. */
+  /** The actions before a row, by the start of its request and its meaning. */
   private final Map<String, Step> before =
       Map.ofEntries(
           Map.entry("0131 read back $OV_PRO", s -> s.variables().set("$OV_PRO", "75")),
@@ -68,7 +68,7 @@ final class C3VectorsTest {
           Map.entry(
               "01e7 one and a half requests, then the rest", s -> s.variables().set("MYINT", "5")));
 
-  /** Something that can fail. */
+  /** An action that can fail. */
   private interface Step {
     void run(MockServer server) throws Exception;
   }
@@ -77,7 +77,7 @@ final class C3VectorsTest {
    * A row of the file.
    *
    * @param type the message type, {@code raw} or the UDP port
-   * @param meaning what it shows
+   * @param meaning the meaning of the row
    * @param segments the request, each sent by one write
    * @param answerHex, empty for none
    * @param fate {@code open}, {@code FIN}, or the port of a datagram's sender
@@ -102,7 +102,7 @@ final class C3VectorsTest {
       return type + " " + meaning;
     }
 
-    /** Gives id and meaning: several rows have the same meaning. */
+    /** Returns id and meaning, because several rows have the same meaning. */
     String key() {
       byte[] first = segments.get(0);
       return HexFormat.of().formatHex(first, 0, Math.min(2, first.length)) + " " + meaning;
@@ -212,7 +212,7 @@ final class C3VectorsTest {
     assertThat(files).isEqualTo(45);
   }
 
-  /** Those are compared by {@link FileVectorsTest}. */
+  /** Returns whether {@link FileVectorsTest} compares the row. */
   private static boolean isFile(Row row) {
     return row.type().matches("2[0-9]|30");
   }
@@ -222,7 +222,7 @@ final class C3VectorsTest {
     return HEX.formatHex(answer) + " " + (row.isDatagram() ? "" : row.fate());
   }
 
-  /** Puts the port of this server in place of the measured one. */
+  /** Replaces the measured port by the port of this server. */
   private static byte[] withPort(Row row, int port) throws MalformedFrameException {
     byte[] answer = row.answer();
     byte[] request = row.segments().get(0);
@@ -249,7 +249,7 @@ final class C3VectorsTest {
         new MultipleResponse(multiple.id(), multiple.type(), results, multiple.tail()));
   }
 
-  /** Leaves the time out of an answer of type 13. */
+  /** Removes the time from an answer of type 13. */
   private static byte[] masked(byte[] answer) {
     byte[] masked = answer.clone();
     if (masked.length > 24 && masked[4] == 13) {
@@ -258,7 +258,7 @@ final class C3VectorsTest {
     return masked;
   }
 
-  /** Sends the row on a connection of its own. Gives the answer and what became of it. */
+  /** Sends the row on a new connection. Returns the answer and the state of the connection. */
   private static String exchange(MockServer server, Row row) throws Exception {
     try (RawClient client = new RawClient(server)) {
       for (byte[] segment : row.segments()) {
@@ -274,12 +274,12 @@ final class C3VectorsTest {
     }
   }
 
-  /** Gives what comes before the answer to one more request, which shows that it was all. */
+  /** Returns the bytes before the answer to one more request, which shows that no more come. */
   private static String answerBeforeProbe(RawClient client, Row row) throws IOException {
     String probe = "AB CD 00 07 00 00 04 50 49 4E 47";
     String answer = "AB CD 00 0A 00 00 04 50 4F 4E 47 00 01 01";
     if (row.meaning().startsWith("length 0")) {
-      // the next row shows that it is closed by the next byte, so not before
+      // the next byte closes the connection, as the next row shows
       return "";
     }
     if (row.meaning().startsWith("incomplete request")) {
@@ -294,7 +294,7 @@ final class C3VectorsTest {
     return received.substring(0, received.length() - answer.length()).strip();
   }
 
-  /** Sends a datagram, and one that is answered for certain: the first answer counts. */
+  /** Sends a datagram, and one that is always answered. Returns the first answer. */
   private static String ask(MockServer server, Row row) throws IOException {
     int port =
         row.type().equals("udp6999")

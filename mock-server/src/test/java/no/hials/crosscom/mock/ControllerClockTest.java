@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Lets time pass in all ways, and looks at threads, the end, and errors of the simulation. */
+/** Tests all clocks, the threads of the simulation, its end and its errors. */
 class ControllerClockTest {
   private static final String RUNAWAY =
       "LOOP\nMYINT=MYINT+1\nIF MYINT>1000000 THEN\nMYINT=0\nENDIF\nENDLOOP";
@@ -40,7 +40,7 @@ class ControllerClockTest {
         .anyMatch(thread -> thread.getName().equals(name));
   }
 
-  /** Waits for something that must come; the build's time limit ends it otherwise. */
+  /** Waits for a condition that must become true, at most until the time limit of the build. */
   private static void await(BooleanSupplier condition) {
     while (!condition.getAsBoolean()) {
       Thread.onSpinWait();
@@ -119,7 +119,7 @@ class ControllerClockTest {
     }
   }
 
-  // others besides
+  // several controllers
 
   @ParameterizedTest
   @ValueSource(strings = {"real", "max"})

@@ -15,12 +15,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Where controllers are, asked by UDP. */
+/** Tests discovery by UDP. */
 class DiscoveryTest {
   private static final String QUESTION = "WHEREAREYOU?";
   private static final String ANSWER = "KUKA|#KR6R900 C4SR FLR 230|736512";
 
-  /** Ends a test that would wait for ever; no test needs it to pass. */
+  /** Fails a test that would wait for ever. No test that passes needs it. */
   private static final int GIVE_UP_MILLIS = 20_000;
 
   private DatagramSocket asking;
@@ -105,7 +105,7 @@ class DiscoveryTest {
       }
       server.variables().set("$MODEL_NAME[]", "\"ASKED\"");
       ask(server, QUESTION);
-      // the first answer is that to the last datagram
+      // the first answer belongs to the last datagram
       assertThat(receive(asking)).startsWith("KUKA|ASKED|");
     }
   }
@@ -152,7 +152,7 @@ class DiscoveryTest {
         ask(port, garbage);
       }
       ask(port, "@PROXY_ENABLED\0" + "x".repeat(40));
-      // the first answer is that to the last datagram
+      // the first answer belongs to the last datagram
       assertThat(receive(asking)).isEqualTo("TRUE");
     }
   }

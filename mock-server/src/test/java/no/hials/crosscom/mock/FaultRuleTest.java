@@ -27,7 +27,7 @@ class FaultRuleTest {
     return rule.apply(request(1, name)).isPresent();
   }
 
-  /** Gives which of the first requests are hit. */
+  /** Returns the numbers of the first requests that the rule applies to. */
   private static List<Long> hitsOf(FaultRule rule, long requests) {
     return LongStream.rangeClosed(1, requests)
         .filter(number -> rule.apply(request(number, "MYINT")).isPresent())
@@ -35,7 +35,7 @@ class FaultRuleTest {
         .toList();
   }
 
-  // which requests
+  // the choice of requests
 
   @Test
   void hitsEveryRequestUnlessRestricted() {

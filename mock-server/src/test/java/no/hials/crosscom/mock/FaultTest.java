@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What goes wrong when it should, and whether the write of MYINT = 5 took effect. */
+/** Tests the effect of each fault, and whether it executes the write of MYINT = 5. */
 class FaultTest {
   private static final String WRITE = "00 01 00 0B 01 00 05 4D 59 49 4E 54 00 01 35";
   private static final String WRITTEN = "00 01 00 07 01 00 01 35 00 01 01";
@@ -277,7 +277,7 @@ class FaultTest {
     assertExecuted(true);
   }
 
-  // what has no proper answer
+  // requests without an answer
 
   @Test
   void hasNothingToCutIfThereIsNoAnswer() throws IOException {
@@ -300,7 +300,7 @@ class FaultTest {
     assertThat(client.response()).isEqualTo(new EmptyResponse(1));
   }
 
-  // which request
+  // the choice of requests
 
   @Test
   void passesOverRequestsForNoFault() throws IOException {
@@ -349,7 +349,7 @@ class FaultTest {
     }
   }
 
-  // what cannot be asked for
+  // invalid arguments
 
   @Test
   void refusesSettingsThatMakeNoSense() {

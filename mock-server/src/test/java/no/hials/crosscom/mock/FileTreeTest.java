@@ -59,7 +59,7 @@ final class FileTreeTest {
     }
 
     @Test
-    void keepsACopyOfWhatItIsGivenAndGivesACopy() throws IOException {
+    void keepsACopyOfTheBytesAndReturnsACopy() throws IOException {
       byte[] given = {1};
       tree.put("/R1/x.bin", given);
       given[0] = 2;

@@ -31,9 +31,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /**
- * Sends the measured requests of the types 20 to 30 (c3-vectors.tsv) in their order, on one
- * connection, to a server with the files that the measured one had, and expects the measured
- * answers byte for byte.
+ * Sends the measured requests of the types 20 to 30 (c3-vectors.tsv) in their order and on one
+ * connection to a server with the same files, and expects the measured answers byte for byte.
  */
 final class FileVectorsTest {
   private static final Path FILE =
@@ -63,7 +62,7 @@ final class FileVectorsTest {
     server.close();
   }
 
-  /** Makes what the lists and properties of the measured server show. */
+  /** Creates the files that the lists and properties of the measured server show. */
   private static FileTree tree() {
     Clock clock =
         Clock.fixed(ItemTime.ofTicks(0x01D8_3F12_1ADB_C000L, -60).instant(), ZoneOffset.ofHours(1));
@@ -120,7 +119,7 @@ final class FileVectorsTest {
     soft.assertAll();
   }
 
-  /** The file has not all rows that ran ("rows in between are left out"). */
+  /** Needed because the file omits some of the measured rows. */
   private void doWhatIsLeftOutBefore(String row) throws IOException {
     switch (row) {
       case "25 move missing source" ->

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The times that are drawn; that they are spent is tested in {@link LimitsTest}. */
+/** Tests the distribution of the times. {@link LimitsTest} tests that they pass. */
 class LatencyTest {
   private static final int DRAWN = 100_000;
 
@@ -85,7 +85,7 @@ class LatencyTest {
             "latency must be none, krc4, krc4-2014 or a time such as 5ms, is '" + text + "'");
   }
 
-  // what cannot be asked for
+  // invalid arguments
 
   @Test
   void refusesTimesThatMakeNoSense() {

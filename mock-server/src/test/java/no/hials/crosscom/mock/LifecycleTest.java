@@ -25,7 +25,7 @@ import no.hials.crosscom.simulator.Refusal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** How servers start, keep their limits, and stop. */
+/** Tests the start, the limits and the end of servers. */
 @Timeout(60)
 class LifecycleTest {
 
@@ -87,7 +87,7 @@ class LifecycleTest {
     }
   }
 
-  /** The end is a reset if the server has not read the request yet. */
+  /** The connection is reset if the server has not read the request yet. */
   private static void assertEndsWithoutAnAnswer(RawClient client) throws IOException {
     try {
       assertThat(client.receiveAll()).isEmpty();

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a controller does that the server does on request only: its limits and its time. */
+/** Tests the limits and times of a controller, which the server has only if it is configured. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class LimitsTest {
   private static final String READ_OV_PRO = "00 00 00 0A 00 00 07 24 4F 56 5F 50 52 4F";
@@ -26,7 +26,7 @@ class LimitsTest {
   private static final String PING = "00 09 00 07 00 00 04 50 49 4E 47";
   private static final String PONG = "00 09 00 0A 00 00 04 50 4F 4E 47 00 01 01";
 
-  /** Longer than any test: what waits for it waits until the server is closed. */
+  /** Longer than any test: only the end of the server ends such a wait. */
   private static final Latency FOR_EVER = Latency.fixed(Duration.ofHours(1));
 
   private MockServer server;
@@ -106,7 +106,7 @@ class LimitsTest {
     String fits = "x".repeat(2048 - 11);
     assertThat(client.write("NO", fits).tail()).isEqualTo(Tail.FAILURE);
     client.send(Codec.encode(new WriteRequest(1, "NO", fits + "x")));
-    // the one byte behind, too
+    // also the byte after it
     awaitDropped(2);
     assertThat(client.read("PING").value()).isEqualTo("PONG");
   }
@@ -122,7 +122,7 @@ class LimitsTest {
     awaitDropped(1);
   }
 
-  // requests that come while another is served
+  // requests that arrive while another is served
 
   @Test
   void dropsWhatComesOnAConnectionBeforeItsAnswer() throws Exception {
@@ -133,7 +133,7 @@ class LimitsTest {
     assertThat(server.takeRequest(Duration.ofSeconds(20))).isPresent();
     client.send(READ_OV_PRO);
     try (RawClient other = new RawClient(server)) {
-      // others are served; and by now what was sent before has arrived
+      // other clients are served; the request that was sent before has arrived by now
       assertThat(other.read("PING").value()).isEqualTo("PONG");
     }
     released.countDown();

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Looks at what the controller has loaded as files of C3 Bridge. */
+/** Tests that loaded programs are files of C3 Bridge. */
 final class LoadedFilesTest {
   private static final String SOURCE = "DEF PART( )\nCOUNT=COUNT+1\nMYINT=COUNT\nEND\n";
   private static final String DATA = "DEFDAT PART\nINT COUNT=4\nENDDAT\n";

@@ -16,9 +16,9 @@ import no.hials.crosscom.protocol.variable.WriteRequest;
 import no.hials.crosscom.protocol.variable.WriteResponse;
 import org.jspecify.annotations.Nullable;
 
-/** A socket that sends and receives bytes as they are. */
+/** A socket that sends and receives raw bytes. */
 public final class RawClient implements AutoCloseable {
-  /** Ends a test that would wait for ever; no test needs it to pass. */
+  /** Fails a test that would wait for ever. No test that passes needs it. */
   private static final int GIVE_UP_MILLIS = 20_000;
 
   private static final HexFormat HEX = HexFormat.ofDelimiter(" ").withUpperCase();
@@ -44,7 +44,7 @@ public final class RawClient implements AutoCloseable {
     socket.getOutputStream().write(bytes);
   }
 
-  /** Says that nothing more will be sent; what comes can still be received. */
+  /** Closes the sending direction; bytes can still be received. */
   void endSending() throws IOException {
     socket.shutdownOutput();
   }
@@ -54,12 +54,12 @@ public final class RawClient implements AutoCloseable {
     return HEX.formatHex(in.readNBytes(count));
   }
 
-  /** Receives as many bytes as this text has, which should be them. */
+  /** Receives as many bytes as this text has. */
   String receiveAsManyAs(String hex) throws IOException {
     return receive(HEX.parseHex(hex).length);
   }
 
-  /** Receives whatever comes until the server closes the connection. */
+  /** Receives all bytes until the server closes the connection. */
   String receiveAll() throws IOException {
     return HEX.formatHex(in.readAllBytes());
   }
@@ -69,12 +69,14 @@ public final class RawClient implements AutoCloseable {
     return response();
   }
 
-  /** Receives one frame. Not to be mixed with the methods that receive bytes. */
+  /** Receives one frame. Must not be mixed with the methods that receive bytes. */
   Response response() throws IOException {
     return Codec.decodeResponse(receiveFrame(), type);
   }
 
-  /** Receives the bytes of one frame. Not to be mixed with the other methods that receive bytes. */
+  /**
+   * Receives the bytes of one frame. Must not be mixed with the other methods that receive bytes.
+   */
   byte[] receiveFrame() throws IOException {
     if (frames == null) {
       frames = new FrameReader(in);

@@ -25,7 +25,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the server answers, byte by byte. */
+/** Tests the answers of the server byte by byte. */
 class WireTest {
   private static final String READ_OV_PRO = "00 00 00 0A 00 00 07 24 4F 56 5F 50 52 4F";
   private static final String ANSWER_100 = "00 00 00 09 00 00 03 31 30 30 00 01 01";
@@ -58,7 +58,7 @@ class WireTest {
     assertThat(client.receiveAsManyAs(answer)).isEqualTo(answer);
   }
 
-  /** Shows that nothing else was answered before: the answer to this comes next. */
+  /** Checks that no other answer was sent before: the answer to PING comes next. */
   private void assertNothingBeforePong() throws IOException {
     assertAnswer(PING, PONG);
   }
@@ -170,7 +170,7 @@ class WireTest {
     assertThat(client.write("MYPOS", value).tail().success()).isTrue();
   }
 
-  // PING and what is no request
+  // PING and malformed requests
 
   @Test
   void answersPingWithPongWithoutAskingTheController() throws IOException {
@@ -195,7 +195,7 @@ class WireTest {
         "00 01 00 00", // no function
         "00 01 00 01 00", // no name length
         "00 01 00 0A 00 00 08 24 4F 56 5F 50 52 4F", // name length too large
-        "00 01 00 0A 00 00 06 24 4F 56 5F 50 52 4F", // a byte behind the name
+        "00 01 00 0A 00 00 06 24 4F 56 5F 50 52 4F", // a byte after the name
         "00 01 00 0A 01 00 07 24 4F 56 5F 50 52 4F", // a write without a value
         "00 01 00 07 03 00 01 41 00 01 41" // an array of half a number
       })
@@ -247,7 +247,7 @@ class WireTest {
     assertThat(server.requests().get(0).refusal()).isEqualTo(Refusal.BAD_INDEX);
   }
 
-  // how requests may arrive
+  // pieces of requests
 
   @Test
   void putsARequestTogetherThatArrivesByteByByte() throws IOException {

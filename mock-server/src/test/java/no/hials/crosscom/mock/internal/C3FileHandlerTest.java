@@ -357,7 +357,7 @@ final class C3FileHandlerTest {
     void fitIntoAnAnswerToTheLastByte() throws IOException {
       Flags<ItemType> all = Flags.none(ItemType.class);
       Flags<ListFlag> plain = Flags.none(ListFlag.class);
-      // 65535 bytes less 8 hold 655 names of 49 characters and one of 12, with 1 byte left
+      // 65535 bytes minus 8 hold 655 names of 49 characters and one of 12, with 1 byte left
       for (int i = 0; i < 655; i++) {
         tree.put(String.format("/R1/TP/%049d", i), "");
       }
@@ -412,7 +412,7 @@ final class C3FileHandlerTest {
   @Nested
   class Creating {
     @Test
-    void aModuleGivesAProgramThatCanBeParsed() throws Exception {
+    void aNewModuleContainsAProgramThatCanBeParsed() throws Exception {
       assertThat(createModule(false, "/R1/JOB", "", ModulePart.SRC, ModulePart.DAT))
           .isEqualTo(SUCCESS);
 

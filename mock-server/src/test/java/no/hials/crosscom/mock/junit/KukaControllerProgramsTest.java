@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.platform.testkit.engine.EngineTestKit;
 
-/** Starts servers that already run what their annotation says. */
+/** Tests servers that run the programs of their annotation. */
 class KukaControllerProgramsTest {
   private static final Duration SECOND = Duration.ofSeconds(1);
 
@@ -83,7 +83,7 @@ class KukaControllerProgramsTest {
 
   // errors
 
-  /** Keeps others, such as an IDE, from running a class that fails on purpose. */
+  /** Keeps an IDE from running a class that fails on purpose. */
   @Disabled("run by a test of the class around it")
   @Retention(RetentionPolicy.RUNTIME)
   private @interface RunByATest {}

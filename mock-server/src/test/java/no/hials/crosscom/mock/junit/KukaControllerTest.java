@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Test;
 
-/** The extension as a user has it. */
+/** Tests the extension as a user sees it. */
 class KukaControllerTest {
   private static final Set<MockServer> SEEN = new HashSet<>();
 
@@ -35,7 +35,7 @@ class KukaControllerTest {
 
   private MockServer ofBeforeEach;
 
-  /** A set of attributes with a name. */
+  /** A named set of attributes. */
   @KukaController(latency = "5ms", maxClients = 3)
   @Retention(RetentionPolicy.RUNTIME)
   private @interface SlowController {}

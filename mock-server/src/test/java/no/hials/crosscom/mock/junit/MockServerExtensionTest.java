@@ -32,7 +32,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.platform.testkit.engine.EngineExecutionResults;
 import org.junit.platform.testkit.engine.EngineTestKit;
 
-/** What becomes of the servers, looked at from outside: each class here is run by a test. */
+/** Tests the start and end of the servers by running the classes in this file. */
 class MockServerExtensionTest {
   private static final Collection<MockServer> SERVERS = new ConcurrentLinkedQueue<>();
 
@@ -42,7 +42,7 @@ class MockServerExtensionTest {
     SERVERS.clear();
   }
 
-  /** Keeps others, such as an IDE, from running a class that fails on purpose. */
+  /** Keeps an IDE from running a class that fails on purpose. */
   @Disabled("run by a test of the class around it")
   @Retention(RetentionPolicy.RUNTIME)
   private @interface RunByATest {}
@@ -188,7 +188,7 @@ class MockServerExtensionTest {
     assertAllClosed(1);
   }
 
-  // where
+  // fields and parameters
 
   abstract static class Base {
     @KukaController private MockServer inherited;
@@ -268,7 +268,7 @@ class MockServerExtensionTest {
   @RunByATest
   @Execution(ExecutionMode.CONCURRENT)
   static class Parallel {
-    /** Both tests must be inside at a time, or none gets on. */
+    /** Blocks until both tests run at the same time. */
     static final CyclicBarrier BOTH = new CyclicBarrier(2);
 
     @KukaController MockServer field;
@@ -297,7 +297,7 @@ class MockServerExtensionTest {
     assertAllClosed(4);
   }
 
-  // mistakes
+  // errors
 
   @RunByATest
   static class FieldOfAnotherType {

@@ -6,7 +6,14 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 if [[ ${1:-} == --javadoc ]]; then
-  mvn -B -q compile javadoc:aggregate -pl '!examples,!src/bench,!src/cli,!src/lab' -DexcludePackageNames='*.internal,*.internal.*'
+  mvn -B -q -DskipTests package
+  # Some modules have a module-info and some do not, which one Javadoc of all cannot mix: it reads files.
+  find src/{protocol,lang,kinematics,client,control,simulator,cell}/src/main/java mock-server/src/main/java \
+    -name '*.java' ! -name module-info.java ! -path '*/internal/*' > target/javadoc-files
+  jspecify=$(find ~/.m2/repository/org/jspecify -name 'jspecify-*.jar' 2>/dev/null | sort | tail -1)
+  rm -rf target/reports/apidocs
+  javadoc -quiet --ignore-source-errors -Xdoclint:none -encoding UTF-8 -windowtitle JOpenShowVar \
+    -d target/reports/apidocs -classpath "src/cli/target/jopenshowvar.jar:$jspecify" @target/javadoc-files
 fi
 
 venv=target/site-venv

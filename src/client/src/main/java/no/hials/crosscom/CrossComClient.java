@@ -567,9 +567,11 @@ public final class CrossComClient implements Closeable {
    * @return the end to come; if the action throws, the future fails with the same exception
    */
   public CompletableFuture<Void> asyncRun(CrossComAction action) {
-    return this.<@Nullable Void>async(
-        client -> {
-          action.run(client);
+    return AsyncCall.<@Nullable Void>submit(
+        async,
+        callbacks,
+        call -> {
+          action.run(new CrossComClient(this, call));
           return null;
         });
   }

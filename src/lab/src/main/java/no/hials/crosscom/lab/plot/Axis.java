@@ -1,17 +1,17 @@
 package no.hials.crosscom.lab.plot;
 
 /**
- * What an axis shows.
+ * The quantity on an axis.
  *
- * @param name what is counted or measured, such as {@code time}
- * @param unit its unit, such as {@code s}; empty if it has none or none is known
+ * @param name the name of the quantity, such as {@code time}
+ * @param unit its unit, such as {@code s}; empty if it has no unit or the unit is unknown
  */
 public record Axis(String name, String unit) {
 
   /**
    * Returns the label of the axis.
    *
-   * @return name and unit
+   * @return the name and the unit
    */
   public String label() {
     return unit.isEmpty() ? name : name.isEmpty() ? unit : name + " [" + unit + "]";

@@ -5,11 +5,11 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * What is to be drawn: panels under a title.
+ * A chart: panels under a title.
  *
- * @param title what stands at the top
- * @param panels at least one
- * @param columns how many panels stand side by side, at least 1
+ * @param title the title at the top
+ * @param panels the panels, at least one
+ * @param columns the number of panels side by side, at least 1
  */
 public record Chart(String title, List<Panel> panels, int columns) {
 
@@ -27,8 +27,8 @@ public record Chart(String title, List<Panel> panels, int columns) {
   /**
    * Creates a chart with its panels one below the other.
    *
-   * @param title what stands at the top
-   * @param panels at least one
+   * @param title the title at the top
+   * @param panels the panels, at least one
    * @return the chart
    */
   public static Chart stacked(String title, List<Panel> panels) {
@@ -36,13 +36,13 @@ public record Chart(String title, List<Panel> panels, int columns) {
   }
 
   /**
-   * Writes it into a file, over the one that is there.
+   * Writes the chart to a file and replaces an existing file.
    *
-   * @param file PNG or SVG, by the end of its name
-   * @param size in pixels
+   * @param file the file; the end of its name decides between PNG and SVG
+   * @param size the size of the picture
    * @throws IllegalArgumentException if the name ends neither with .png nor with .svg
-   * @throws NoFontsException if this machine has no font to write with
-   * @throws IOException if it cannot be written
+   * @throws NoFontsException if Java finds no font
+   * @throws IOException if the file cannot be written
    */
   public void write(Path file, Size size) throws IOException {
     Format.of(file).write(this, file, size);
@@ -57,7 +57,6 @@ public record Chart(String title, List<Panel> panels, int columns) {
   public record Size(int width, int height) {
     private static final int MAX = 10_000;
 
-    /** Checks the ranges. */
     public Size {
       check("width", width, 300);
       check("height", height, 200);

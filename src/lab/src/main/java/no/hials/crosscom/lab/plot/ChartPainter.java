@@ -15,7 +15,7 @@ final class ChartPainter {
   private static final int TITLE_HEIGHT = 34;
   private static final int MIN_PLOT_HEIGHT = 100;
 
-  /** Room at the ends of an axis, as a part of what it shows. */
+  /** The margin at each end of an axis, as a fraction of its range. */
   private static final double PADDING_X = 0.01;
 
   private static final double PADDING_Y = 0.06;
@@ -149,14 +149,14 @@ final class ChartPainter {
     return common.padded(PADDING_X);
   }
 
-  /** Returns the range of the y axis: from zero if no value is below. */
+  /** Returns the range of the y axis, which starts at zero if the smallest value is zero. */
   private static Range yRange(Panel panel) {
     Range range = panel.yRange();
     Range padded = range.padded(PADDING_Y);
     return range.min() == 0 && range.max() > 0 ? padded.fromZero() : padded;
   }
 
-  /** Returns whether the x axis is named: not if the panel below has the same one. */
+  /** Returns whether the x axis is named: not if the panel below has the same x axis. */
   private boolean hasXTitle(int i) {
     int below = i + chart.columns();
     return below >= chart.panels().size()

@@ -35,13 +35,13 @@ enum Format {
   };
 
   static {
-    // a picture goes into a file; a display that is named but not there would be an error
+    // no display is needed, and a DISPLAY that does not exist would be an error
     if (System.getProperty("java.awt.headless") == null) {
       System.setProperty("java.awt.headless", "true");
     }
   }
 
-  /** Draws a chart and writes it. */
+  /** Draws a chart and writes it to a file. */
   abstract void write(Chart chart, Path file, Chart.Size size) throws IOException;
 
   static Format of(Path file) {

@@ -4,7 +4,7 @@ import java.awt.Graphics2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What stands above a panel: its title, and in lines as they fit the names of its series. */
+/** The title of a panel and below it the names of its series, wrapped to the width of the panel. */
 final class Legend {
   private static final int LINE_HEIGHT = 20;
   private static final int BASELINE = 14;
@@ -13,7 +13,7 @@ final class Legend {
   private static final int BETWEEN = 18;
   private static final int INDENT = 8;
 
-  /** A name in the legend and where it stands. */
+  /** A name in the legend and its position. */
   private record Entry(String name, Series.Style style, Look look, double x, int line) {}
 
   private final Panel panel;

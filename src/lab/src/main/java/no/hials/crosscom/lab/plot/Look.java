@@ -8,8 +8,9 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 /**
  * Colour, stroke and mark of a series.
  *
- * <p>The colours are those of Okabe and Ito, which people with any colour vision tell apart,
- * without their yellow, which is too light on white. After the last one they begin again, dashed.
+ * <p>The colours are those of Okabe and Ito, which people with any colour vision can tell apart,
+ * without the yellow, which is too light on white. After the last colour they repeat with dashed
+ * lines.
  */
 record Look(Color color, BasicStroke stroke, Marker marker) {
   static final Color INK = new Color(0x222222);
@@ -35,7 +36,7 @@ record Look(Color color, BasicStroke stroke, Marker marker) {
   /**
    * Returns the look of a series.
    *
-   * @param index which one it is, of those that are no guides or of the guides
+   * @param index the index of the series, counted separately for guides and for all others
    */
   static Look of(Series.Style style, int index) {
     if (style == Series.Style.GUIDE) {
@@ -53,7 +54,7 @@ record Look(Color color, BasicStroke stroke, Marker marker) {
     return SeriesMarkers.CIRCLE;
   }
 
-  /** Returns the colour of an area, through which the grid is seen. */
+  /** Returns the colour of an area, transparent so that the grid shows through. */
   Color fill() {
     return new Color(color.getRed(), color.getGreen(), color.getBlue(), 90);
   }

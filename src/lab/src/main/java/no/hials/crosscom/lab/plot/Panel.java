@@ -3,34 +3,34 @@ package no.hials.crosscom.lab.plot;
 import java.util.List;
 
 /**
- * A plot with a pair of axes; a {@link Chart} has one or several.
+ * A plot with a pair of axes, part of a {@link Chart}.
  *
- * @param title what stands above it; empty for none
+ * @param title the title above it; empty for no title
  * @param x the axis to the right
  * @param y the axis upwards
- * @param series what it shows, the first one at the back
- * @param labels texts in it
- * @param scale how the axes go together
+ * @param series the series, the first one at the back
+ * @param labels the texts in it
+ * @param scale how the scales of the axes relate
  */
 public record Panel(
     String title, Axis x, Axis y, List<Series> series, List<Label> labels, Scale scale) {
 
-  /** How the axes of a panel go together. */
+  /** How the scales of the two axes relate. */
   public enum Scale {
-    /** Each axis as the data need it; panels with the same x axis have the same range there. */
+    /** Each axis fits its data; panels with the same x axis share its range. */
     FREE,
-    /** Both have the same scale, so that a circle is round. */
+    /** Both axes have the same scale, so that a circle is round. */
     EQUAL,
-    /** As {@link #EQUAL}, and no axes are drawn. */
+    /** Like {@link #EQUAL}, without drawn axes. */
     VIEW
   }
 
   /**
    * A text in a panel.
    *
-   * @param text what to write
-   * @param x where its centre is
-   * @param y where its centre is
+   * @param text the text
+   * @param x the x coordinate of its centre
+   * @param y the y coordinate of its centre
    */
   public record Label(String text, double x, double y) {}
 
@@ -41,13 +41,13 @@ public record Panel(
   }
 
   /**
-   * Creates a panel without texts.
+   * Creates a panel without labels.
    *
-   * @param title what stands above it; empty for none
+   * @param title the title above it; empty for no title
    * @param x the axis to the right
    * @param y the axis upwards
-   * @param scale how the axes go together
-   * @param series what it shows
+   * @param scale how the scales of the axes relate
+   * @param series the series, the first one at the back
    * @return the panel
    */
   public static Panel of(String title, Axis x, Axis y, Scale scale, List<Series> series) {

@@ -16,13 +16,13 @@ import org.knowm.xchart.style.lines.SeriesLines;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
- * Draws the plot of a panel: XChart its axes, this class what is in them. XChart draws a line piece
- * by piece, so that dashes start again at each point and an SVG becomes long.
+ * Draws the plot of a panel: XChart draws the axes, this class draws the series. XChart draws a
+ * line piece by piece, so that dashes restart at each point and an SVG becomes long.
  */
 final class PanelPainter {
   /**
-   * The least width and height within the axes. XChart does not say where points are in a plot that
-   * is smaller than the distance of ticks on the x axis.
+   * The minimum width and height within the axes, in pixels. XChart does not report the positions
+   * of points in a plot smaller than the distance between the ticks of the x axis.
    */
   private static final int MIN_PLOT = 40;
 
@@ -53,7 +53,7 @@ final class PanelPainter {
     }
   }
 
-  /** Returns the width of everything left of the plot. */
+  /** Returns the width of the area left of the plot. */
   double axisWidth() {
     return laidOut().getYAxisLeftWidth();
   }
@@ -87,7 +87,7 @@ final class PanelPainter {
     }
   }
 
-  /** Lets the axis with more pixels a unit show more. */
+  /** Widens the range of the axis with more pixels per unit. */
   private void makeScalesEqual() {
     Rectangle2D plot = plot(laidOut());
     double unit = Math.max(x.span() / plot.getWidth(), y.span() / plot.getHeight());
@@ -112,7 +112,7 @@ final class PanelPainter {
     return plot;
   }
 
-  /** Returns the chart after it was drawn once, when it knows where things are. */
+  /** Returns the chart after a first drawing, which computes the layout. */
   private XYChart laidOut() {
     XYChart chart = xyChart();
     Graphics2D g = Format.image(new Chart.Size(300, 200)).createGraphics();
@@ -141,8 +141,8 @@ final class PanelPainter {
   }
 
   /**
-   * Returns the points of the series without which XChart draws no axes. If they had the same
-   * distances, XChart would put its ticks there.
+   * Returns the points of a series that XChart needs to draw axes. XChart would put its ticks at
+   * equally spaced points.
    */
   private static double[] spread(Range range) {
     return new double[] {range.min(), range.min() + range.span() / 3, range.max()};
@@ -170,7 +170,7 @@ final class PanelPainter {
     styler.setPlotGridLinesColor(Look.GRID);
     styler.setPlotGridLinesStroke(THIN);
     styler.setPlotMargin(0);
-    // XChart may set them at two thirds of the hint, where longer numbers would touch
+    // XChart may space ticks at two thirds of the hint, where longer numbers would touch
     styler.setXAxisTickMarkSpacingHint(Math.max(MIN_PLOT, width / 12));
     styler.setYAxisTickMarkSpacingHint(MIN_PLOT);
     styler.setXAxisMin(x.min());

@@ -12,12 +12,12 @@ public final class PathCharts {
   /**
    * Creates a chart of one quantity over another, such as Y over X, with start and end marked.
    *
-   * @param title what stands at the top
-   * @param name what the legend calls the path
+   * @param title the title of the chart
+   * @param name the name of the path in the legend
    * @param x the axis to the right
    * @param y the axis upwards; both have the same scale if they have the same unit
-   * @param xs the points
-   * @param ys as many; a gap where x or y is NaN
+   * @param xs the x coordinates of the points
+   * @param ys the y coordinates, as many; the path has a gap where x or y is NaN
    * @return the chart
    */
   public static Chart plane(String title, String name, Axis x, Axis y, double[] xs, double[] ys) {
@@ -30,10 +30,10 @@ public final class PathCharts {
   }
 
   /**
-   * Creates a chart of paths in space: seen from above, from two sides, and isometric.
+   * Creates a chart of paths in space: from above, from two sides, and isometric.
    *
-   * @param title what stands at the top
-   * @param unit that of the positions
+   * @param title the title of the chart
+   * @param unit the unit of the positions
    * @param tracks the paths, at least one
    * @return the chart
    */
@@ -51,7 +51,7 @@ public final class PathCharts {
         2);
   }
 
-  /** What a track looks like from somewhere. */
+  /** A track projected onto a plane. */
   private static final class Flat {
     private final double[] u;
     private final double[] v;
@@ -62,7 +62,7 @@ public final class PathCharts {
     }
   }
 
-  /** Returns the direction of view. */
+  /** A direction of view. */
   @FunctionalInterface
   private interface Projection {
     Flat of(Track track);
@@ -155,7 +155,7 @@ public final class PathCharts {
     return range.padded(0);
   }
 
-  /** Returns the edges of the box around everything. */
+  /** Returns the edges of the box around all tracks. */
   private static Flat box(Range x, Range y, Range z) {
     double gap = Double.NaN;
     double[] xs = {0, 1, 1, 0, 0, gap, 0, 1, 1, 0, 0, gap, 0, 0, gap, 1, 1, gap, 1, 1, gap, 0, 0};
@@ -168,7 +168,7 @@ public final class PathCharts {
     return Arrays.stream(parts).map(part -> range.min() + part * range.span()).toArray();
   }
 
-  /** Names the three edges that are at the front. */
+  /** Returns the names of the three edges at the front. */
   private static List<Panel.Label> axisNames(Range x, Range y, Range z) {
     double out = -0.11 * Math.max(x.span(), Math.max(y.span(), z.span()));
     double[][] at = {

@@ -18,14 +18,14 @@ import no.hials.crosscom.cell.RecordedData;
 import no.hials.crosscom.cell.Units;
 
 /**
- * What can be drawn of a CSV file: one that {@code record} wrote, or any other whose first line
- * names its columns and whose first column has numbers.
+ * The columns of a CSV file for plotting: a file from {@code record}, or any other file whose first
+ * line names its columns and whose first column has numbers.
  */
 public final class PlotData {
   /** A column's name with its unit, as {@code force [N]}. */
   private static final Pattern NAME_AND_UNIT = Pattern.compile("(.+?) ?\\[([^\\]\\d][^\\]]*)\\]");
 
-  /** What stands where there is no number. */
+  /** The texts that mean a missing number. */
   private static final Pattern GAP =
       Pattern.compile("\\s*|[+-]?(nan|inf|infinity)", Pattern.CASE_INSENSITIVE);
 
@@ -43,7 +43,7 @@ public final class PlotData {
     this.columns = columns;
   }
 
-  /** A column that may be drawn. */
+  /** A column of the file. */
   public static final class Column {
     private final String name;
     private final String unit;
@@ -66,7 +66,7 @@ public final class PlotData {
       return name;
     }
 
-    /** Returns the unit, empty if it has none or none is known. */
+    /** Returns the unit; empty if it has no unit or the unit is unknown. */
     public String unit() {
       return unit;
     }
@@ -85,7 +85,7 @@ public final class PlotData {
       return y.clone();
     }
 
-    /** Returns whether it has numbers, or TRUE and FALSE, and no other text. */
+    /** Returns whether the column has numbers, or TRUE and FALSE, and no other text. */
     public boolean isDrawable() {
       return text.isEmpty() && hasNumbers();
     }
@@ -94,23 +94,26 @@ public final class PlotData {
       return Arrays.stream(y).anyMatch(value -> !Double.isNaN(value));
     }
 
-    /** Returns the first other text; empty without one. */
+    /** Returns the first text that is not a number, TRUE or FALSE; empty if there is none. */
     public String text() {
       return text;
     }
 
-    /** Returns whether it is about the recording, not recorded. */
+    /**
+     * Returns whether the column is about the recording, such as access times, and so drawn only by
+     * name.
+     */
     public boolean isOnlyIfNamed() {
       return onlyIfNamed;
     }
   }
 
-  /** Returns the title of a picture of it. */
+  /** Returns the title of the chart. */
   public String title() {
     return title;
   }
 
-  /** Returns the contents of the first column. */
+  /** Returns the axis of the first column. */
   public Axis x() {
     return x;
   }
@@ -126,7 +129,7 @@ public final class PlotData {
   /**
    * Reads a file.
    *
-   * @throws FileException if it cannot be read, or has another form
+   * @throws FileException if the file cannot be read or has another format
    */
   public static PlotData read(Path file) throws FileException {
     try {
@@ -147,7 +150,7 @@ public final class PlotData {
     return of(file, rows);
   }
 
-  // what record wrote
+  // files from record
 
   private static boolean isHeaderOfRecord(CsvRecord row) {
     return row.getFieldCount() > 1
@@ -171,7 +174,7 @@ public final class PlotData {
     return file.getFileName() + ", " + TIME.format(start);
   }
 
-  // any other
+  // other files
 
   private static PlotData of(Path file, List<CsvRecord> rows) {
     if (rows.size() < 2) {
@@ -208,7 +211,10 @@ public final class PlotData {
     return new PlotData(name, seconds ? new Axis("time", "s") : first, columns);
   }
 
-  /** Refuses other forms of such files, as spreadsheets write where a comma is in the numbers. */
+  /**
+   * Refuses semicolons and tabs as separators, which spreadsheets write where numbers have a
+   * decimal comma.
+   */
   private static void checkSeparator(List<String> header) {
     String only = header.get(0);
     if (header.size() == 1 && (only.indexOf(';') >= 0 || only.indexOf('\t') >= 0)) {

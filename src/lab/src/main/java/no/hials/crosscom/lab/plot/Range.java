@@ -1,6 +1,6 @@
 package no.hials.crosscom.lab.plot;
 
-/** The numbers from one to another. */
+/** An interval of numbers. */
 record Range(double min, double max) {
   static final Range EMPTY = new Range(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
 
@@ -26,21 +26,21 @@ record Range(double min, double max) {
     return new Range(centre - span / 2, centre + span / 2);
   }
 
-  /** Returns a range that begins at zero if this one begins below. */
+  /** Returns this range with a minimum of at least zero. */
   Range fromZero() {
     return min < 0 ? new Range(0, max) : this;
   }
 
   /**
-   * Returns the range of an axis: with a margin at both ends, and never a single point.
+   * Returns the range of an axis: this range with a margin at both ends, and never a single point.
    *
-   * @param part of the span, at each end
+   * @param part the margin at each end, as a fraction of the span
    */
   Range padded(double part) {
     if (isEmpty()) {
       return new Range(0, 1);
     }
-    // what is constant but for rounding must not fill the height
+    // rounding errors of a constant must not fill the height
     double smallest = Math.max(Math.max(Math.abs(min), Math.abs(max)) * 1e-6, 1e-9);
     if (span() < smallest) {
       double largest = Math.max(Math.abs(min), Math.abs(max));

@@ -4,7 +4,7 @@ package no.hials.crosscom.lab.plot;
 public final class Series {
   /** How a series is drawn. */
   public enum Style {
-    /** A line from point to point, in a colour of its own. */
+    /** A coloured line from point to point. */
     LINE,
     /** A mark at each point. */
     POINTS,
@@ -33,10 +33,10 @@ public final class Series {
   /**
    * Creates a series.
    *
-   * @param name what the legend calls it; empty to leave it out there
+   * @param name its name in the legend; empty to leave it out of the legend
    * @param style how it is drawn
-   * @param x where its points are
-   * @param y as many; a gap in the line where x or y is NaN
+   * @param x the x coordinates of its points
+   * @param y the y coordinates, as many; the line has a gap where x or y is NaN
    * @return the series
    */
   public static Series of(String name, Style style, double[] x, double[] y) {
@@ -46,10 +46,10 @@ public final class Series {
   /**
    * Creates a histogram: an area with a step for each bin.
    *
-   * @param name what the legend calls it
-   * @param start where the first bin begins
-   * @param width of each bin
-   * @param counts how many fell into each
+   * @param name its name in the legend
+   * @param start the start of the first bin
+   * @param width the width of each bin
+   * @param counts the count of each bin
    * @return the series
    */
   public static Series histogram(String name, double start, double width, long... counts) {
@@ -88,12 +88,12 @@ public final class Series {
     return !Double.isFinite(x[i]) || !Double.isFinite(y[i]);
   }
 
-  /** Returns the x of all points that are no gap. */
+  /** Returns the range of x, without gaps. */
   Range xRange() {
     return range(x);
   }
 
-  /** Returns the y of all points that are no gap. */
+  /** Returns the range of y, without gaps. */
   Range yRange() {
     Range range = range(y);
     return style == Style.AREA ? range.with(0) : range;

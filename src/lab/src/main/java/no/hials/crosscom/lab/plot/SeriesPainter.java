@@ -11,10 +11,10 @@ final class SeriesPainter {
   /** The size of a mark in pixels. */
   private static final int MARK = 7;
 
-  /** The size of what marks a point between two gaps. */
+  /** The size of the dot of a point between two gaps, in pixels. */
   private static final int DOT = 4;
 
-  /** Points that are nearer than this to the one before, in pixels, do not change a line. */
+  /** A line leaves out points nearer than this to the previous point, in pixels. */
   private static final double NEAR = 0.2;
 
   private final Series series;
@@ -40,7 +40,7 @@ final class SeriesPainter {
     }
   }
 
-  /** Draws a piece of a series of this style for the legend. */
+  /** Draws a sample of a style for the legend. */
   static void paintSample(
       Series.Style style, Look look, Graphics2D g, double x, double y, int width) {
     double[] xs = {x, x + width};
@@ -89,7 +89,7 @@ final class SeriesPainter {
     g.draw(line());
   }
 
-  /** Returns the line with its gaps; what stands alone between two gaps becomes a dot. */
+  /** Returns the line with its gaps; a single point between two gaps becomes a dot. */
   private Path2D line() {
     Path2D line = new Path2D.Double();
     for (int i = 0; i < series.size(); i++) {

@@ -20,8 +20,8 @@ import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 
 /**
- * Writes a chart as SVG: Batik makes the elements of what is drawn, the JDK the file. Batik's own
- * way to a file names a DTD in it, which readers would fetch from the net.
+ * Writes a chart as SVG. Batik creates the elements and the JDK writes the file, because Batik's
+ * own writer adds a DTD, which readers would fetch from the network.
  */
 final class SvgWriter {
   private static final String NAMESPACE = "http://www.w3.org/2000/svg";
@@ -43,7 +43,7 @@ final class SvgWriter {
       root.setAttribute("role", "img");
       describe(root, "desc", description(chart));
       describe(root, "title", chart.title());
-      // in memory first, so that an error of the file is no error of the transformer
+      // in memory first, so that a file error is not reported as a transformer error
       ByteArrayOutputStream bytes = new ByteArrayOutputStream();
       Transformer transformer = TransformerFactory.newDefaultInstance().newTransformer();
       transformer.setOutputProperty(OutputKeys.INDENT, "yes");

@@ -1,6 +1,6 @@
 package no.hials.crosscom.lab.plot;
 
-/** The course of a point in space. Immutable. */
+/** The path of a point in space. Immutable. */
 public final class Track {
   private final String name;
   private final double[] x;
@@ -26,10 +26,10 @@ public final class Track {
   /**
    * Creates a track.
    *
-   * @param name what the legend calls it
-   * @param x where the point was
-   * @param y as many
-   * @param z as many; a gap where one of the three is NaN
+   * @param name its name in the legend
+   * @param x the x coordinates of the point
+   * @param y the y coordinates, as many
+   * @param z the z coordinates, as many; the track has a gap where one of the three is NaN
    * @return the track
    */
   public static Track of(String name, double[] x, double[] y, double[] z) {

@@ -6,18 +6,18 @@ import java.awt.Graphics2D;
 import java.awt.font.FontRenderContext;
 import java.awt.font.TextLayout;
 
-/** The fonts of a chart, and its texts. */
+/** Measures and draws the texts of a chart. */
 final class Typeface {
   static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 17);
   static final Font HEADING = new Font(Font.SANS_SERIF, Font.BOLD, 13);
   static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
 
-  /** The same on every device, so that PNG and SVG have the same layout. */
+  /** Independent of the device, so that PNG and SVG have the same layout. */
   private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
 
   private Typeface() {}
 
-  /** Throws if there is no font. */
+  /** Checks that Java finds a font. */
   static void check() throws NoFontsException {
     try {
       width("x", TEXT);
@@ -25,7 +25,7 @@ final class Typeface {
       if (e instanceof VirtualMachineError && !(e instanceof InternalError)) {
         throw e;
       }
-      // what the JDK throws depends on what is missing: its library, fontconfig, or the fonts
+      // the type depends on what is missing: the JDK's font library, fontconfig, or the fonts
       throw new NoFontsException(e);
     }
   }
@@ -34,7 +34,7 @@ final class Typeface {
     return text.isEmpty() ? 0 : new TextLayout(text, font, CONTEXT).getAdvance();
   }
 
-  /** Draws a line of text from a point of its baseline on. */
+  /** Draws a line of text whose baseline starts at a point. */
   static void draw(Graphics2D g, String text, Font font, Color color, double x, double y) {
     if (text.isEmpty()) {
       return;
@@ -44,7 +44,7 @@ final class Typeface {
     g.drawString(printable(text), (float) x, (float) y);
   }
 
-  /** Replaces control characters and halves of pairs, which neither fonts nor XML have. */
+  /** Replaces control characters and unpaired surrogates, which neither fonts nor XML support. */
   static String printable(String text) {
     StringBuilder printable = new StringBuilder();
     text.codePoints()
@@ -57,7 +57,7 @@ final class Typeface {
     return c < 0x20 || (c >= 0xD800 && c < 0xE000) || c == 0xFFFE || c == 0xFFFF;
   }
 
-  /** Cuts a text to a width; what is left ends with dots. */
+  /** Cuts a text to a width; a text that was cut ends with dots. */
   static String fit(String text, Font font, double width) {
     if (width(text, font) <= width) {
       return text;

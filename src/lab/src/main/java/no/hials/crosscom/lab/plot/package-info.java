@@ -1,10 +1,10 @@
 /**
- * Charts as files, PNG or SVG: what is to be seen in records ({@link
- * no.hials.crosscom.lab.plot.Chart}, its panels and their series), and the code that draws them.
+ * Writes charts to PNG and SVG files. Records describe a chart ({@link
+ * no.hials.crosscom.lab.plot.Chart}, its panels and their series); package-private classes draw it.
  *
- * <p>XChart draws the axes of a panel and Batik writes the SVG. The rest is drawn here, since
- * XChart breaks dashes at each point, drops a point that stands between two gaps, wraps no legend,
- * and has neither several panels in one SVG nor axes of one scale. Nothing needs a display.
+ * <p>XChart draws the axes of a panel and Batik writes the SVG. This package draws the rest, since
+ * XChart restarts dashes at each point, drops a point between two gaps, does not wrap legends, and
+ * supports neither several panels in one SVG nor axes with equal scales. Nothing needs a display.
  */
 @NullMarked
 package no.hials.crosscom.lab.plot;

@@ -17,14 +17,14 @@ import no.hials.crosscom.cell.OutputException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Measures how long accesses take: each of several clients does them one after the other, in a
- * thread of its own, as soon as the one before is answered (a closed loop). So a slow answer lowers
- * the rate, and does not show as the waiting of requests that would have been due meanwhile.
+ * Measures how long accesses take. Each client has its own thread and sends an access as soon as
+ * the previous one is answered (a closed loop). So a slow answer lowers the rate; it does not add
+ * waiting time to later requests.
  */
 public final class Bench implements Closeable {
   private static final long TICK_MILLIS = 50;
 
-  /** A client that fails as often in succession gives up. */
+  /** A client gives up after this number of failures in succession. */
   private static final int MAX_FAILURES = 10;
 
   private final Plan plan;
@@ -38,14 +38,16 @@ public final class Bench implements Closeable {
   private volatile long end = Long.MAX_VALUE;
 
   /**
-   * What is to be measured.
+   * The plan of a measurement.
    *
-   * @param accesses in this order, a write after the read of the value that it writes back
-   * @param clients how many at the same time
-   * @param rounds how often each client does all accesses; null if the time says when it ends
-   * @param length how long it is measured; null if rounds are counted
-   * @param warmUp how many rounds each client does before, which are not measured
-   * @param sink gets each access
+   * @param accesses the accesses in order; a write follows the read of the value that it writes
+   *     back
+   * @param clients the number of clients at the same time
+   * @param rounds the number of rounds of all accesses per client; null if {@code length} ends the
+   *     measurement
+   * @param length the duration; null if {@code rounds} ends the measurement
+   * @param warmUp the number of rounds per client before the measurement starts
+   * @param sink receives each measured access
    */
   public record Plan(
       List<BenchAccess> accesses,
@@ -59,30 +61,30 @@ public final class Bench implements Closeable {
   @FunctionalInterface
   public interface Sink {
     /**
-     * Takes an access.
+     * Called after each measured access.
      *
-     * @param nanos since measuring began
-     * @param client 1 for the first
-     * @param took how long it took, in ns
-     * @param failure what went wrong; empty if nothing did
-     * @throws OutputException if it cannot be written, which ends the measurement
+     * @param nanos the time since the measurement started, in ns
+     * @param client the number of the client, from 1
+     * @param took the duration of the access, in ns
+     * @param failure the failure; empty if the access succeeded
+     * @throws OutputException if the access cannot be written, which ends the measurement
      */
     void add(long nanos, int client, BenchAccess access, long took, String failure);
   }
 
   /**
-   * What came of it.
+   * The result of a measurement.
    *
-   * @param tallies one for each access, in the order of the plan
-   * @param duration how long it was measured
-   * @param complaints what clients said that gave up
+   * @param tallies one tally per access, in the order of the plan
+   * @param duration how long the measurement ran
+   * @param complaints the messages of the clients that gave up
    */
   public record Result(List<BenchTally> tallies, Duration duration, List<String> complaints) {}
 
   /**
    * Connects all clients.
    *
-   * @throws CrossComException if one cannot
+   * @throws CrossComException if a client cannot connect
    */
   public Bench(Plan plan, ClientConfig config) throws CrossComException {
     this.plan = plan;
@@ -99,10 +101,10 @@ public final class Bench implements Closeable {
   }
 
   /**
-   * Measures.
+   * Runs the measurement and blocks until it ends.
    *
-   * @param isStopped says whether the user wants no more; so does an interrupt of this thread,
-   *     which stays set
+   * @param isStopped returns whether the user wants to stop; an interrupt of this thread stops it
+   *     too, and the interrupt flag stays set
    * @throws OutputException if the sink failed
    */
   public Result run(BooleanSupplier isStopped) {
@@ -128,7 +130,9 @@ public final class Bench implements Closeable {
     return result(duration);
   }
 
-  /** Waits; gives false if it was interrupted, which stops the clients as a signal does. */
+  /**
+   * Waits for the latch; returns false if interrupted, which stops the clients as a signal does.
+   */
   private boolean await(CountDownLatch latch, BooleanSupplier isStopped) {
     boolean interrupted = false;
     while (true) {
@@ -173,7 +177,7 @@ public final class Bench implements Closeable {
     }
   }
 
-  /** One of the clients. Its thread alone uses it until it is done. */
+  /** A client; only its own thread uses it until it is done. */
   private final class Client implements Runnable {
     private final int number;
     private final List<BenchTally> tallies;
@@ -223,7 +227,7 @@ public final class Bench implements Closeable {
         if (!access.write()) {
           value = null;
         } else if (value == null) {
-          // it could not be read, so there is nothing to write back
+          // the read failed, so there is no value to write back
           continue;
         }
         long start = System.nanoTime();
@@ -242,7 +246,7 @@ public final class Bench implements Closeable {
       }
     }
 
-    /** Does an access and gives the value. */
+    /** Does an access and returns the value. */
     private String exchange(BenchAccess access, @Nullable String value) throws CrossComException {
       try {
         if (value == null) {
@@ -253,7 +257,7 @@ public final class Bench implements Closeable {
       } catch (CrossComException e) {
         throw e;
       } catch (IOException e) {
-        // the client throws nothing else
+        // the client throws no other IOException
         throw new UncheckedIOException(e);
       }
     }
@@ -268,7 +272,9 @@ public final class Bench implements Closeable {
       plan.sink().add(start - begin, number, plan.accesses().get(i), took, kind);
     }
 
-    /** Reconnects where the connection may be lost; no measurement includes that time. */
+    /**
+     * Reconnects if the failure may have broken the connection. No measurement includes this time.
+     */
     private void recoverFrom(@Nullable CrossComException failure) {
       if (failure == null || BenchTally.keepsConnection(failure)) {
         failuresInSuccession = 0;

@@ -10,16 +10,16 @@ import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 
 /**
- * What {@code bench} measures one after the other.
+ * An access that {@code bench} measures.
  *
- * @param write whether it is a write
+ * @param write whether the access is a write
  * @param name the variable
- * @param type the type of its value, as far as that shows it, such as {@code REAL[12]}
- * @param bytes how long the text of the value is
+ * @param type the type of its value, as far as the value shows it, such as {@code REAL[12]}
+ * @param bytes the length of the value's text
  */
 public record BenchAccess(boolean write, String name, String type, int bytes) {
 
-  /** Creates an access from the present value of the variable. */
+  /** Creates an access; the current value of the variable sets type and length. */
   public static BenchAccess of(boolean write, String name, String value) {
     return new BenchAccess(write, name, type(value), value.length());
   }

@@ -11,11 +11,11 @@ import no.hials.crosscom.CrossComTimeoutException;
 import no.hials.crosscom.CrossComValueException;
 import org.HdrHistogram.Histogram;
 
-/** How long accesses took, and how many failed. For one thread. */
+/** The times and failures of accesses. Not thread-safe. */
 public final class BenchTally {
   private static final String REFUSED = "refused";
 
-  /** Steps of 100 ns, and three digits. */
+  /** With a resolution of 100 ns and three significant digits. */
   private final Histogram times = new Histogram(100, 1_000_000, 3);
 
   private final Map<String, Long> failures = new TreeMap<>();
@@ -42,7 +42,7 @@ public final class BenchTally {
     return times;
   }
 
-  /** Returns the number of failed accesses by kind of failure. */
+  /** Returns the number of failed accesses for each kind of failure. */
   public Map<String, Long> failures() {
     return failures;
   }
@@ -51,7 +51,7 @@ public final class BenchTally {
     return failures.values().stream().mapToLong(Long::longValue).sum();
   }
 
-  /** Returns the kind of a failure in a word or two. */
+  /** Returns the kind of a failure in one to two words. */
   static String kind(CrossComException e) {
     if (e instanceof CrossComAccessException) {
       return REFUSED;
@@ -67,12 +67,12 @@ public final class BenchTally {
     return "wrong answer";
   }
 
-  /** Returns whether failures of these kinds are refusals of the controller only. */
+  /** Returns whether all failures are refusals by the controller. */
   public static boolean isRefused(Set<String> kinds) {
     return kinds.stream().allMatch(kind -> kind.equals(REFUSED));
   }
 
-  /** Returns whether the connection is as good as before. */
+  /** Returns whether the connection can still be used after a failure. */
   static boolean keepsConnection(CrossComException e) {
     return e instanceof CrossComAccessException || e instanceof CrossComValueException;
   }

@@ -4,7 +4,7 @@ package no.hials.crosscom.simulator;
 public final class KrlExecutionException extends Exception {
   private static final long serialVersionUID = 1L;
 
-  /** The numbers are this simulation's own: no source has the numbers of KSS. */
+  // the numbers are this simulation's own: no source has the numbers of KSS
 
   /** A variable, or a part of it, was read before it had a value. */
   public static final int NOT_INITIALISED = 9001;

@@ -8,9 +8,7 @@ import no.hials.crosscom.simulator.Message;
 
 /** The message window of the pendant: the last messages, and those that wait to be confirmed. */
 final class MessageWindow {
-  /**
-   * The numbers are this simulation's own, as are those of the interpreter: KSS's are not known.
-   */
+  // the numbers are this simulation's own, as are those of the interpreter: KSS's are not known
 
   /** A target is beyond the reach of the arm or a software limit. */
   static final int WORK_ENVELOPE = 9101;

@@ -71,6 +71,8 @@ import org.jspecify.annotations.Nullable;
  * </ul>
  *
  * <p>The last four exist only while they have work. Each {@link Watch} has its own threads.
+ *
+ * <p>The class is long because it holds the whole API of 0.2.2; most of it is documentation.
  */
 public final class CrossComClient implements Closeable {
   private final ClientConfig config;

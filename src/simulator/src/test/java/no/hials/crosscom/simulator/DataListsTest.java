@@ -100,7 +100,11 @@ class DataListsTest {
     void keepsTheRightsOfClientsToSystemVariables() throws Exception {
       table.load(
           "machine.dat",
-          "DEFDAT $MACHINE PUBLIC\nINT $NUM_AX=4\nREAL $SOFTN_END[12]\n$SOFTN_END[1]=-100.0\nENDDAT");
+          "DEFDAT $MACHINE PUBLIC\n"
+              + "INT $NUM_AX=4\n"
+              + "REAL $SOFTN_END[12]\n"
+              + "$SOFTN_END[1]=-100.0\n"
+              + "ENDDAT");
       assertThat(table.get("$NUM_AX")).isEqualTo("4");
       assertThat(table.describe("$NUM_AX").orElseThrow().access()).isEqualTo(Access.READ_ONLY);
       table.write("$SOFTN_END[1]", "-90.0", 255);
@@ -167,7 +171,7 @@ class DataListsTest {
           .contains(
               "x.dat:2:7: A: needs INT, was given TRUE",
               "x.dat:4:11: C: holds 3 characters, was given 4",
-              "x.dat:5:1: $OUT[5000]: index is one of 1 to 4096, was given [5000]");
+              "x.dat:5:1: $OUT[5000]: an index is 1 to 4096, was given [5000]");
     }
 
     @Test
@@ -199,7 +203,7 @@ class DataListsTest {
       Path missing = directory.resolve("missing.dat");
       assertThatThrownBy(() -> table.load(missing))
           .isInstanceOf(NoSuchFileException.class)
-          .hasMessageContainingAll(missing.toString(), "there is no such data list");
+          .hasMessageContainingAll(missing.toString(), "the data list does not exist");
       assertThatThrownBy(() -> table.load(directory))
           .isInstanceOf(FileSystemException.class)
           .hasMessageContainingAll(directory.toString(), "this is a directory");
@@ -221,16 +225,15 @@ class DataListsTest {
       assertThat(errorsOf(system("REAL $OV_ACT=7.0", "SIGNAL $OV_ACT FALSE")))
           .extracting(KrlError::message)
           .containsExactly(
-              "the controller keeps $OV_ACT itself, expected INT, found REAL",
+              "the controller sets $OV_ACT, expected INT, found REAL",
               "a data list declares a name once, $OV_ACT is declared again");
       assertThat(errorsOf(system("SIGNAL $OV_ACT FALSE")))
           .extracting(KrlError::message)
-          .containsExactly("the controller keeps $OV_ACT itself, expected INT, found SIGNAL");
+          .containsExactly("the controller sets $OV_ACT, expected INT, found SIGNAL");
       table.scope().bind("$CURR_ACT", () -> new KrlReal(1));
       assertThat(errorsOf(system("REAL $CURR_ACT[6]")))
           .extracting(KrlError::message)
-          .containsExactly(
-              "the controller keeps $CURR_ACT itself, expected REAL[12], found REAL[6]");
+          .containsExactly("the controller sets $CURR_ACT, expected REAL[12], found REAL[6]");
     }
   }
 
@@ -333,7 +336,7 @@ class DataListsTest {
       assertThatThrownBy(() -> small.toDataList("X"))
           .isInstanceOf(IllegalStateException.class)
           .hasMessage(
-              "a text in a data list ends on its line, TOOL_NAME[3,] has a line break in it");
+              "a text in a data list has no line break, TOOL_NAME[3,] has one");
     }
 
     @Test

@@ -640,7 +640,7 @@ class VariableTableTest {
       }
       assertThatThrownBy(() -> table.declareStruc("1", "REAL X")).hasMessageContaining("'1'");
       assertThatThrownBy(() -> table.declareStruc("int", "REAL X"))
-          .hasMessageContaining("type of KRL itself");
+          .hasMessageContaining("base type of KRL");
       assertThatThrownBy(() -> table.declareEnum("E")).hasMessageContaining("at least one");
       assertThatThrownBy(() -> table.declareEnum("E", "A", "a")).hasMessageContaining("twice");
       assertThatThrownBy(() -> table.declareEnum("E", "1"))

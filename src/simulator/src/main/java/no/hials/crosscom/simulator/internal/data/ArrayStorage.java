@@ -158,7 +158,7 @@ final class ArrayStorage extends Storage {
     for (int i = 0; i < lengths.length; i++) {
       int number = index.number(i);
       if (number < 1 || number > lengths[i]) {
-        throw badIndex("index is one of 1 to " + lengths[i] + ", was given " + index);
+        throw badIndex("an index is 1 to " + lengths[i] + ", was given " + index);
       }
       offset = offset * lengths[i] + number - 1;
     }

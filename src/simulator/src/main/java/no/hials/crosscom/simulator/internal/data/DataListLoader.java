@@ -242,7 +242,7 @@ public final class DataListLoader {
   private static KrlErrorException byElement(Position position, String name) {
     return new KrlErrorException(
         position,
-        "an array gets its values element by element, expected lines such as "
+        "an array gets its values by element, expected lines such as "
             + name
             + "[1]=..., found a value for the whole array");
   }
@@ -267,9 +267,9 @@ public final class DataListLoader {
         && (contents == null || !DeclaredType.of(kept).equals(DeclaredType.of(contents)))) {
       throw new KrlErrorException(
           position,
-          "the controller keeps "
+          "the controller sets "
               + old.name()
-              + " itself, expected "
+              + ", expected "
               + DeclaredType.of(kept)
               + ", found "
               + (contents == null ? "SIGNAL" : DeclaredType.of(contents)));
@@ -330,7 +330,7 @@ public final class DataListLoader {
         // assumed: a module's list sets only its own variables
         throw new KrlErrorException(
             declaration.position(),
-            "a data list gives values to what it declares, " + name + " is not declared in it");
+            "a data list sets only its own variables, " + name + " is not declared in it");
       }
       owner = globals;
     }
@@ -341,7 +341,7 @@ public final class DataListLoader {
     Storage contents = variable.contents();
     if (contents == null) {
       throw new KrlErrorException(
-          declaration.position(), "a SIGNAL has no initial value, " + name + " is one");
+          declaration.position(), "a variable has an initial value, " + name + " is a SIGNAL");
     }
     VariablePath path = ConstantExpressions.path(declaration.target(), module);
     try {
@@ -389,8 +389,7 @@ public final class DataListLoader {
       try {
         if (!names.add(Scope.key(field.name()))) {
           throw new KrlErrorException(
-              field.position(),
-              "an aggregate has a field once, " + field.name() + " stands there again");
+              field.position(), "an aggregate has a field once, " + field.name() + " is set again");
         }
         result = withField(result, field);
       } catch (KrlErrorException e) {
@@ -424,7 +423,7 @@ public final class DataListLoader {
         || globals.lookup(Scope.key(original)) == null) {
       throw new KrlErrorException(
           external.position(),
-          "IMPORT finds only what is declared GLOBAL, and by its own name, expected "
+          "IMPORT finds only GLOBAL names, unchanged, expected "
               + external.name()
               + " in the globals, found "
               + external.source());

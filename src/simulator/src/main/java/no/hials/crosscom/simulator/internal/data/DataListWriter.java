@@ -96,7 +96,7 @@ public final class DataListWriter {
       return variable.current();
     } catch (RefusedException e) {
       throw new IllegalStateException(
-          variable.name() + " is bound to what is no value of it: " + e.getMessage(), e);
+          variable.name() + " is bound to a value of another type: " + e.getMessage(), e);
     }
   }
 
@@ -173,13 +173,13 @@ public final class DataListWriter {
             && value != null
             && !name.startsWith("$");
     String filling = array != null && name.startsWith("$") ? filling(name, array) : null;
-    String behind = isText ? null : array == null ? value : filling;
+    String suffix = isText ? null : array == null ? value : filling;
     line(
         (shape.element() instanceof Type.Base ? "" : "DECL ")
             + (constant ? "CONST " : "")
             + shape.element().name()
             + (" " + name + shape.printDimensions())
-            + (behind == null ? "" : "=" + behind)
+            + (suffix == null ? "" : "=" + suffix)
             + comment(variable, constant ? Access.READ_WRITE : variable.access()));
     if (isText && value != null) {
       line(name + "[]=" + value);
@@ -229,7 +229,7 @@ public final class DataListWriter {
     if (value instanceof KrlString string
         && string.text().chars().anyMatch(c -> c == '\n' || c == '\r')) {
       throw new IllegalStateException(
-          "a text in a data list ends on its line, " + path + " has a line break in it");
+          "a text in a data list has no line break, " + path + " has one");
     }
     return value.printShort();
   }

@@ -42,7 +42,7 @@ public final class FrameArithmetic {
       if (component.isEmpty()) {
         throw new KrlExecutionException(
             KrlExecutionException.NOT_INITIALISED,
-            "component " + name + " has no value yet of " + struct);
+            "component " + name + " of " + struct + " has no value yet");
       }
       numbers[i] = Operators.number(component.get());
     }

@@ -107,7 +107,7 @@ public final class Scope {
     }
     for (Type.Base type : Type.Base.values()) {
       if (type.name().equalsIgnoreCase(name)) {
-        throw new IllegalArgumentException(name + " is a type of KRL itself");
+        throw new IllegalArgumentException(name + " is a base type of KRL");
       }
     }
   }

@@ -71,7 +71,7 @@ record SignalWiring(@Nullable String array, int first, int last) {
     int bits = 0;
     for (int i = last; i >= first; i--) {
       if (!(element(scope, i) instanceof KrlBool bit)) {
-        throw new RefusedException(Refusal.WRONG_TYPE, array + " is no array of BOOL");
+        throw new RefusedException(Refusal.WRONG_TYPE, array + " is not an array of BOOL");
       }
       bits = bits << 1 | (bit.value() ? 1 : 0);
     }

@@ -44,7 +44,7 @@ public abstract sealed class Storage
   /** Returns the part at an index. */
   Storage select(Index index) throws RefusedException {
     if (!index.isNone()) {
-      throw badIndex("no array, was given index " + index);
+      throw badIndex("not an array, was given index " + index);
     }
     return this;
   }
@@ -56,7 +56,7 @@ public abstract sealed class Storage
 
   /** Returns a component by its name in upper case. */
   Storage component(String name) throws RefusedException {
-    throw new RefusedException(Refusal.UNKNOWN_COMPONENT, "no structure, has no ." + name);
+    throw new RefusedException(Refusal.UNKNOWN_COMPONENT, "not a structure, has no ." + name);
   }
 
   /** Returns the contents after a change of a component. */

@@ -75,7 +75,7 @@ final class TextStorage extends Storage {
       throw badIndex("a CHAR array, needs []");
     }
     if (index.count() != 1 || index.number(0) < 1 || index.number(0) > capacity) {
-      throw badIndex("index is one of 1 to " + capacity + ", was given " + index);
+      throw badIndex("an index is 1 to " + capacity + ", was given " + index);
     }
     return index.number(0) - 1;
   }

@@ -45,7 +45,7 @@ record VariableEntry(
       throw new IllegalStateException(name + " has neither contents nor wiring");
     }
     if (!path.first().index().isNone()) {
-      throw Storage.badIndex("a SIGNAL is no array");
+      throw Storage.badIndex("a SIGNAL is not an array");
     }
     if (!path.isLast(0)) {
       throw new RefusedException(Refusal.UNKNOWN_COMPONENT, "a SIGNAL has no components");

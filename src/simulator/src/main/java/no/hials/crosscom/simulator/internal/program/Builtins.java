@@ -194,7 +194,7 @@ final class Builtins {
     double x = number(arguments, 1);
     if (y == 0 && x == 0) {
       throw new KrlExecutionException(
-          KrlExecutionException.OUT_OF_RANGE, "ATAN2 takes two numbers of which one is not 0");
+          KrlExecutionException.OUT_OF_RANGE, "ATAN2 takes two numbers that are not both 0");
     }
     return Operators.real(Math.toDegrees(Math.atan2(y, x)));
   }

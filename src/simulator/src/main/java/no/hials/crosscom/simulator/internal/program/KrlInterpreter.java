@@ -104,7 +104,7 @@ public final class KrlInterpreter {
     try {
       machine.begin(selected.main(), arguments);
     } catch (KrlExecutionException e) {
-      throw new IllegalStateException("the arguments fitted when the program was selected", e);
+      throw new IllegalStateException("the arguments were valid when the program was selected", e);
     }
     state = ProgramState.RESET;
     return true;

@@ -256,7 +256,7 @@ final class KrlVirtualMachine {
     if (calls == MAX_CALLS) {
       throw new KrlExecutionException(
           KrlExecutionException.CALL_STACK,
-          "calls may nest " + MAX_CALLS + " deep, " + routine.name() + " is one too many");
+          "calls nest at most " + MAX_CALLS + " deep, " + routine.name() + " is one too many");
     }
     int count = routine.parameters().size();
     CallFrame frame = new CallFrame(routine, frame(), resultWanted, height - count);
@@ -295,7 +295,7 @@ final class KrlVirtualMachine {
     CallFrame frame = frame();
     Storage result = frame.routine().body().result();
     if (result == null) {
-      throw new IllegalStateException(frame.routine().name() + " is no function");
+      throw new IllegalStateException(frame.routine().name() + " is not a function");
     }
     KrlValue converted;
     try {
@@ -419,7 +419,7 @@ final class KrlVirtualMachine {
       throw new KrlExecutionException(
           KrlExecutionException.NOT_ALLOWED,
           "RESUME cancels a subprogram called by the routine that has declared the interrupt,"
-              + " none is running");
+              + " no such subprogram is running");
     }
     int holds = 0;
     while (top != null && top != declaring) {

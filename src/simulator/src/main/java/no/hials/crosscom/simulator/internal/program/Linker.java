@@ -77,7 +77,8 @@ final class Linker {
       if (own.put(Scope.key(routine.name()), head) != null) {
         errors.add(
             new KrlError(
-                routine.position(), "routine " + routine.name() + " stands in this module twice"));
+                routine.position(),
+                "routine " + routine.name() + " is declared twice in this module"));
       }
       // assumed: the first routine is global without GLOBAL
       if (first || routine.global()) {

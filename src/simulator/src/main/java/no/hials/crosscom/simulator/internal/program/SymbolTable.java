@@ -106,7 +106,7 @@ final class SymbolTable {
   void declare(Routine routine) {
     for (Routine.Parameter parameter : routine.parameters()) {
       if (!parameters.add(Scope.key(parameter.name()))) {
-        errors.accept(parameter.position(), "parameter " + parameter.name() + " stands here twice");
+        errors.accept(parameter.position(), "parameter " + parameter.name() + " is declared twice");
       }
     }
     Map<String, Declaration.Variables> ofParameters = new HashMap<>();
@@ -144,7 +144,7 @@ final class SymbolTable {
       // assumed: KSS passes no array by value
       errors.accept(
           parameter.position(),
-          "an array of several dimensions is handed over as :OUT only, " + key + " is :IN");
+          "an array of several dimensions is passed only as :OUT, " + key + " is :IN");
     }
     StorageLocation location =
         parameter.out() ? new StorageLocation.Parameter(slot) : new StorageLocation.Local(slot);
@@ -182,7 +182,7 @@ final class SymbolTable {
       if (dimension == null) {
         errors.accept(
             variable.position(),
-            "only a parameter's dimensions are left open, not those of " + variable.name());
+            "only the dimensions of a parameter are open, not those of " + variable.name());
         return;
       }
     }

@@ -90,7 +90,7 @@ class ConstantExpressionsTest {
         "SIG|7|found the variable SIG",
         "NOWHERE|7|no variable NOWHERE is declared",
         "EMPTY|7|EMPTY has no value yet",
-        "LIST[3]|7|index is one of 1 to 2, was given [3]",
+        "LIST[3]|7|an index is 1 to 2, was given [3]",
         "LIST[1.5]|12|an index is an INT, expected one, found 1.5",
         "SIN(1)|7|found a call of a function",
         "1+TRUE|9|+ - * / take numbers, expected INT or REAL, found TRUE",

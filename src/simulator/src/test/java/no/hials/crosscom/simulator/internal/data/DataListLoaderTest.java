@@ -115,7 +115,7 @@ class DataListLoaderTest {
     void aModuleSetsOnlyWhatItDeclares() {
       assertThat(load("M", "SHARED=2"))
           .containsExactly(
-              "x:2:1: a data list gives values to what it declares, SHARED is not declared in it");
+              "x:2:1: a data list sets only its own variables, SHARED is not declared in it");
       assertThat(load("$CONFIG", "SHARED=2", "NOWHERE=3"))
           .containsExactly("x:3:1: no variable NOWHERE is declared");
     }
@@ -132,7 +132,7 @@ class DataListLoaderTest {
       assertThat(load("M", "IMPORT INT MINE IS /R1/OTHER..SHARED"))
           .singleElement()
           .asString()
-          .contains("IMPORT finds only what is declared GLOBAL", "expected MINE");
+          .contains("IMPORT finds only GLOBAL names, unchanged", "expected MINE");
       assertThat(load("M", "IMPORT INT HIDDEN IS /R1/OTHER..HIDDEN")).hasSize(1);
     }
   }
@@ -177,7 +177,7 @@ class DataListLoaderTest {
       assertThat(
               load("$X", "BOOL $OUT[4]=FALSE", "$OUT[2]=TRUE", "CHAR $N[2,3]=\"ab\"", "INT A[2]=0"))
           .containsExactly(
-              "x:5:10: an array gets its values element by element, expected lines such as"
+              "x:5:10: an array gets its values by element, expected lines such as"
                   + " A[1]=..., found a value for the whole array");
       assertThat(printed("$OUT[]")).isEqualTo("FALSE TRUE FALSE FALSE ");
       assertThat(printed("$N[2,]")).isEqualTo("\"ab\"");
@@ -245,8 +245,8 @@ class DataListLoaderTest {
           "FRAME F={LOAD: X 1}|2:9|F: needs FRAME, was given an aggregate of LOAD",
           "FRAME F={X 1,Q 2}|2:14|Q: FRAME has no .Q",
           "FRAME F={X #A}|2:12|X: needs REAL, was given #A",
-          "FRAME F={X 1,X 2}|2:14|an aggregate has a field once, X stands there again",
-          "FRAME F={X[1] 1}|2:10|X[1]: no array, was given index [1]",
+          "FRAME F={X 1,X 2}|2:14|an aggregate has a field once, X is set again",
+          "FRAME F={X[1] 1}|2:10|X[1]: not an array, was given index [1]",
           "DECL LOAD L={M 1,CM {Z 1}}|2:22|Z: FRAME has no .Z",
           "DECL MODE E=#C|2:13|E: ENUM MODE has no #C",
           "DECL MODE E=1|2:13|E: needs MODE, was given 1",
@@ -263,10 +263,10 @@ class DataListLoaderTest {
           "STRUC S NOTYPE A|2:16|type NOTYPE is not declared",
           "STRUC S INT A[0]|2:15|the length of a dimension is 1 or more, is 0",
           "STRUC S INT A,A|2:1|STRUC S has A twice",
-          "STRUC INT REAL A|2:1|INT is a type of KRL itself",
+          "STRUC INT REAL A|2:1|INT is a base type of KRL",
           "ENUM E A,a|2:1|must have at least one constant and none twice",
-          "SIGNAL S $OUT[9]|2:10|$OUT[9]: index is one of 1 to 8, was given [9]",
-          "SIGNAL S $OUT[1] TO $OUT[9]|2:21|$OUT[9]: index is one of 1 to 8",
+          "SIGNAL S $OUT[9]|2:10|$OUT[9]: an index is 1 to 8, was given [9]",
+          "SIGNAL S $OUT[1] TO $OUT[9]|2:21|$OUT[9]: an index is 1 to 8",
           "SIGNAL S $OUT[1,2]|2:10|expected one such as $OUT[1], found $OUT[1,2]",
           "SIGNAL S $NOWHERE[1]|2:10|$NOWHERE[1]: no variable $NOWHERE",
           "SIGNAL S $OUT[3] TO $OUT[2]|2:1|a SIGNAL is $OUT[a]",
@@ -284,18 +284,18 @@ class DataListLoaderTest {
         delimiter = '|',
         quoteCharacter = '\0',
         value = {
-          "A[3]=1|A[3]: index is one of 1 to 2, was given [3]",
-          "A[0]=1|index is one of 1 to 2",
+          "A[3]=1|A[3]: an index is 1 to 2, was given [3]",
+          "A[0]=1|an index is 1 to 2",
           "A=1|A: an array of 1 dimensions, was given no index",
-          "A[]=1|an array gets its values element by element",
-          "A[1].X=1|no structure, has no .X",
+          "A[]=1|an array gets its values by element",
+          "A[1].X=1|not a structure, has no .X",
           "A[1]=#A|A[1]: needs INT, was given #A",
           "F.Q=1|F.Q: FRAME has no .Q",
           "F={Q 1}|Q: FRAME has no .Q",
           "T=\"a\"|T: a CHAR array, needs []",
           "T[]=\"abcd\"|T[]: holds 3 characters, was given 4",
           "T[]=5|T[]: needs a text in double quotes, was given 5",
-          "S=TRUE|a SIGNAL has no initial value, S is one",
+          "S=TRUE|a variable has an initial value, S is a SIGNAL",
         })
     void inInitialValuesHaveTheirPlace(String line, String message) {
       assertThat(load("M", "INT A[2]", "FRAME F", "CHAR T[3]", "SIGNAL S $OUT[1]", line, "A[1]=5"))

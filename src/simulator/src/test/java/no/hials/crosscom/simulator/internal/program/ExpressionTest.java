@@ -111,8 +111,8 @@ class ExpressionTest {
         "I = EMPTY | 9001 line 2: EMPTY: has no value yet",
         "F = NOWHERE | 9001 line 2: NOWHERE: has no value yet",
         "R = NOWHERE.X | 9001 line 2: NOWHERE.X: has no value yet",
-        "I = ARR[6] | 9002 line 2: ARR[6]: index is one of 1 to 5, was given [6]",
-        "ARR[0] = 1 | 9002 line 2: ARR[0]: index is one of 1 to 5, was given [0]",
+        "I = ARR[6] | 9002 line 2: ARR[6]: an index is 1 to 5, was given [6]",
+        "ARR[0] = 1 | 9002 line 2: ARR[0]: an index is 1 to 5, was given [0]",
         "ARR[TRUE] = 1 | 9003 line 2: needs INT, was given TRUE",
         "I = TRUE | 9003 line 2: I: needs INT, was given TRUE",
         "B = 1 | 9003 line 2: B: needs BOOL, was given 1",
@@ -132,7 +132,7 @@ class ExpressionTest {
         "F = {X 1,X 2} | 9003 line 2: field X is there twice",
         "F = F : 1 | 9003 line 2: needs FRAME, POS or E6POS, was given 1",
         "F = XHOME : F | 9003 line 2: needs FRAME, POS or E6POS, was given {E6AXIS:",
-        "F = F : {X 1} | 9001 line 2: component Y has no value yet of",
+        "F = F : {X 1} | 9001 line 2: component Y of {X 1} has no value yet",
       })
   void stopsWithAMessageWhereAValueIsNotPossible(String statement, String message) {
     assertThat(new Rig().faultIn(statement)).startsWith(message);

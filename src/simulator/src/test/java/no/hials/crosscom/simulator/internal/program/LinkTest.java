@@ -20,8 +20,8 @@ class LinkTest {
         "I = 1 + NOBODY | 2:9: no variable NOBODY is declared",
         "I = ARR[NOBODY] | 2:9: no variable NOBODY is declared",
         "F.W = 1 | 2:1: F: FRAME has no .W",
-        "I.X = 1 | 2:1: I: no structure, has no .X",
-        "I[1] = 1 | 2:1: I: no array, was given index [1]",
+        "I.X = 1 | 2:1: I: not a structure, has no .X",
+        "I[1] = 1 | 2:1: I: not an array, was given index [1]",
         "GRID[1] = 1 | 2:1: GRID: an array of 2 dimensions, was given index [1]",
         "SENSOR.X = 1 | 2:1: SENSOR: a SIGNAL has no parts",
         "NOBODY() | 2:1: no routine NOBODY is known",
@@ -49,7 +49,7 @@ class LinkTest {
       quoteCharacter = '`',
       value = {
         "DECL NOTYPE X | 2:13: type NOTYPE is not declared",
-        "INT X[] | 2:5: only a parameter's dimensions are left open, not those of X",
+        "INT X[] | 2:5: only the dimensions of a parameter are open, not those of X",
         "GLOBAL INT X | 2:1: GLOBAL and CONST are for variables of data lists only",
         "INT X[I] | 2:7: a value here is made of literals",
         "INT X[0] | 2:7: the length of a dimension is 1 or more, is 0",
@@ -104,9 +104,9 @@ class LinkTest {
   void checksParameters() {
     assertThat(new Rig().errorsOf("DEF TEST(A:IN,A:IN,B:IN,M[,]:IN)\nINT A,M[,]\nEND\n"))
         .containsExactly(
-            "test.src:1:15: parameter A stands here twice",
+            "test.src:1:15: parameter A is declared twice",
             "test.src:1:20: parameter B has no declaration",
-            "test.src:1:25: an array of several dimensions is handed over as :OUT only, M is :IN",
+            "test.src:1:25: an array of several dimensions is passed only as :OUT, M is :IN",
             "test.src:2:5: A is declared twice");
   }
 

@@ -249,7 +249,7 @@ class RoutineTest {
   @Test
   void limitsTheDepthOfCalls() {
     assertThat(new Rig().faultOf("DEF TEST()\nTEST()\nEND\n"))
-        .isEqualTo("9008 line 2: calls may nest 256 deep, TEST is one too many");
+        .isEqualTo("9008 line 2: calls nest at most 256 deep, TEST is one too many");
   }
 
   @Test
@@ -264,7 +264,18 @@ class RoutineTest {
     assertThat(
             new Rig()
                 .faultOf(
-                    "DEF TEST()\nSUB()\nSUB()\nEND\nDEF SUB()\nINT N\nIF I == 1 THEN\nJ = N\nENDIF\nN = 1\nI = 1\nEND\n"))
+                    "DEF TEST()\n"
+                        + "SUB()\n"
+                        + "SUB()\n"
+                        + "END\n"
+                        + "DEF SUB()\n"
+                        + "INT N\n"
+                        + "IF I == 1 THEN\n"
+                        + "J = N\n"
+                        + "ENDIF\n"
+                        + "N = 1\n"
+                        + "I = 1\n"
+                        + "END\n"))
         .isEqualTo("9001 line 8: N: has no value yet");
   }
 
@@ -321,7 +332,16 @@ class RoutineTest {
     Rig rig =
         new Rig()
             .load(
-                "DEF TOOLS()\nI = 1\nHELPER()\nEND\nGLOBAL DEF SHARED()\nJ = 1\nEND\nDEF HELPER()\nK = 1\nEND\n");
+                "DEF TOOLS()\n"
+                    + "I = 1\n"
+                    + "HELPER()\n"
+                    + "END\n"
+                    + "GLOBAL DEF SHARED()\n"
+                    + "J = 1\n"
+                    + "END\n"
+                    + "DEF HELPER()\n"
+                    + "K = 1\n"
+                    + "END\n");
 
     rig.run("DEF TEST()\nEXT TOOLS()\nTOOLS()\nSHARED()\nEND\n");
 

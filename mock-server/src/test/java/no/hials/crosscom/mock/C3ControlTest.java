@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.PlainResponse;
@@ -30,7 +31,6 @@ import no.hials.crosscom.protocol.program.ProgramControlResponse;
 import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.simulator.Controller;
-import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Nested;
@@ -44,14 +44,14 @@ final class C3ControlTest {
   private static final Duration LONG = Duration.ofSeconds(60);
   private static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);
 
+  @KukaController(server = ServerType.C3_BRIDGE, clock = "stepped")
   private MockServer server;
+
   private RawClient client;
   private Controller controller;
 
   @BeforeEach
   void start() throws IOException {
-    server =
-        MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(SimulationClock.stepped()));
     client = new RawClient(server);
     controller = server.controller();
     controller.place(START);
@@ -62,7 +62,6 @@ final class C3ControlTest {
   @AfterEach
   void stop() throws IOException {
     client.close();
-    server.close();
   }
 
   private ErrorCode code(Request request) throws IOException {

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.internal.ResponsePlan;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.EmptyResponse;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.variable.ReadArrayRequest;
@@ -32,19 +33,17 @@ class FaultTest {
   private static final String PING = "00 09 00 07 00 00 04 50 49 4E 47";
   private static final String PONG = "00 09 00 0A 00 00 04 50 4F 4E 47 00 01 01";
 
-  private MockServer server;
+  @KukaController private MockServer server;
   private RawClient client;
 
   @BeforeEach
   void start() throws IOException {
-    server = MockServer.start();
     client = new RawClient(server);
   }
 
   @AfterEach
   void stop() throws IOException {
     client.close();
-    server.close();
   }
 
   private void assertReceives(String hex) throws IOException {

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
@@ -17,8 +18,6 @@ import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.FileTree;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.SimulationClock;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,19 +28,15 @@ final class LoadedFilesTest {
   private static final String DATA = "DEFDAT PART\nINT COUNT=4\nENDDAT\n";
 
   @TempDir private Path folder;
+
+  @KukaController(server = ServerType.C3_BRIDGE, clock = "stepped")
   private MockServer server;
+
   private Controller controller;
 
   @BeforeEach
-  void start() throws IOException {
-    server =
-        MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(SimulationClock.stepped()));
+  void start() {
     controller = server.controller();
-  }
-
-  @AfterEach
-  void stop() {
-    server.close();
   }
 
   private Path file(String name, String text) throws IOException {

@@ -2,6 +2,7 @@ package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.internal.RequestHandler.Outcome;
 import no.hials.crosscom.protocol.ErrorCode;
@@ -27,7 +28,6 @@ import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import no.hials.crosscom.protocol.variable.WriteRequest;
 import no.hials.crosscom.protocol.variable.WriteResponse;
 import no.hials.crosscom.protocol.variable.WriteUtf16Request;
-import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.VariableTable;

@@ -8,7 +8,8 @@ import java.net.InetAddress;
 import java.net.Socket;
 
 /**
- * The lower bound of the cost of an exchange: a {@link Socket} that sends fixed bytes and reads the bytes of the answer. It checks nothing.
+ * The lower bound of the cost of an exchange: a {@link Socket} that sends fixed bytes and reads the
+ * bytes of the answer. It checks nothing.
  */
 final class BareClient implements Closeable, Exchange {
   private final Socket socket;

@@ -11,8 +11,11 @@ import java.util.concurrent.atomic.LongAdder;
 import no.hials.crosscom.protocol.Codec;
 
 /**
- * A server of minimal cost: it answers every request with the same bytes and the id of the request. It creates no objects while it serves.
- * <p>Threads, all daemons: one accepts connections, and one serves each connection. They end with {@link #close} and with the connection.
+ * A server of minimal cost: it answers every request with the same bytes and the id of the request.
+ * It creates no objects while it serves.
+ *
+ * <p>Threads, all daemons: one accepts connections, and one serves each connection. They end with
+ * {@link #close} and with the connection.
  */
 final class BareServer implements Closeable {
   private final ServerSocket listener;
@@ -35,7 +38,10 @@ final class BareServer implements Closeable {
     return requests.sum();
   }
 
-  /** Returns the number of reads that received the requests; a request of two writes mostly needs two. */
+  /**
+   * Returns the number of reads that received the requests; a request of two writes mostly needs
+   * two.
+   */
   long segments() {
     return segments.sum();
   }

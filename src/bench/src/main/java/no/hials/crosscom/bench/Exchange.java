@@ -7,6 +7,7 @@ import java.io.IOException;
 interface Exchange {
   /**
    * Sends the request and reads the answer.
+   *
    * @return a number from the answer
    */
   double run() throws IOException;

@@ -45,6 +45,7 @@ public class ExchangeBenchmark {
 
   /**
    * Starts the server and connects.
+   *
    * @throws IOException if the connection fails
    */
   @Setup
@@ -71,6 +72,7 @@ public class ExchangeBenchmark {
 
   /**
    * Closes the connections and the server.
+   *
    * @throws IOException if closing fails
    */
   @TearDown

@@ -10,7 +10,9 @@ public final class ExchangeLoop {
 
   /**
    * Runs the exchanges.
-   * @param args {@code client} or {@code socket}, the name of the operation, and the number of exchanges
+   *
+   * @param args {@code client} or {@code socket}, the name of the operation, and the number of
+   *     exchanges
    * @throws IOException if an exchange fails
    */
   public static void main(String[] args) throws IOException {

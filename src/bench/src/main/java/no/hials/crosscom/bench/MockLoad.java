@@ -26,6 +26,7 @@ public final class MockLoad {
 
   /**
    * Runs all measurements.
+   *
    * @param args not used
    * @throws IOException if an exchange fails
    * @throws InterruptedException if the thread is interrupted

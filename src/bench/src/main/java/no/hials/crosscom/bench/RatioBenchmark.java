@@ -16,8 +16,12 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 
 /**
- * Compares the client with a bare socket that sends the same bytes to the same server. The two take turns, so that other load on the machine affects both.
- * <p>A block is a number of consecutive exchanges of one of them; a round is four blocks: one, other, other, one. Each trial has new connections, since the speed of connections differs. The report has the median time of all blocks, per exchange, and the ratio of the medians.
+ * Compares the client with a bare socket that sends the same bytes to the same server. The two take
+ * turns, so that other load on the machine affects both.
+ *
+ * <p>A block is a number of consecutive exchanges of one of them; a round is four blocks: one,
+ * other, other, one. Each trial has new connections, since the speed of connections differs. The
+ * report has the median time of all blocks, per exchange, and the ratio of the medians.
  */
 public final class RatioBenchmark {
   private static final int BLOCK = 25;
@@ -36,6 +40,7 @@ public final class RatioBenchmark {
 
   /**
    * Runs the comparison. To run both sides on one CPU: {@code taskset -c 0 java ...}.
+   *
    * @param args the number of trials (10) and of rounds in each trial (1000)
    * @throws IOException if an exchange fails
    */
@@ -47,6 +52,7 @@ public final class RatioBenchmark {
 
   /**
    * The result of a comparison, in ns per exchange.
+   *
    * @param one the median of the measured side
    * @param other the median of the bare socket
    * @param least the smallest ratio of a trial

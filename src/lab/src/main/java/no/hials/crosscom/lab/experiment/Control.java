@@ -5,7 +5,7 @@ import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
-/** The four ways of the papers to move a robot, each with the plane in which it draws figures. */
+/** The four kinds of control of the papers, each with the plane in which it draws figures. */
 enum Control {
   /** {@code x_t = x_d}, in increments of the tool. */
   POSITION("position", "position of the tool", RobotProgram.ACTUATOR) {
@@ -55,7 +55,7 @@ enum Control {
     }
   };
 
-  /** What 1 of a figure is. */
+  /** The length of 1 in a figure, mm. */
   private static final double MM = 50;
 
   private static final double DEGREES = 8;

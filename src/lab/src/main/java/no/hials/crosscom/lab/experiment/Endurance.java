@@ -13,7 +13,10 @@ import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.lab.plot.Panel;
 import no.hials.crosscom.lab.plot.Series;
 
-/** Draws circles for a long time in the shortest useful period, and finds who missed a cycle. */
+/**
+ * Draws circles for a long time with the shortest useful period, and finds the cause of each missed
+ * cycle.
+ */
 final class Endurance implements Experiment {
   private static final Control CONTROL = Control.POSITION;
   private static final int HEIGHT = 800;
@@ -25,7 +28,7 @@ final class Endurance implements Experiment {
 
   @Override
   public String description() {
-    return "Circles for 10 minutes with a period of 12 ms, and whose fault each missed cycle is.";
+    return "Circles for 10 minutes with a period of 12 ms, and the cause of each missed cycle.";
   }
 
   @Override
@@ -51,14 +54,14 @@ final class Endurance implements Experiment {
                 return circles.position(state);
               });
       Run run = Run.of("", settings, KrlPrograms.START, CONTROL.program(), standing, law);
-      // the law was asked first when the first reading had come
+      // the first call of the law follows the first reading
       List<Pauses.Pause> seen = pauses.seen(run.cycles().get(0).read() / 1e3);
       Misses misses = Misses.of(run.cycles(), seen, settings.period());
       return new Outcome(List.of(run), figures(misses, seen), chart(run, seen, settings), HEIGHT);
     }
   }
 
-  /** Returns the state in which the law wants the robot to be where it starts. */
+  /** Returns the state whose set point is the start position. */
   private static State beforeStart(State state) {
     return new State(
         -state.period(), state.period(), state.axes(), state.position(), state.input());

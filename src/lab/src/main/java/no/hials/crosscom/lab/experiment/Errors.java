@@ -2,7 +2,7 @@ package no.hials.crosscom.lab.experiment;
 
 import java.util.List;
 
-/** Computes figures of errors. */
+/** Computes the RMS and the maximum of errors. */
 final class Errors {
   private Errors() {}
 
@@ -22,7 +22,7 @@ final class Errors {
     return most;
   }
 
-  /** Returns both figures. */
+  /** Returns the RMS and the maximum. */
   static List<Outcome.Figure> figures(String name, String unit, double... errors) {
     return List.of(
         new Outcome.Figure(name + ", RMS", rootMeanSquare(errors), unit),

@@ -6,13 +6,13 @@ import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.control.ControlRefusedException;
 
-/** Something that a simulated robot is to do, and what of it is measured. */
+/** An experiment on a simulated robot and its measurements. */
 public interface Experiment {
 
   /**
-   * Lists all experiments.
+   * Returns all experiments.
    *
-   * @return those with figures first, each kind of control after the other
+   * @return the experiments with figures first, ordered by kind of control
    */
   static List<Experiment> all() {
     List<Experiment> all = new ArrayList<>();
@@ -27,9 +27,9 @@ public interface Experiment {
   }
 
   /**
-   * Returns its name.
+   * Returns the name.
    *
-   * @return such as {@code position-circle}
+   * @return the name, such as {@code position-circle}
    */
   String name();
 
@@ -41,9 +41,9 @@ public interface Experiment {
   String description();
 
   /**
-   * Names its loops, which run one after the other.
+   * Returns the names of the loops, which run one after the other.
    *
-   * @return one name for each; empty for the only one
+   * @return one name per loop; the name is empty for a single loop
    */
   default List<String> loops() {
     return List.of("");
@@ -57,23 +57,23 @@ public interface Experiment {
   Settings usual();
 
   /**
-   * Runs it, in real time.
+   * Runs the experiment in real time and blocks until it ends.
    *
-   * @param settings how long, how often, and against which latency
-   * @return what came out, also if the loop stopped the robot
+   * @param settings the duration, the period and the latency
+   * @return the outcome, even if the loop stopped the robot
    * @throws ControlRefusedException if a loop did not start
    * @throws IOException if the simulated controller cannot be started or reached
    */
   Outcome run(Settings settings) throws ControlRefusedException, IOException;
 
   /**
-   * How an experiment runs.
+   * The settings of an experiment.
    *
-   * @param length how long
-   * @param lap how long the robot has for the figure once
-   * @param period of the control loop, 4 ms to 1 s
-   * @param step how long the program is taken to need for one increment, 4 ms to 1 s
-   * @param latency how long an access takes the simulated controller, as {@link
+   * @param length the duration
+   * @param lap the time for one lap of the figure
+   * @param period the period of the control loop, 4 ms to 1 s
+   * @param step the assumed time of the program for one increment, 4 ms to 1 s
+   * @param latency the access time of the simulated controller, as {@link
    *     no.hials.crosscom.mock.Latency#parse} reads it
    */
   record Settings(Duration length, Duration lap, Duration period, Duration step, String latency) {

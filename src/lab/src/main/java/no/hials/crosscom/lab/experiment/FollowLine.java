@@ -18,8 +18,8 @@ import no.hials.crosscom.lab.plot.Panel;
 import no.hials.crosscom.lab.plot.Series;
 
 /**
- * Follows a straight line twice by the same velocity of the tool: once the controller finds the
- * axes, once damped least squares do.
+ * Follows a straight line twice with the same velocity of the tool: once the controller computes
+ * the axes, once damped least squares.
  */
 final class FollowLine implements Experiment {
   private static final String KRC = "controller's kinematics";
@@ -28,10 +28,10 @@ final class FollowLine implements Experiment {
   private static final String OWN_LOOP = "dls";
   private static final double DAMPING = 0.1;
 
-  /** How much of the distance from the line is made up for, 1/s. */
+  /** The gain of the correction towards the line, 1/s. */
   private static final double GAIN = 2;
 
-  /** The whole way in a lap, mm. */
+  /** The distance of a lap, mm. */
   private static final Twist WAY = Twist.linear(0, 240, 0);
 
   /** Half way: near the singularity of the wrist at A5 = 0. */
@@ -42,7 +42,7 @@ final class FollowLine implements Experiment {
   private static final int AXES = 6;
   private static final int HEIGHT = 1700;
 
-  /** What both runs have in common: where axes and tool were, and when. */
+  /** The positions of axes and tool in a run. */
   private record Motion(Run run, List<Axes> axes, List<Frame> tool) {
     double[] times() {
       return Plots.times(run.cycles());
@@ -103,7 +103,9 @@ final class FollowLine implements Experiment {
     return outcome(ofTool(krc), ofAxes(own), settings);
   }
 
-  /** Goes back from half way, so that the arm has the same configuration at the start. */
+  /**
+   * Returns the start, computed backwards from half way so that the arm has the same configuration.
+   */
   private static Axes start() {
     Frame middle = SimulatedRobot.MODEL.forward(HALF_WAY);
     Axes axes = HALF_WAY;
@@ -132,7 +134,7 @@ final class FollowLine implements Experiment {
     return time < lap ? back.plus(WAY.times(1 / lap)) : back;
   }
 
-  // where axes and tool were, of a run that has measured one of them
+  // a run measures either the axes or the tool; the other is computed
 
   private static Motion ofAxes(Run run) {
     List<Axes> axes = run.cycles().stream().map(FollowLine::axes).toList();
@@ -158,7 +160,7 @@ final class FollowLine implements Experiment {
     return new Motion(run, axes, tool);
   }
 
-  // what is measured
+  // measurements
 
   /** Returns the distance of the tool from the nearest point of the line. */
   private static double deviation(Frame tool) {

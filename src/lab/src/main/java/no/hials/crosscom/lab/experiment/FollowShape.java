@@ -14,7 +14,7 @@ import no.hials.crosscom.lab.plot.Series;
 /**
  * Draws a figure by one kind of control.
  *
- * @param control the kind
+ * @param control the kind of control
  * @param shape the figure
  */
 record FollowShape(Control control, Shape shape) implements Experiment {

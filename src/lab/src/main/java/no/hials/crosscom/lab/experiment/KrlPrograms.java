@@ -8,9 +8,9 @@ import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 
-/** Creates a simulated controller ready to follow a client, as a person would a real one. */
+/** Prepares a simulated controller to follow a client, as a person would prepare a real one. */
 public final class KrlPrograms {
-  /** Not with A5 at 0, from where the tool cannot move straight in every direction. */
+  /** A5 is not 0, because there the tool cannot move straight in every direction. */
   public static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);
 
   private static final String FOLDER = "/no/hials/crosscom/lab/krl/";
@@ -21,8 +21,8 @@ public final class KrlPrograms {
    * Loads and starts programs of {@code krl}, which the build puts into the jar: the one that moves
    * the robot, and the watchdog.
    *
-   * @param controller the simulated controller; it will be in mode AUT
-   * @param start where its axes are at first
+   * @param controller the simulated controller, which is switched to mode AUT
+   * @param start the initial position of its axes
    * @param program the program's file without its ending, such as {@code actuator}
    * @throws IOException if a file cannot be read
    */

@@ -5,17 +5,18 @@ import java.util.List;
 import no.hials.crosscom.control.Trace;
 
 /**
- * The cycles that were left out since the one before took too long, by what took it so long.
+ * Counts the cycles missed because the previous cycle took too long, by cause. Each cycle counts
+ * under the first cause that fits.
  *
- * @param byAccess those that the accesses to the controller alone would have missed, without the
- *     pauses in them: they left less than 0.2 ms of the period
- * @param byWaking the others that the accesses would have missed together with the time by which
- *     the computer woke the loop too late, again without the pauses
- * @param byCollection the others, if there was a pause for the collection of garbage
- * @param byOther none of these: the law, the loop, or a computer that had other things to do
+ * @param byAccess the accesses to the controller, without the pauses in them, left less than 0.2 ms
+ *     of the period
+ * @param byWaking the accesses and a late wake-up of the loop by the computer, without the pauses,
+ *     left less than 0.2 ms of the period
+ * @param byCollection a garbage collection pause
+ * @param byOther any other cause: the law, the loop, or a busy computer
  */
 record Misses(long byAccess, long byWaking, long byCollection, long byOther) {
-  /** What a cycle may need itself, ms. */
+  /** The time that a cycle itself may need, ms. */
   private static final double OWN = 0.2;
 
   static Misses of(List<Trace.Cycle> cycles, List<Pauses.Pause> pauses, Duration period) {
@@ -23,7 +24,7 @@ record Misses(long byAccess, long byWaking, long byCollection, long byOther) {
     Misses sum = new Misses(0, 0, 0, 0);
     for (int i = 1; i < cycles.size(); i++) {
       Trace.Cycle before = cycles.get(i - 1);
-      // a cycle that begins late is not a missed one
+      // a cycle that begins late is not missed
       long missed = slot(cycles.get(i), dt) - slot(before, dt) - 1;
       if (missed > 0) {
         sum = sum.plus(between(before, cycles.get(i), missed, pauses, dt));

@@ -4,12 +4,12 @@ import java.util.List;
 import no.hials.crosscom.lab.plot.Chart;
 
 /**
- * What came out of an experiment.
+ * The outcome of an experiment.
  *
- * @param runs what its loops have done, at least one
- * @param figures what was computed of them
- * @param chart the picture
- * @param height how high the picture is to be if it is 1000 pixels wide
+ * @param runs the runs of its loops, at least one
+ * @param figures the figures computed from the runs
+ * @param chart the chart
+ * @param height the height of a picture that is 1000 pixels wide, in pixels
  */
 public record Outcome(List<Run> runs, List<Figure> figures, Chart chart, int height) {
 
@@ -20,11 +20,11 @@ public record Outcome(List<Run> runs, List<Figure> figures, Chart chart, int hei
   }
 
   /**
-   * One number.
+   * A computed number.
    *
-   * @param name what it is
-   * @param value how much
-   * @param unit its unit, empty if it is a count
+   * @param name its name
+   * @param value its value
+   * @param unit its unit; empty for a count
    */
   public record Figure(String name, double value, String unit) {}
 }

@@ -11,23 +11,23 @@ import javax.management.NotificationEmitter;
 import javax.management.NotificationListener;
 import javax.management.openmbean.CompositeData;
 
-/** Notes the pauses of this process for the collection of garbage, to a millisecond. */
+/** Records the garbage collection pauses of this process, to a millisecond. */
 final class Pauses implements AutoCloseable {
-  /** These of ZGC are whole collections, in which the process goes on. */
+  /** ZGC reports whole collections under this name, during which the process keeps running. */
   private static final String NOT_PAUSES = "Cycles";
 
   private final List<Pause> pauses = new ArrayList<>();
   private final List<NotificationEmitter> emitters = new ArrayList<>();
   private final NotificationListener listener = (notification, handback) -> note(notification);
 
-  /** When {@link #begin} was called, ms by the clock of the computer. */
+  /** The time of the call of {@link #begin}, ms of the system clock. */
   private long begin = -1;
 
   /**
    * A pause.
    *
-   * @param begin s since the begin of the loop
-   * @param length s
+   * @param begin the time since the start of the loop, s
+   * @param length the length, s
    */
   record Pause(double begin, double length) {}
 
@@ -58,15 +58,15 @@ final class Pauses implements AutoCloseable {
         GarbageCollectionNotificationInfo.from((CompositeData) notification.getUserData())
             .getGcInfo()
             .getDuration();
-    // made at the end of the pause; the start in the data is by a clock that starts sooner or
-    // later than every other one
+    // the time stamp is from the end of the pause; the start time in the data uses a clock whose
+    // origin differs from that of all other clocks
     pauses.add(new Pause((notification.getTimeStamp() - length - begin) / 1e3, length / 1e3));
   }
 
   /**
    * Returns the pauses since {@link #begin}.
    *
-   * @param past how long the loop had run then, s
+   * @param past how long the loop had run at the call of {@link #begin}, s
    */
   synchronized List<Pause> seen(double past) {
     return pauses.stream().map(pause -> new Pause(pause.begin() + past, pause.length())).toList();
@@ -88,7 +88,7 @@ final class Pauses implements AutoCloseable {
       try {
         emitter.removeNotificationListener(listener);
       } catch (ListenerNotFoundException e) {
-        throw new IllegalStateException("it was added", e);
+        throw new IllegalStateException("the listener was added", e);
       }
     }
   }

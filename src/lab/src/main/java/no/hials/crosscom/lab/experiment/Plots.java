@@ -9,7 +9,7 @@ import no.hials.crosscom.lab.plot.Axis;
 import no.hials.crosscom.lab.plot.Panel;
 import no.hials.crosscom.lab.plot.Series;
 
-/** Creates the panels that several experiments have. */
+/** Creates the panels that several experiments share. */
 final class Plots {
   static final Axis TIME = new Axis("time", "s");
   private static final double LONGEST_SHOWN = 25;
@@ -17,7 +17,7 @@ final class Plots {
 
   private Plots() {}
 
-  /** Returns a number of each cycle. */
+  /** Returns a number for each cycle. */
   static double[] values(List<Trace.Cycle> cycles, ToDoubleFunction<Trace.Cycle> value) {
     return cycles.stream().mapToDouble(value).toArray();
   }
@@ -34,7 +34,7 @@ final class Plots {
     return Panel.of(title, TIME, y, Panel.Scale.FREE, series);
   }
 
-  /** Shows how long reading and writing took in each cycle, and the period. */
+  /** Returns a panel of the read and write times of each cycle, with the period. */
   static Panel accessTimes(List<Trace.Cycle> cycles, Duration period) {
     double[] ends = {0, cycles.isEmpty() ? 0 : cycles.get(cycles.size() - 1).time()};
     double dt = period.toNanos() / 1e6;
@@ -47,7 +47,7 @@ final class Plots {
             line("writing", cycles, Trace.Cycle::write)));
   }
 
-  /** Shows how often reading and writing took how long. */
+  /** Returns a histogram of the read and write times. */
   static Panel accessHistogram(List<Trace.Cycle> cycles) {
     List<Series> series = new ArrayList<>();
     series.add(histogram("reading", values(cycles, Trace.Cycle::read)));
@@ -60,7 +60,7 @@ final class Plots {
         series);
   }
 
-  /** Counts in bins; what is longer than the axis is in the last one. */
+  /** Returns a histogram; values beyond the axis count in the last bin. */
   static Series histogram(String name, double... values) {
     long[] counts = new long[(int) (LONGEST_SHOWN / BIN)];
     for (double value : values) {

@@ -12,20 +12,20 @@ import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 
 /**
- * The process of a {@link SimulatedRobot}. It prints where it listens, host and port, a line each,
- * and ends when its input does, as also happens if who started it is killed.
+ * The process of a {@link SimulatedRobot}. It prints the host and the port it listens on, a line
+ * each, and exits when its input is closed, which also happens if the parent process is killed.
  */
 final class RobotProcess {
-  /** Quick to start, and no threads of the JVM that take the CPUs of the loop. */
+  /** Starts fast and runs no JVM threads that compete with the loop for the CPUs. */
   private static final List<String> THRIFT = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
 
-  /** These are meant for the loop, and may exclude the ones above. */
+  /** These are meant for the loop, and may conflict with the options above. */
   private static final Set<String> USERS_OPTIONS =
       Set.of("JDK_JAVA_OPTIONS", "JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS");
 
   private RobotProcess() {}
 
-  /** Starts the process, on the Java and with the classes of this one. */
+  /** Starts the process with the Java and the class path of this process. */
   static Process start(String latency, Axes start, RobotProgram program) throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
@@ -46,9 +46,9 @@ final class RobotProcess {
   /**
    * Simulates a robot.
    *
-   * @param args the latency, the program, and where the axes are at first, as {@link #start} gives
-   *     them
-   * @throws IOException if it cannot be started, or not be told where it listens
+   * @param args the latency, the program, and the initial position of the axes, as {@link #start}
+   *     passes them
+   * @throws IOException if the server cannot be started or its address cannot be printed
    */
   public static void main(String... args) throws IOException {
     Latency latency = Latency.parse(args[0], 1);
@@ -59,7 +59,7 @@ final class RobotProcess {
       System.out.println(server.host());
       System.out.println(server.port());
       while (System.in.read() >= 0) {
-        // nothing is said to it
+        // the input carries no data
       }
     }
   }

@@ -5,7 +5,7 @@ import no.hials.crosscom.control.Target;
 import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.kinematics.Axes;
 
-/** The programs of {@code krl} that move by increments, as those of the papers did. */
+/** The programs of {@code krl} that move by increments, as the programs of the papers did. */
 enum RobotProgram {
   ACTUATOR("MYPOS") {
     @Override
@@ -30,6 +30,6 @@ enum RobotProgram {
     return Target.increment(variable);
   }
 
-  /** Creates a law of the kind that suits the program, by which the robot stands. */
+  /** Creates a law of the program's kind that keeps the robot at rest. */
   abstract Law standing();
 }

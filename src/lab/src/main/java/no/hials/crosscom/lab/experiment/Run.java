@@ -15,27 +15,25 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.protocol.code.OperatingMode;
 
 /**
- * What a loop has done.
+ * A run of a control loop.
  *
- * @param name what the chart and the files call it; empty if it is the only one of its experiment
- * @param end why it ended
- * @param statistics its numbers
- * @param trace its cycles, all of them
+ * @param name its name in the chart and the files; empty for the only run of an experiment
+ * @param end the reason it ended
+ * @param statistics its statistics
+ * @param trace all its cycles
  */
 public record Run(String name, StopReason end, LoopStatistics statistics, Trace trace) {
 
-  /** Cycles beyond those that should be, as the first and the last are both in the time. */
+  /** Room for more cycles than periods in the time, which includes the first and the last cycle. */
   private static final int SPARE_CYCLES = 10;
 
-  /**
-   * How long a loop lets the robot stand before, at most: the first cycles of a process are slow.
-   */
+  /** The maximum time at rest before a run, because the first cycles of a process are slow. */
   private static final Duration WARM_UP = Duration.ofSeconds(10);
 
   /**
-   * Runs a loop on a robot of its own, until its time is over or it stops the robot.
+   * Runs a loop on a new simulated robot until its time is over or it stops the robot.
    *
-   * @param start where the axes are at first
+   * @param start the initial position of the axes
    */
   static Run of(
       String name, Experiment.Settings settings, Axes start, RobotProgram program, Law law)
@@ -44,10 +42,10 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
   }
 
   /**
-   * Does the same.
+   * Runs a loop after the robot was at rest.
    *
-   * @param standing lets the robot stand, in the way of the law if its first cycle is not to be
-   *     slower than the others
+   * @param standing the law that keeps the robot at rest; of the same kind as the law of the run,
+   *     so that its first cycle is not slower than the others
    */
   static Run of(
       String name,
@@ -91,7 +89,7 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
     }
   }
 
-  /** Sets limits that are wider than the defaults, with patience for a computer that is busy. */
+  /** Sets limits wider than the defaults, so that a busy computer does not end the run. */
   private static void limits(Safety.Builder safety) {
     safety
         .modes(OperatingMode.AUT)
@@ -113,7 +111,6 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
     }
   }
 
-  /** Returns its cycles. */
   List<Trace.Cycle> cycles() {
     return trace.cycles();
   }

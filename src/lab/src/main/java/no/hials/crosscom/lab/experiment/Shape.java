@@ -1,6 +1,9 @@
 package no.hials.crosscom.lab.experiment;
 
-/** A figure in a plane. It begins at the origin; a part of 1 is once round, and it goes on then. */
+/**
+ * A figure in a plane. It begins at the origin; a part of 1 is one lap, and larger parts continue
+ * with the next lap.
+ */
 enum Shape {
   /** Two waves there; two waves back in the next lap. */
   SINUSOID {
@@ -63,7 +66,7 @@ enum Shape {
   private static final double HEIGHT = 0.8;
 
   /**
-   * A point, or how fast one moves in a lap.
+   * A point, or a velocity per lap.
    *
    * @param u to the right
    * @param v upwards

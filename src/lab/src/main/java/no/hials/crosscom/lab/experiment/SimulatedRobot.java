@@ -13,9 +13,8 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.RobotModel;
 
 /**
- * A simulated KR 6 R900 sixx whose program waits for increments, in a process of its own as a real
- * one is, and a client of it. So a collection of garbage here does not stop the robot, nor one
- * there the client.
+ * A simulated KR 6 R900 sixx whose program waits for increments, and its client. The robot runs in
+ * a separate process, as a real one does, so that a garbage collection stops only one of the two.
  */
 final class SimulatedRobot implements AutoCloseable {
   static final RobotModel MODEL = RobotModel.kr6r900sixx();
@@ -32,12 +31,12 @@ final class SimulatedRobot implements AutoCloseable {
   }
 
   /**
-   * Starts everything.
+   * Starts the process, the program and the client.
    *
    * @param latency as {@link no.hials.crosscom.mock.Latency#parse} reads it
-   * @param start where the axes are at first
-   * @param program what the robot is to run
-   * @throws IOException if it cannot be started or reached
+   * @param start the initial position of the axes
+   * @param program the program to run
+   * @throws IOException if the robot cannot be started or reached
    */
   static SimulatedRobot start(String latency, Axes start, RobotProgram program) throws IOException {
     Process process = RobotProcess.start(latency, start, program);
@@ -61,14 +60,16 @@ final class SimulatedRobot implements AutoCloseable {
     return new CrossComClient(ClientConfig.create(host, cfg -> cfg.port(Integer.parseInt(port))));
   }
 
-  /** Waits until the program is in its loop: before, it sets the increment to zeros. */
+  /**
+   * Waits until the program is in its loop, because before the loop it sets the increment to zeros.
+   */
   private void awaitFirstStep() throws IOException {
     KRLInt steps = new KRLInt("JOV_STEPS");
     long end = System.nanoTime() + PATIENCE.toNanos();
     do {
       if (System.nanoTime() > end) {
         throw new IOException(
-            "the program on the simulated controller must come to its loop within " + PATIENCE);
+            "the program on the simulated controller must reach its loop within " + PATIENCE);
       }
       LockSupport.parkNanos(PAUSE.toNanos());
       client.readVariable(steps);
@@ -88,7 +89,7 @@ final class SimulatedRobot implements AutoCloseable {
     }
   }
 
-  /** Ends the process, which ends by itself when its input is closed. */
+  /** Ends the process, which exits when its input is closed. */
   private static void end(Process process) throws IOException {
     try {
       process.outputWriter().close();
@@ -96,7 +97,7 @@ final class SimulatedRobot implements AutoCloseable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
-      process.destroyForcibly(); // nothing if it has ended
+      process.destroyForcibly(); // no effect if it has exited
     }
   }
 }

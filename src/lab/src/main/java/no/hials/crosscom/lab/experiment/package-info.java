@@ -1,7 +1,7 @@
 /**
- * The experiments of the papers on a simulated robot: each is an {@link
- * no.hials.crosscom.lab.experiment.Experiment} of one list, runs a control loop in real time, and
- * gives what it measured as figures, a chart and CSV.
+ * The experiments of the papers on a simulated robot: each {@link
+ * no.hials.crosscom.lab.experiment.Experiment} runs control loops in real time and returns its
+ * measurements as figures, a chart and CSV.
  *
  * <p>The simulated controller is in the same process and loads the programs of {@code krl}, which
  * the build puts into the jar; the control laws and limits are those of {@link

@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * case. Immutable.
  */
 public final class Catalogue {
-  /** The data lists of the simulated controller, in the order in which they need each other. */
+  /** The data lists of the simulated controller, in the order of their dependencies. */
   private static final List<String> BUILT_IN =
       List.of("$TYPES.DAT", "$OPERATE.DAT", "$MACHINE.DAT", "$CONFIG.DAT");
 
@@ -54,7 +54,7 @@ public final class Catalogue {
     return catalogue;
   }
 
-  /** Returns whether controllers have a variable, too, and not the simulated one only. */
+  /** Returns whether real controllers have a variable, not only the simulated one. */
   private static boolean isSystemVariable(String name, VariableNote note) {
     return name.startsWith("$") || !note.source().equals(ASSUMED);
   }
@@ -77,9 +77,9 @@ public final class Catalogue {
 
   /**
    * Returns this catalogue with the declarations of data lists. Known variables stay, since they
-   * has unit and access.
+   * have unit and access.
    *
-   * @param lists by the files that they are from
+   * @param lists the data lists by their files
    */
   public Catalogue plus(Map<String, DataList> lists) {
     Catalogue all = new Catalogue();
@@ -93,7 +93,7 @@ public final class Catalogue {
   /**
    * Adds the declarations of a data list.
    *
-   * @param access the access to variables whose comment does not name it; null if it is not known
+   * @param access the access to variables whose comment does not name it; null if unknown
    * @param shown selects variables by their name and comment
    */
   private void add(
@@ -169,9 +169,9 @@ public final class Catalogue {
   }
 
   /**
-   * Finds what a path names: a variable, a field of it, or an element, which has no dimensions.
+   * Finds the variable, field or element that a path names. An element has no dimensions.
    *
-   * @param path such as {@code LOAD_DATA[1].CM.X}
+   * @param path the path, such as {@code LOAD_DATA[1].CM.X}
    */
   public Optional<CatalogueEntry> find(String path) {
     CatalogueEntry found = null;
@@ -229,7 +229,7 @@ public final class Catalogue {
         array.origin());
   }
 
-  /** Returns the fields of a structure, none of what is no structure. */
+  /** Returns the fields of a structure; empty for other types. */
   public List<CatalogueEntry> fields(CatalogueEntry symbol) {
     return structures.getOrDefault(key(symbol.type()), List.of());
   }

@@ -5,14 +5,15 @@ import no.hials.crosscom.lang.Access;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is known of a variable.
+ * The description of a variable.
  *
- * @param name as declared, without dimensions
- * @param type the name of its type, of an array that of an element
- * @param dimensions the length of each, 0 for one that is not known; none for what is no array
- * @param access what clients may do; null if that is not known
- * @param unit of its values; empty if none or not known
- * @param meaning what it stands for; empty if not known
+ * @param name the name as declared, without dimensions
+ * @param type the name of its type; for an array, the type of an element
+ * @param dimensions the length of each dimension, 0 if unknown; empty if the variable is not an
+ *     array
+ * @param access the access of clients; null if unknown
+ * @param unit the unit of its values; empty if it has no unit or the unit is unknown
+ * @param meaning its meaning; empty if unknown
  * @param origin the file on the controller that declares it; empty for a system variable
  */
 public record CatalogueEntry(
@@ -24,7 +25,7 @@ public record CatalogueEntry(
     String meaning,
     String origin) {
 
-  /** Returns the name as it is declared, as {@code $TORQUE_AXIS_ACT[12]}. */
+  /** Returns the name as declared, such as {@code $TORQUE_AXIS_ACT[12]}. */
   public String declarator() {
     return name + brackets(dimensions);
   }
@@ -38,12 +39,12 @@ public record CatalogueEntry(
         .collect(java.util.stream.Collectors.joining(",", "[", "]"));
   }
 
-  /** Returns {@code RO} or {@code RW}, empty if it is not known. */
+  /** Returns {@code RO} or {@code RW}; empty if the access is unknown. */
   public String shortAccess() {
     return access == null ? "" : access == Access.READ_ONLY ? "RO" : "RW";
   }
 
-  /** Returns whether it is a text: an array of CHAR. */
+  /** Returns whether the variable is a text: an array of CHAR. */
   public boolean isText() {
     return type.equals("CHAR") && !dimensions.isEmpty();
   }

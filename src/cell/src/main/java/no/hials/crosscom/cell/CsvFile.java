@@ -22,7 +22,7 @@ public final class CsvFile {
    * Reads a file. The rows may differ in their number of fields, see {@link #checkFields}.
    *
    * @param torn whether the file may end inside quotes, as after a power failure
-   * @throws FileException if it cannot be read, or has no rows of CSV
+   * @throws FileException if the file cannot be read or is not CSV
    */
   public static <T> T read(Path file, boolean torn, Contents<T> contents) throws FileException {
     if (Files.isDirectory(file)) {
@@ -57,7 +57,7 @@ public final class CsvFile {
   /**
    * Checks that a row has as many fields as the first one.
    *
-   * @throws IllegalArgumentException if it has not
+   * @throws IllegalArgumentException if the number of fields differs
    */
   public static void checkFields(CsvRecord row, int columns) {
     if (row.getFieldCount() != columns) {

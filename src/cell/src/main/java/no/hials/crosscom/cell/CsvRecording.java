@@ -29,31 +29,31 @@ public final class CsvRecording implements Recording {
   private final List<SampledRobot> robots;
   private final boolean severalRobots;
 
-  /** The columns of values, and where they stand in a row. */
+  /** The columns of values and their indices in a row. */
   private final Map<String, Integer> columns = new LinkedHashMap<>();
 
   private final Map<SampledRobot, Past> pasts = new HashMap<>();
   private final StringWriter row = new StringWriter();
   private final CsvWriter csv = CsvWriter.builder().build(row);
 
-  /** What was before the sample that comes next. */
+  /** The state before the next sample. */
   private static final class Past {
     long number;
     @Nullable Instant time;
 
-    /** How the connection was lost, if that was since. */
+    /** The loss of the connection since the last sample. */
     @Nullable ConnectionEvent lost;
 
-    /** Returns whether a loss is told of already, since a sample came after it. */
+    /** Returns whether a loss is already recorded, since a sample followed it. */
     boolean isOld(ConnectionEvent loss) {
       return time != null && loss.time().isBefore(time);
     }
   }
 
   /**
-   * Creates a recording with the columns that the first reading of the robots gave.
+   * Creates a recording with the columns of the first reading of the robots.
    *
-   * @param robots were read once
+   * @param robots the robots, which must have been read once
    */
   public CsvRecording(Sink sink, List<SampledRobot> robots) {
     this.sink = sink;
@@ -157,7 +157,7 @@ public final class CsvRecording implements Recording {
     return past.time == null ? now : past.time;
   }
 
-  /** Writes a row that stands for the readings that failed, so that no line is drawn over them. */
+  /** Writes a row for the failed readings, so that a plot shows a gap. */
   private void writeGap(
       SampledRobot robot, long failed, Instant from, Duration sinceNow, Instant now) {
     ConnectionEvent lost = past(robot).lost;
@@ -170,7 +170,7 @@ public final class CsvRecording implements Recording {
   @Override
   public void connectionChanged(SampledRobot robot, ConnectionEvent event) {
     Past past = past(robot);
-    // the first loss is where the gap begins
+    // the gap begins at the first loss
     if (event.kind() == Kind.LOST && past.lost == null && !past.isOld(event)) {
       past.lost = event;
     }

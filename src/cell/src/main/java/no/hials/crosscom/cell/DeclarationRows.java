@@ -9,19 +9,19 @@ import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.Expression;
 import org.jspecify.annotations.Nullable;
 
-/** Creates a flat list of what a data list declares. */
+/** Lists the declarations of a data list as flat rows. */
 public final class DeclarationRows {
   private DeclarationRows() {}
 
   /**
-   * Something that is declared, or an element or a field that is given its value.
+   * A declaration, or the initial value of an element or a field.
    *
-   * @param name with its dimensions, as {@code MYPOSITIONS[50]}
-   * @param type the name of its type; STRUC and ENUM for types, SIGNAL for signals; empty for what
-   *     is given a value only
+   * @param name the name with its dimensions, such as {@code MYPOSITIONS[50]}
+   * @param type the name of its type; STRUC and ENUM for types, SIGNAL for signals; empty for an
+   *     initial value
    * @param value the initial value, or the parts of a type; empty without a value
-   * @param words GLOBAL and CONST where they are written
-   * @param line where it stands
+   * @param words GLOBAL and CONST if present
+   * @param line the line of the declaration
    * @param comment the comment on the line
    */
   public record Row(

@@ -6,7 +6,7 @@ import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 
-/** Prints expressions of KRL as they may be written. */
+/** Prints expressions in KRL syntax. */
 final class ExpressionText {
   private ExpressionText() {}
 

@@ -18,7 +18,7 @@ public final class FileException extends IOException {
   /**
    * Creates an exception about an operation on a file.
    *
-   * @param verb as in {@code cannot read}
+   * @param verb the operation, such as {@code read} in {@code cannot read}
    */
   public static FileException cannot(String verb, Path file, IOException cause) {
     return new FileException("cannot " + verb + " " + file + ": " + reason(cause), cause);

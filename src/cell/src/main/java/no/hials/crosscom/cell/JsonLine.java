@@ -22,28 +22,28 @@ import no.hials.crosscom.protocol.value.KrlValue;
  * {"name":"$OV_PRO","type":"INT","value":100}</code>. The help of {@code read} describes it.
  */
 public final class JsonLine {
-  // escaped, it is the same whatever the charset of stdout is
+  // escaped text does not depend on the charset of stdout
   private static final JsonFactory FACTORY =
       JsonFactory.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
 
   private JsonLine() {}
 
-  /** Prints what a controller has, as {@link #of(String, String, String)} of no robot. */
+  /** Prints the text of a variable, as {@link #of(String, String, String)} without a robot. */
   public static String of(String name, String text) {
     return of("", name, text);
   }
 
-  /** Prints a variable, as {@link #of(String, String, KrlValue)} of no robot. */
+  /** Prints a variable, as {@link #of(String, String, KrlValue)} without a robot. */
   public static String of(String name, KrlValue value) {
     return of("", name, value);
   }
 
   /**
-   * Prints what a controller has.
+   * Prints the text of a variable.
    *
-   * @param robot whose variable it is; left out if empty
-   * @param text its text; one that is no KRL value, such as the {@code PONG} of {@code PING},
-   *     becomes a string of the type UNKNOWN
+   * @param robot the robot of the variable; left out if empty
+   * @param text the text of the variable; a text that is not a KRL value, such as the {@code PONG}
+   *     of {@code PING}, becomes a string of the type UNKNOWN
    */
   public static String of(String robot, String name, String text) {
     KrlValue value;
@@ -130,7 +130,7 @@ public final class JsonLine {
     if (value instanceof KrlInt number) {
       json.writeNumber(number.value());
     } else if (value instanceof KrlReal number) {
-      // the controller's digits, which a double would not keep
+      // keeps the controller's digits, which a double would lose
       json.writeNumber(number.print());
     } else if (value instanceof KrlBool bool) {
       json.writeBoolean(bool.value());

@@ -25,7 +25,7 @@ public final class JsonRecording implements Recording {
 
   @Override
   public void connectionChanged(SampledRobot robot, ConnectionEvent event) {
-    // the next sample says how many readings failed
+    // the next sample has the number of failed readings
   }
 
   @Override

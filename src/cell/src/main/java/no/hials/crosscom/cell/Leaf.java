@@ -14,12 +14,16 @@ import no.hials.crosscom.protocol.value.KrlValue;
 /**
  * A number, text or constant within a value.
  *
- * @param name what reads it alone, such as {@code $POS_ACT.X} or {@code $TORQUE_AXIS_ACT[3]}
+ * @param name the name that reads it alone, such as {@code $POS_ACT.X} or {@code
+ *     $TORQUE_AXIS_ACT[3]}
  * @param value INT, REAL, BOOL, ENUM or text
  */
 public record Leaf(String name, KrlValue value) {
 
-  /** Unfolds a value: itself, or the leaves of its initialised fields, or of its elements. */
+  /**
+   * Returns the leaves of a value: the value itself, or the leaves of its initialised fields or
+   * elements.
+   */
   public static List<Leaf> of(String name, KrlValue value) {
     List<Leaf> leaves = new ArrayList<>();
     unfold(name, value, leaves);
@@ -36,19 +40,19 @@ public record Leaf(String name, KrlValue value) {
         leaves.add(new Leaf(element(name, i + 1), array.elements().get(i)));
       }
     } else if (isWholeArray(name) && isElement(value)) {
-      // the only one of an array, of which KUKAVARPROXY cut off the blank
+      // an array of one element, whose trailing blank KUKAVARPROXY cut off
       leaves.add(new Leaf(element(name, 1), value));
     } else {
       leaves.add(new Leaf(name, value));
     }
   }
 
-  /** Returns whether a name is that of a whole array, {@code NAME[]} or {@code NAME[2,]}. */
+  /** Returns whether a name stands for a whole array, {@code NAME[]} or {@code NAME[2,]}. */
   static boolean isWholeArray(String name) {
     return name.endsWith("[]") || name.endsWith(",]");
   }
 
-  /** Returns whether a value may be one of several in an array. */
+  /** Returns whether a value can be an element of an array. */
   static boolean isElement(KrlValue value) {
     return value instanceof KrlInt
         || value instanceof KrlReal

@@ -15,14 +15,15 @@ public final class OutputException extends RuntimeException {
   }
 
   /**
-   * Makes one.
+   * Creates the exception for a file.
    *
-   * @param to what could not be written
+   * @param to the name of the output
    */
   public OutputException(String to, IOException cause) {
     super("could not write " + to + ": " + FileException.reason(cause), cause);
     String message = String.valueOf(cause.getMessage()).toLowerCase(Locale.ROOT);
-    // Java has no class for it; the word stands in the messages of Linux, macOS and Windows
+    // Java has no exception class for a broken pipe; the messages of Linux, macOS and Windows
+    // contain the word
     brokenPipe = message.contains("pipe");
   }
 

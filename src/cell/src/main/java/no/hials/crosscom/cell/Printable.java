@@ -4,14 +4,12 @@ package no.hials.crosscom.cell;
 public final class Printable {
   private Printable() {}
 
-  /** Keeps a text on its line, and its characters from steering the terminal. */
+  /** Escapes line breaks and the control characters of a text. */
   public static String of(String text) {
     return of(text, "");
   }
 
-  /**
-   * Keeps the characters of a message, which may have several lines, from steering the terminal.
-   */
+  /** Escapes the control characters of a message, which may have several lines. */
   public static String message(String text) {
     return of(text, System.lineSeparator() + "\n");
   }
@@ -29,12 +27,12 @@ public final class Printable {
     return line.toString();
   }
 
-  /** Returns a number of things, such as {@code 1 byte} and {@code 2 bytes}. */
+  /** Returns a number with its noun, such as {@code 1 byte} and {@code 2 bytes}. */
   public static String count(long number, String thing) {
     return number + " " + thing + (number == 1 ? "" : "s");
   }
 
-  /** Returns a message with a small first letter, unless it begins with a NAME. */
+  /** Returns a message with a lower-case first letter, unless it begins with a NAME. */
   public static String lowerFirst(String message) {
     return message.length() > 1 && Character.isLowerCase(message.charAt(1))
         ? Character.toLowerCase(message.charAt(0)) + message.substring(1)

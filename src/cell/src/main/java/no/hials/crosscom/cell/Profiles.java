@@ -14,20 +14,20 @@ import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robots for which the user has names: what the configuration file says.
+ * The named robots of the configuration file.
  *
- * @param file where they are from
- * @param defaultRobot the robot that is meant if none is named; null if there is no such
+ * @param file the configuration file
+ * @param defaultRobot the robot to use if no robot is named; null if the file sets no default
  * @param robots the robots by their names
  */
 public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Robot> robots) {
-  /** The variable that names another file. */
+  /** The environment variable that names another file. */
   static final String FILE_VARIABLE = "JOPENSHOWVAR_CONFIG";
 
   private static final String DEFAULT = "default";
   private static final String ROBOTS = "robots";
 
-  /** Returns the path of the file, which need not be there. */
+  /** Returns the path of the file, which may not exist. */
   public static Path path(Function<String, @Nullable String> environment) {
     String own = environment.apply(FILE_VARIABLE);
     return own == null
@@ -41,7 +41,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
       return Path.of(appData);
     }
     String xdg = environment.apply("XDG_CONFIG_HOME");
-    // a relative one is to be ignored (XDG Base Directory Specification)
+    // a relative path must be ignored (XDG Base Directory Specification)
     if (xdg != null && Path.of(xdg).isAbsolute()) {
       return Path.of(xdg);
     }
@@ -52,9 +52,9 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
   /**
    * Reads the file.
    *
-   * @param simulated the server of simulated controllers for which the file names none
-   * @return null if there is no file, and none was asked for by {@code JOPENSHOWVAR_CONFIG}
-   * @throws FileException if it cannot be read or has an error
+   * @param simulated the server of simulated controllers for which the file names no server
+   * @return the robots; null if the file does not exist and {@code JOPENSHOWVAR_CONFIG} is not set
+   * @throws FileException if the file cannot be read or has an error
    */
   public static @Nullable Profiles read(
       Function<String, @Nullable String> environment, ServerType simulated) throws FileException {

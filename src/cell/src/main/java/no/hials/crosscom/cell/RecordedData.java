@@ -9,24 +9,24 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a CSV file holds that {@code record} wrote. The columns are {@link #TIME}, {@link #SECONDS},
- * {@link #ROBOT} if several robots were recorded, then one for each number or text, and at the end
- * {@link #ACCESS} and {@link #STATUS}; the help of {@code record} describes them.
+ * The contents of a CSV file that {@code record} wrote. The columns are {@link #TIME}, {@link
+ * #SECONDS}, {@link #ROBOT} if several robots were recorded, then one for each number or text, and
+ * at the end {@link #ACCESS} and {@link #STATUS}; the help of {@code record} describes them.
  */
 public final class RecordedData {
-  /** When the reading began, as {@code 2026-05-04T10:15:30.123456Z}. */
+  /** The start of the reading, such as {@code 2026-05-04T10:15:30.123456Z}. */
   public static final String TIME = "time";
 
-  /** The same, since the first row. */
+  /** The start of the reading in seconds since the first row. */
   public static final String SECONDS = "seconds";
 
-  /** Whose row it is; the columns of the others are empty in it. */
+  /** The robot of the row; the columns of the other robots are empty in it. */
   static final String ROBOT = "robot";
 
-  /** How long the reading took. */
+  /** The duration of the reading in ms. */
   static final String ACCESS = "access_ms";
 
-  /** What was not as it should be; empty if all was. */
+  /** The problems of the reading; empty if there were none. */
   static final String STATUS = "status";
 
   private final Instant start;
@@ -60,9 +60,9 @@ public final class RecordedData {
   }
 
   /**
-   * Reads a file. A last row that is not complete, as after a power failure, is left out.
+   * Reads a file. An incomplete last row, as after a power failure, is left out.
    *
-   * @throws FileException if it cannot be read, or was not written by {@code record}
+   * @throws FileException if the file cannot be read or was not written by {@code record}
    */
   public static RecordedData read(Path file) throws FileException {
     List<CsvRecord> records =
@@ -125,7 +125,7 @@ public final class RecordedData {
       return records.size();
     }
 
-    /** Refuses a row that holds others, or they would be left out with it. */
+    /** Refuses a row whose open quote swallows later rows, which would be left out with it. */
     private static void checkClosed(CsvRecord row) {
       if (row.getFields().stream().anyMatch(field -> field.indexOf('\n') >= 0)) {
         throw new IllegalArgumentException(
@@ -212,7 +212,7 @@ public final class RecordedData {
     }
   }
 
-  /** What one column held in the course of time. */
+  /** A column over time. */
   public static final class Series {
     private final String name;
     private final boolean numeric;
@@ -229,12 +229,12 @@ public final class RecordedData {
       this.texts = texts;
     }
 
-    /** Returns the column's name, as {@code $POS_ACT.X} or {@code cell1:$POS_ACT.X}. */
+    /** Returns the column's name, such as {@code $POS_ACT.X} or {@code cell1:$POS_ACT.X}. */
     public String name() {
       return name;
     }
 
-    /** Returns whether all that is there are numbers. */
+    /** Returns whether all samples are numbers. */
     boolean isNumeric() {
       return numeric;
     }

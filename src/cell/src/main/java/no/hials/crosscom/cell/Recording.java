@@ -5,20 +5,20 @@ import java.time.Duration;
 import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.Sample;
 
-/** A file of samples that is being written; what is given to it is in the file at once. */
+/** Writes samples to a file, each one immediately. */
 public interface Recording extends Closeable {
 
-  /** Where the text of a recording goes. */
+  /** The destination of the text of a recording. */
   interface Sink extends Closeable {
     /**
      * Writes a text.
      *
-     * @throws OutputException if it cannot be written
+     * @throws OutputException if the text cannot be written
      */
     void write(String text);
   }
 
-  /** Writes what stands before the samples. */
+  /** Writes the beginning of the recording, before the samples. */
   void begin();
 
   /**

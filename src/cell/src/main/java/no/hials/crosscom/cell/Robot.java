@@ -24,7 +24,7 @@ public record Robot(
     boolean readOnly,
     ServerType server) {
 
-  /** One command, one connection: the command reports what happened to it. */
+  /** Does not reconnect, so that a command reports what happened to its connection. */
   public static final Consumer<ClientConfig.Builder> ONE_SHOT =
       cfg -> cfg.reconnect(false).keepAlive(Duration.ZERO);
 

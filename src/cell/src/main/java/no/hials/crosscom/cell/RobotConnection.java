@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
  * A connection to a robot controller that the user chose.
  *
  * @param robot the robot
- * @param client talks to it
- * @param simulation closed with the connection: the simulated controller, if the robot is one
+ * @param client its client
+ * @param simulation closed with the connection: the simulated controller, if the robot is simulated
  */
 public record RobotConnection(
     Robot robot, CrossComClient client, @Nullable AutoCloseable simulation) implements Closeable {

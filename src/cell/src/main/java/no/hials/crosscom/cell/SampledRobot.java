@@ -20,7 +20,7 @@ import no.hials.crosscom.WatchConfig;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
-/** One of the controllers that a {@link Sampling} reads, and what it counts of it. */
+/** A controller that a {@link Sampling} reads, and its counts of samples and failures. */
 public final class SampledRobot implements Closeable {
   private final Robot robot;
   private final Sampling.Queue queue;
@@ -51,7 +51,7 @@ public final class SampledRobot implements Closeable {
             cfg -> cfg.listener(event -> queue.add(new Sampling.ConnectionChanged(this, event))));
   }
 
-  /** Returns its name, empty if it has none. */
+  /** Returns the name; empty if the robot has no name. */
   String name() {
     return robot.name();
   }
@@ -71,7 +71,7 @@ public final class SampledRobot implements Closeable {
   /**
    * Reads the variables once, as a test that all can be read.
    *
-   * @return what failed
+   * @return the failures
    */
   public List<CrossComException> readFirst(List<String> names) {
     List<CrossComException> failures = new ArrayList<>();
@@ -102,35 +102,35 @@ public final class SampledRobot implements Closeable {
     watch = started;
   }
 
-  /** Ends the watch; what it has read until then still comes. */
+  /** Ends the watch; samples it has already read still arrive. */
   void stop() {
     if (watch != null) {
       watch.close();
     }
   }
 
-  /** Ends the watch, and what still comes does not matter. */
+  /** Ends the watch; samples that still arrive do not matter. */
   void stopWithEnough() {
     enough = true;
     stop();
   }
 
-  /** Returns whether there are samples to come. */
+  /** Returns whether more samples can arrive. */
   boolean isActive() {
     return !enough && lastNumber < endNumber;
   }
 
-  /** Notes which sample is the last. */
+  /** Sets the number of the last sample. */
   void endsWith(long number) {
     endNumber = number;
   }
 
-  /** Notes that a sample came. */
+  /** Called when a sample arrives. */
   void came(Sample sample) {
     lastNumber = sample.number();
   }
 
-  // what is counted
+  // counts
 
   public void count(Sample sample) {
     samples++;
@@ -153,7 +153,7 @@ public final class SampledRobot implements Closeable {
         lost = null;
       }
       default -> {
-        // nothing that changes whether it is connected
+        // other events do not change whether the robot is connected
       }
     }
   }
@@ -215,8 +215,8 @@ public final class SampledRobot implements Closeable {
   }
 
   /**
-   * Returns whether the connection is lost now. One that has enough is not: its last sample came,
-   * even if the news that it is connected again did not come yet.
+   * Returns whether the connection is lost now. Returns false after the last sample, even if the
+   * event of the reconnection has not arrived yet.
    */
   public boolean isLost() {
     return lost != null && !enough;

@@ -18,15 +18,17 @@ import no.hials.crosscom.WatchConfig;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the same variables of one or several controllers again and again, by a {@link
- * no.hials.crosscom.Watch} for each, until the user stops it or it has enough. What the watches
- * give comes to a {@link Listener} in the thread that called {@link #run}.
+ * Reads the same variables of one or several controllers repeatedly, with a {@link
+ * no.hials.crosscom.Watch} for each, until the user stops it or a limit is reached. A {@link
+ * Listener} receives the samples in the thread that called {@link #run}.
  */
 public final class Sampling implements Closeable {
-  /** How often the listener is called if nothing happens, and how soon a signal is noticed. */
+  /**
+   * The interval of calls of the listener if nothing happens, and the maximum delay of a signal.
+   */
   private static final long TICK_MILLIS = 50;
 
-  /** How long a reading under way may take when it ends; longer only if the connection is lost. */
+  /** The maximum time to wait at the end for readings in progress. */
   private static final long MAX_MILLIS_TO_END = 3_000;
 
   private final Plan plan;
@@ -40,9 +42,9 @@ public final class Sampling implements Closeable {
    * The variables to read, how often, and for how long.
    *
    * @param names the variables, each once
-   * @param period from one reading to the next
-   * @param length the greatest time; null if there is no limit
-   * @param count the greatest number of samples of each robot
+   * @param period the time from one reading to the next
+   * @param length the maximum duration; null if there is no limit
+   * @param count the maximum number of samples of each robot
    */
   public record Plan(List<String> names, Duration period, @Nullable Duration length, long count) {}
 
@@ -68,28 +70,28 @@ public final class Sampling implements Closeable {
     void connectionChanged(SampledRobot robot, ConnectionEvent event) throws IOException;
 
     /**
-     * Is called at least every 50 ms.
+     * Called at least every 50 ms.
      *
-     * @return false if the user wants no more
+     * @return false if the user wants to stop
      */
     boolean tick() throws IOException;
   }
 
-  /** What comes from the threads of the client. */
+  /** An event from the threads of the client. */
   sealed interface Event {
     SampledRobot robot();
   }
 
-  /** A sample came. */
+  /** A sample arrived. */
   record Sampled(SampledRobot robot, Sample sample) implements Event {}
 
-  /** Something became of a connection. */
+  /** A connection was lost or restored. */
   record ConnectionChanged(SampledRobot robot, ConnectionEvent event) implements Event {}
 
-  /** A watch gives no more samples. */
+  /** A watch ended. */
   record Ended(SampledRobot robot, long lastNumber) implements Event {}
 
-  /** Brings the events from the threads of the client to the one of the command. */
+  /** Passes the events from the threads of the client to the thread of the command. */
   public static final class Queue {
     private final BlockingQueue<Event> events = new LinkedBlockingQueue<>();
 
@@ -103,8 +105,8 @@ public final class Sampling implements Closeable {
   }
 
   /**
-   * Reports the end of a watch and its last sample: the listener, which is not told of the end, may
-   * be behind.
+   * Reports the end of a watch and its last sample: the listener, which is not notified of the end,
+   * may lag.
    */
   static final class End implements Flow.Subscriber<Sample> {
     private final SampledRobot robot;
@@ -199,10 +201,10 @@ public final class Sampling implements Closeable {
   }
 
   /**
-   * Reads until it is stopped, or has enough.
+   * Reads until the user stops it or a limit is reached.
    *
    * @param changesOnly whether the listener gets only samples in which something changed
-   * @param isStopped returns whether the user wants no more
+   * @param isStopped returns whether the user wants to stop
    * @return whether it ended by itself while a connection was lost
    */
   public boolean run(boolean changesOnly, BooleanSupplier isStopped, Listener listener)
@@ -247,7 +249,7 @@ public final class Sampling implements Closeable {
   private void finish(Listener listener) throws IOException, InterruptedException {
     robots.forEach(SampledRobot::stop);
     long begin = System.nanoTime();
-    // one that is lost may take as long as its time-outs, and then has nothing to give
+    // a lost connection may take as long as its timeouts and then has no samples
     while (robots.stream().anyMatch(robot -> robot.isActive() && !robot.isLost())
         && System.nanoTime() - begin < TimeUnit.MILLISECONDS.toNanos(MAX_MILLIS_TO_END)) {
       take(queue.next(TICK_MILLIS), listener);

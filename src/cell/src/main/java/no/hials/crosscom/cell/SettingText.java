@@ -8,8 +8,8 @@ import java.util.regex.Pattern;
 import no.hials.crosscom.protocol.ServerType;
 
 /**
- * Parses the texts of options, environment variables and configuration files. A text that does not
- * fit is an {@link IllegalArgumentException} that says what must be there and what is.
+ * Parses the texts of options, environment variables and configuration files. An invalid text
+ * throws an {@link IllegalArgumentException} with the expected and the actual text.
  */
 public final class SettingText {
   private static final Pattern ROBOT_NAME = Pattern.compile("\\w[\\w.-]*");
@@ -41,7 +41,7 @@ public final class SettingText {
     throw new IllegalArgumentException("must be " + min + " to " + max + ", is " + text);
   }
 
-  /** Parses yes or no, of the environment. */
+  /** Parses a truth value of the environment. */
   public static boolean flag(String text) {
     return switch (text.toLowerCase(Locale.ROOT)) {
       case "true", "1" -> true;

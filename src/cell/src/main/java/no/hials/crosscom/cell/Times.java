@@ -7,7 +7,7 @@ import java.time.format.DateTimeFormatter;
 import java.time.format.DateTimeFormatterBuilder;
 import java.util.Locale;
 
-/** How times are printed, with the same number of digits always. */
+/** Prints times with a fixed number of digits after the point. */
 public final class Times {
   private static final DateTimeFormatter INSTANT =
       new DateTimeFormatterBuilder().appendInstant(6).toFormatter(Locale.ROOT);
@@ -40,8 +40,8 @@ public final class Times {
   }
 
   /**
-   * Prints a number of 10^-{@code digits} seconds, with {@code scale} digits after the point, the
-   * rest cut off.
+   * Prints the whole number of 10^-{@code digits} seconds, with {@code scale} of its digits after
+   * the point.
    */
   private static String decimal(Duration time, int digits, int scale) {
     long unit = 1;

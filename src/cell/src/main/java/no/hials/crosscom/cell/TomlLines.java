@@ -6,9 +6,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Finds the lines of keys in a TOML text, which the parser does not keep. It looks at the headers
- * of tables and at what stands before an equals sign; a key within an inline table gets the line of
- * that.
+ * Finds the lines of keys in a TOML text, which the parser does not keep. It looks at table headers
+ * and at the text before an equals sign; a key in an inline table gets the line of the inline
+ * table.
  */
 final class TomlLines {
   private static final String KEY = "(?:[\\w-]+|\"[^\"]*\"|'[^']*')";
@@ -60,7 +60,7 @@ final class TomlLines {
     return parts;
   }
 
-  /** Counts the parts that are the same from the beginning. */
+  /** Returns the number of equal parts at the beginning. */
   private static int common(List<String> a, List<String> b) {
     int count = 0;
     while (count < Math.min(a.size(), b.size()) && a.get(count).equals(b.get(count))) {

@@ -14,9 +14,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/**
- * A table of a TOML file, which says of a value that is wrong where it stands: file, line and key.
- */
+/** A table of a TOML file whose errors contain file, line and key. */
 final class TomlTable {
   private final Path file;
   private final TomlLines lines;
@@ -59,7 +57,7 @@ final class TomlTable {
       case VALUE_NUMBER_INT -> parser.getNumberValue();
       case VALUE_TRUE, VALUE_FALSE -> parser.getBooleanValue();
       default -> {
-        // of no use here, and refused for its type
+        // unused here; its type is refused later
         parser.skipChildren();
         yield List.of();
       }
@@ -80,7 +78,7 @@ final class TomlTable {
     }
   }
 
-  /** Returns the tables in a table; none if it is not there. */
+  /** Returns the tables in a table; empty if the key is absent. */
   List<TomlTable> tables(String key) throws FileException {
     List<TomlTable> tables = new ArrayList<>();
     TomlTable outer = table(key);
@@ -98,7 +96,7 @@ final class TomlTable {
     throw error(key, "must be a table");
   }
 
-  /** Returns a text; null if it is not there. */
+  /** Returns a text; null if the key is absent. */
   @Nullable String text(String key) throws FileException {
     Object value = values.get(key);
     if (value == null || value instanceof String) {
@@ -107,7 +105,7 @@ final class TomlTable {
     throw error(key, "must be a text in quotes");
   }
 
-  /** Returns a truth value; false if it is not there. */
+  /** Returns a truth value; false if the key is absent. */
   boolean flag(String key) throws FileException {
     Object value = values.get(key);
     if (value == null || value instanceof Boolean) {
@@ -119,7 +117,7 @@ final class TomlTable {
   /**
    * Returns the converted value of a text or number; null if the key is absent.
    *
-   * @param types which of them it may be
+   * @param types the allowed types of the value
    */
   <T> @Nullable T converted(String key, Function<String, T> converter, Class<?>... types)
       throws FileException {

@@ -3,7 +3,7 @@ package no.hials.crosscom.cell;
 import java.util.Locale;
 
 /**
- * The units of variables, from the table of system variables and, where it does not say, from the
+ * The units of variables, from the table of system variables or, if the table has no unit, from the
  * names of fields: KRL has X, Y and Z in mm, A, B, C and axes in degrees
  * (docs/reference/krl-values.md#fields-of-the-structures).
  */
@@ -18,8 +18,8 @@ public final class Units {
   /**
    * Returns the unit of a number.
    *
-   * @param name as a recording has it: {@code $POS_ACT.X}, {@code cell1:$TORQUE_AXIS_ACT[1]}
-   * @return empty if it has none or none is known
+   * @param name the name in a recording: {@code $POS_ACT.X}, {@code cell1:$TORQUE_AXIS_ACT[1]}
+   * @return the unit; empty if it has no unit or the unit is unknown
    */
   public String of(String name) {
     String variable = name.substring(name.indexOf(':') + 1);
@@ -40,7 +40,7 @@ public final class Units {
     if (field.matches("[XYZ]")) {
       return "mm";
     }
-    // E1 to E6 are mm or degrees, as the machine is
+    // E1 to E6 are mm or degrees, depending on the machine
     return field.matches("[ABC]|A[1-6]") ? DEGREES : "";
   }
 }

@@ -7,8 +7,8 @@ import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComException;
 
 /**
- * Decides whether a front end may change something on a controller, and asks the user where that
- * takes a person's decision: outside T1, or where the mode is unknown.
+ * Decides whether a front end may change something on a controller, and asks the user for
+ * confirmation outside T1 or if the mode is unknown.
  */
 public final class WritePermission {
   private static final String MODE = "$MODE_OP";
@@ -46,11 +46,10 @@ public final class WritePermission {
   }
 
   /**
-   * Refuses what is never allowed: any change of a controller that is for reading only. Needs no
-   * connection.
+   * Refuses any change of a read-only controller. Needs no connection.
    *
    * @param what says what would be done, as {@code write $OV_PRO}
-   * @throws NotSentException if the controller is for reading only
+   * @throws NotSentException if the controller is read-only
    */
   public void checkAllowed(Robot target, String what) throws NotSentException {
     if (isReadOnly(target)) {
@@ -63,8 +62,8 @@ public final class WritePermission {
   }
 
   /**
-   * Refuses what is not allowed, and asks where it takes a person's word: outside T1, or where the
-   * mode is not to be had, unless {@code --yes} is given.
+   * Refuses a change that is not allowed. Asks for confirmation outside T1 or if the mode is
+   * unknown, unless {@code --yes} is given.
    *
    * @param what says what would be done, as {@code write $OV_PRO}
    * @throws NotSentException if it is not to be done
@@ -75,10 +74,10 @@ public final class WritePermission {
   }
 
   /**
-   * Does what {@link #check(RobotConnection, String)} does, and asks whatever the mode is if there
-   * is another reason to.
+   * Does the same as {@link #check(RobotConnection, String)}, and asks in any mode if there are
+   * other reasons to.
    *
-   * @param reasons why it takes a person's word, as {@code X.SRC is there already}
+   * @param reasons the other reasons to ask, such as {@code X.SRC is there already}
    */
   public void check(RobotConnection controller, String what, List<String> reasons)
       throws IOException {
@@ -89,7 +88,7 @@ public final class WritePermission {
     List<String> all = new ArrayList<>(reasons);
     String mode = mode(controller);
     if (!mode.equalsIgnoreCase(SAFE_MODE)) {
-      // who can be asked is told what would have needed no question
+      // a user who can be asked is told which mode needs no confirmation
       boolean asked = questions.isInteractive();
       all.add(MODE + " is " + mode + (asked ? ", not " + SAFE_MODE : ""));
     }
@@ -99,10 +98,10 @@ public final class WritePermission {
   }
 
   /**
-   * Asks for a person's word.
+   * Asks the user for confirmation.
    *
-   * @param label what to print before, see {@link Robot#label}
-   * @throws NotSentException if there is nobody to ask, or the answer is no
+   * @param label the text to print before the question, see {@link Robot#label}
+   * @throws NotSentException if no user can be asked, or the answer is no
    */
   public void confirm(String label, String what, String reason) throws NotSentException {
     if (!questions.isInteractive()) {
@@ -114,8 +113,8 @@ public final class WritePermission {
   }
 
   /**
-   * Refuses what is not allowed, or where it takes a person's word and there is no person. Needs no
-   * connection.
+   * Refuses a change that is not allowed, or that needs confirmation when no user can be asked.
+   * Needs no connection.
    *
    * @param what says what would be done, as {@code write $OV_PRO = 50}
    * @throws NotSentException if it is not to be done
@@ -128,8 +127,8 @@ public final class WritePermission {
   }
 
   /**
-   * Refuses what is not allowed, and asks in any mode unless {@code --yes} is given: for lines of
-   * the shell language, where a write is quickly typed.
+   * Refuses a change that is not allowed, and asks in any mode unless {@code --yes} is given. Used
+   * for lines of the shell language, where a write is quickly typed.
    *
    * @param what says what would be done, as {@code write $OV_PRO = 50}
    * @throws NotSentException if it is not to be done

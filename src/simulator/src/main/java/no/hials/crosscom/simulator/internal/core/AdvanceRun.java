@@ -43,13 +43,33 @@ final class AdvanceRun {
   }
 
   /** A step that waits until the robot stands, in the order of the requests. */
-  private sealed interface Step {}
+  private sealed interface Step {
+    /** Executes the step, and returns whether the next one may follow. */
+    boolean execute(AdvanceRun run);
+  }
 
-  private record PutAside() implements Step {}
+  private record PutAside() implements Step {
+    @Override
+    public boolean execute(AdvanceRun run) {
+      run.putAside();
+      return true;
+    }
+  }
 
-  private record Forget() implements Step {}
+  private record Forget() implements Step {
+    @Override
+    public boolean execute(AdvanceRun run) {
+      run.resolver.startAt(run.interpolator.axes());
+      return true;
+    }
+  }
 
-  private record Begin(MotionOrder order) implements Step {}
+  private record Begin(MotionOrder order) implements Step {
+    @Override
+    public boolean execute(AdvanceRun run) {
+      return run.begin(order);
+    }
+  }
 
   /** A plan that an interrupt has put aside, and its statements. */
   private record Aside(SuspendedPlan plan, Map<Long, MotionOrder> orders) {}
@@ -72,6 +92,8 @@ final class AdvanceRun {
   private final Deque<Aside> aside = new ArrayDeque<>();
 
   private final Deque<Step> waiting = new ArrayDeque<>();
+  private final Events events = new Events();
+  private long now;
 
   AdvanceRun(SystemVariableAccess access, RobotModel robot, Triggers triggers, Listener listener) {
     this.access = access;
@@ -146,27 +168,15 @@ final class AdvanceRun {
       planned = resolver.plan(order);
       interpolator.add(planned);
     } catch (MotionRefusedException e) {
-      throw new KrlExecutionException(number(e.problem()), e.problem().message());
+      throw new KrlExecutionException(e.problem().number(), e.problem().message());
     } catch (IllegalArgumentException e) {
       // numbers that cannot be computed with, such as a target of 1E38 mm
-      throw new KrlExecutionException(MessageWindow.BAD_MOTION, String.valueOf(e.getMessage()));
+      throw new KrlExecutionException(MotionProblem.BAD_MOTION, String.valueOf(e.getMessage()));
     }
     resolver.startAt(interpolator.plannedEnd());
     orders.put(planned.id(), order);
     bases.put(planned.id(), resolver.base());
     triggers.add(planned, order.triggers());
-  }
-
-  static int number(MotionProblem problem) {
-    if (problem instanceof MotionProblem.AxisLimit) {
-      return MessageWindow.SOFTWARE_LIMIT;
-    }
-    if (problem instanceof MotionProblem.Singularity) {
-      return MessageWindow.SINGULARITY;
-    }
-    return problem instanceof MotionProblem.OutOfReach
-        ? MessageWindow.WORK_ENVELOPE
-        : MessageWindow.BAD_MOTION;
   }
 
   int ahead() {
@@ -262,20 +272,17 @@ final class AdvanceRun {
       if (waiting.element() instanceof Begin && !active) {
         return;
       }
-      Step step = waiting.remove();
-      if (step instanceof Begin begin) {
-        if (!begin(begin.order())) {
-          return;
-        }
-        continue;
+      if (!waiting.remove().execute(this)) {
+        return;
       }
-      if (step instanceof PutAside) {
-        aside.push(new Aside(interpolator.suspend(), orders));
-        orders = new HashMap<>();
-        listener.leftPath(interpolator.axes());
-      }
-      resolver.startAt(interpolator.axes());
     }
+  }
+
+  private void putAside() {
+    aside.push(new Aside(interpolator.suspend(), orders));
+    orders = new HashMap<>();
+    listener.leftPath(interpolator.axes());
+    resolver.startAt(interpolator.axes());
   }
 
   private boolean begin(MotionOrder order) {
@@ -290,22 +297,8 @@ final class AdvanceRun {
 
   /** Moves the robot for one cycle. */
   void cycle(long time, double override, boolean released, SpeedLimit speedLimit) {
-    for (MotionEvent event : interpolator.cycle(override, released, speedLimit)) {
-      MotionCommand of = event.motion();
-      if (event instanceof MotionEvent.Started) {
-        listener.started(
-            interpolator.currentStart(),
-            interpolator.currentEnd(),
-            bases.getOrDefault(of.id(), resolver.base()),
-            of.tool());
-        triggers.started(of, time);
-      } else if (event instanceof MotionEvent.Passed) {
-        triggers.passed(of, time);
-        orders.remove(of.id());
-      } else if (event instanceof MotionEvent.Faulted fault) {
-        fault(fault);
-      }
-    }
+    now = time;
+    interpolator.cycle(override, released, speedLimit).forEach(event -> event.accept(events));
     if (idle()) {
       bases.clear();
     }
@@ -317,23 +310,42 @@ final class AdvanceRun {
         Interpolator.CYCLE);
   }
 
-  /**
-   * Discards the motion. The motions after it are planned again when the program continues, and a
-   * plan that an interrupt has put aside stays.
-   */
-  private void fault(MotionEvent.Faulted fault) {
-    MotionOrder order = orders.get(fault.motion().id());
-    String where = order == null ? "" : order.position() + ": ";
-    List<MotionOrder> behind =
-        orders.entrySet().stream()
-            .filter(entry -> entry.getKey() > fault.motion().id())
-            .sorted(Map.Entry.<Long, MotionOrder>comparingByKey().reversed())
-            .map(Map.Entry::getValue)
-            .toList();
-    behind.forEach(next -> waiting.addFirst(new Begin(next)));
-    orders.clear();
-    triggers.retain(kept());
-    resolver.startAt(interpolator.axes());
-    listener.failed(number(fault.problem()), where + fault.problem().message());
+  private final class Events implements MotionEvent.Visitor {
+    @Override
+    public void started(MotionCommand motion) {
+      listener.started(
+          interpolator.currentStart(),
+          interpolator.currentEnd(),
+          bases.getOrDefault(motion.id(), resolver.base()),
+          motion.tool());
+      triggers.started(motion, now);
+    }
+
+    @Override
+    public void passed(MotionCommand motion) {
+      triggers.passed(motion, now);
+      orders.remove(motion.id());
+    }
+
+    /**
+     * Discards the motion. The motions after it are planned again when the program continues, and a
+     * plan that an interrupt has put aside stays.
+     */
+    @Override
+    public void faulted(MotionCommand motion, MotionProblem problem) {
+      MotionOrder order = orders.get(motion.id());
+      String where = order == null ? "" : order.position() + ": ";
+      List<MotionOrder> following =
+          orders.entrySet().stream()
+              .filter(entry -> entry.getKey() > motion.id())
+              .sorted(Map.Entry.<Long, MotionOrder>comparingByKey().reversed())
+              .map(Map.Entry::getValue)
+              .toList();
+      following.forEach(next -> waiting.addFirst(new Begin(next)));
+      orders.clear();
+      triggers.retain(kept());
+      resolver.startAt(interpolator.axes());
+      listener.failed(problem.number(), where + problem.message());
+    }
   }
 }

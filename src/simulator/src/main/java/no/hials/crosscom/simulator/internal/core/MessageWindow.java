@@ -8,25 +8,14 @@ import no.hials.crosscom.simulator.Message;
 
 /** The message window of the pendant: the last messages, and those that wait to be confirmed. */
 final class MessageWindow {
-  // the numbers are this simulation's own, as are those of the interpreter: KSS's are not known
-
-  /** A target is beyond the reach of the arm or a software limit. */
-  static final int WORK_ENVELOPE = 9101;
-
-  /** The robot came to a software limit on its path. */
-  static final int SOFTWARE_LIMIT = 9102;
-
-  /** The path leads through a singularity. */
-  static final int SINGULARITY = 9103;
+  // the numbers are this simulation's own, as are those of the interpreter and of motions: KSS's
+  // are not known
 
   /** The operating mode was changed while a program ran. */
   static final int MODE_CHANGED = 9104;
 
   /** The emergency stop was pressed. */
   static final int EMERGENCY_STOP = 9105;
-
-  /** A motion statement makes no sense. */
-  static final int BAD_MOTION = 9106;
 
   /** The simulation itself has failed. */
   static final int FAILED = 9107;

@@ -16,6 +16,7 @@ import no.hials.crosscom.simulator.internal.motion.AxisRates;
 import no.hials.crosscom.simulator.internal.motion.Circular;
 import no.hials.crosscom.simulator.internal.motion.Linear;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand;
+import no.hials.crosscom.simulator.internal.motion.MotionProblem;
 import no.hials.crosscom.simulator.internal.motion.OrientationControl;
 import no.hials.crosscom.simulator.internal.motion.PathRates;
 import no.hials.crosscom.simulator.internal.motion.PointToPoint;
@@ -135,7 +136,7 @@ final class MotionResolver {
       return inverse(order.target(), last);
     } catch (UnreachableException e) {
       throw new KrlExecutionException(
-          MessageWindow.WORK_ENVELOPE, Objects.requireNonNull(e.getMessage()));
+          MotionProblem.WORK_ENVELOPE, Objects.requireNonNull(e.getMessage()));
     }
   }
 

@@ -4,6 +4,7 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Distance;
+import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Exact;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Orientation;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Speed;
 
@@ -81,6 +82,9 @@ final class Blend {
 
   private double kept(
       ApproximationZone approximation, PathSegment segment, PathSegment next, double longest) {
+    if (approximation instanceof Exact) {
+      return 0;
+    }
     if (approximation instanceof Speed speed) {
       return Math.min(longest, segment.profile().rampDown() * speed.percent() / 100);
     }
@@ -114,9 +118,11 @@ final class Blend {
       if (approximation instanceof Distance distance) {
         return first.distance(corner) <= distance.mm() && second.distance(corner) <= distance.mm();
       }
-      return approximation instanceof Orientation orientation
-          && first.angle(corner) <= orientation.degrees()
-          && second.angle(corner) <= orientation.degrees();
+      if (approximation instanceof Orientation orientation) {
+        return first.angle(corner) <= orientation.degrees()
+            && second.angle(corner) <= orientation.degrees();
+      }
+      throw new IllegalArgumentException("no distance to the corner: " + approximation);
     } catch (NoPointException e) {
       return false;
     }

@@ -8,6 +8,21 @@ public sealed interface MotionProblem extends Serializable {
   /** Returns the rule that the motion breaks, with the numbers. */
   String message();
 
+  /** The number of the message for {@link OutOfReach}. */
+  int WORK_ENVELOPE = 9101;
+
+  /** The number of the message for {@link AxisLimit}. */
+  int SOFTWARE_LIMIT = 9102;
+
+  /** The number of the message for {@link Singularity}. */
+  int SINGULARITY = 9103;
+
+  /** The number of the message for a motion statement that makes no sense. */
+  int BAD_MOTION = 9106;
+
+  /** Returns the number of the message. */
+  int number();
+
   /**
    * An axis would exceed its software limit.
    *
@@ -26,6 +41,11 @@ public sealed interface MotionProblem extends Serializable {
           limit,
           value);
     }
+
+    @Override
+    public int number() {
+      return SOFTWARE_LIMIT;
+    }
   }
 
   /**
@@ -33,7 +53,12 @@ public sealed interface MotionProblem extends Serializable {
    *
    * @param message the message of the kinematics
    */
-  record OutOfReach(String message) implements MotionProblem {}
+  record OutOfReach(String message) implements MotionProblem {
+    @Override
+    public int number() {
+      return WORK_ENVELOPE;
+    }
+  }
 
   /**
    * An axis would have to jump for the path to continue.
@@ -47,6 +72,11 @@ public sealed interface MotionProblem extends Serializable {
       return String.format(
           Locale.ROOT, "A%d would have to jump by %.1f degrees in a singularity", axis + 1, angle);
     }
+
+    @Override
+    public int number() {
+      return SINGULARITY;
+    }
   }
 
   /** Three points do not define a circle. */
@@ -55,6 +85,11 @@ public sealed interface MotionProblem extends Serializable {
     public String message() {
       return "start, auxiliary point and target of a circle must be three points that are not on"
           + " one line";
+    }
+
+    @Override
+    public int number() {
+      return BAD_MOTION;
     }
   }
 }

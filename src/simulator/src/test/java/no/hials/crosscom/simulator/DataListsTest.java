@@ -100,11 +100,12 @@ class DataListsTest {
     void keepsTheRightsOfClientsToSystemVariables() throws Exception {
       table.load(
           "machine.dat",
-          "DEFDAT $MACHINE PUBLIC\n"
-              + "INT $NUM_AX=4\n"
-              + "REAL $SOFTN_END[12]\n"
-              + "$SOFTN_END[1]=-100.0\n"
-              + "ENDDAT");
+          """
+          DEFDAT $MACHINE PUBLIC
+          INT $NUM_AX=4
+          REAL $SOFTN_END[12]
+          $SOFTN_END[1]=-100.0
+          ENDDAT""");
       assertThat(table.get("$NUM_AX")).isEqualTo("4");
       assertThat(table.describe("$NUM_AX").orElseThrow().access()).isEqualTo(Access.READ_ONLY);
       table.write("$SOFTN_END[1]", "-90.0", 255);
@@ -335,8 +336,7 @@ class DataListsTest {
       small.set("TOOL_NAME[3,]", new KrlString(text));
       assertThatThrownBy(() -> small.toDataList("X"))
           .isInstanceOf(IllegalStateException.class)
-          .hasMessage(
-              "a text in a data list has no line break, TOOL_NAME[3,] has one");
+          .hasMessage("a text in a data list has no line break, TOOL_NAME[3,] has one");
     }
 
     @Test

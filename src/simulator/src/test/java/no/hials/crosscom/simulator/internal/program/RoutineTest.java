@@ -264,18 +264,20 @@ class RoutineTest {
     assertThat(
             new Rig()
                 .faultOf(
-                    "DEF TEST()\n"
-                        + "SUB()\n"
-                        + "SUB()\n"
-                        + "END\n"
-                        + "DEF SUB()\n"
-                        + "INT N\n"
-                        + "IF I == 1 THEN\n"
-                        + "J = N\n"
-                        + "ENDIF\n"
-                        + "N = 1\n"
-                        + "I = 1\n"
-                        + "END\n"))
+                    """
+                    DEF TEST()
+                    SUB()
+                    SUB()
+                    END
+                    DEF SUB()
+                    INT N
+                    IF I == 1 THEN
+                    J = N
+                    ENDIF
+                    N = 1
+                    I = 1
+                    END
+                    """))
         .isEqualTo("9001 line 8: N: has no value yet");
   }
 
@@ -332,16 +334,18 @@ class RoutineTest {
     Rig rig =
         new Rig()
             .load(
-                "DEF TOOLS()\n"
-                    + "I = 1\n"
-                    + "HELPER()\n"
-                    + "END\n"
-                    + "GLOBAL DEF SHARED()\n"
-                    + "J = 1\n"
-                    + "END\n"
-                    + "DEF HELPER()\n"
-                    + "K = 1\n"
-                    + "END\n");
+                """
+                DEF TOOLS()
+                I = 1
+                HELPER()
+                END
+                GLOBAL DEF SHARED()
+                J = 1
+                END
+                DEF HELPER()
+                K = 1
+                END
+                """);
 
     rig.run("DEF TEST()\nEXT TOOLS()\nTOOLS()\nSHARED()\nEND\n");
 

@@ -55,7 +55,7 @@ public sealed interface Latency {
    * @param text {@code none}, a time such as {@code 5ms}, {@code 1.5ms}, {@code 200us} or {@code
    *     1s}, {@code krc4} for {@link #krc4}, {@code krc4-2014} for {@link #krc4In2014}
    * @param seed the seed of the last two
-   * @throws IllegalArgumentException if the text is none of these
+   * @throws IllegalArgumentException if the text is not one of these
    */
   static Latency parse(String text, long seed) {
     return switch (text) {

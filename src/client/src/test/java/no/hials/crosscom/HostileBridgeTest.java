@@ -275,7 +275,7 @@ class HostileBridgeTest {
     } catch (CrossComException e) {
       return true;
     } catch (IllegalArgumentException e) {
-      // another type than C3 Bridge was read, and the program's name is none for KUKAVARPROXY
+      // another type than C3 Bridge was read, and KUKAVARPROXY refuses the program's name
       assertThat(e.getCause()).isInstanceOf(CrossComUnsupportedException.class);
       return true;
     } catch (Exception e) {

@@ -42,7 +42,7 @@ abstract class RobotTest {
     robot.close();
   }
 
-  /** Gives the requests but those by which the client finds out which server there is. */
+  /** Returns the requests but those by which the client finds out which server there is. */
   final List<RecordedRequest> requests() {
     return robot.requests().stream().filter(r -> !r.name().startsWith("@PROXY_")).toList();
   }

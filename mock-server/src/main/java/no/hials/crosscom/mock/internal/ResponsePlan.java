@@ -74,7 +74,7 @@ public record ResponsePlan(
     return new ResponsePlan(segments, pause, delay, gate, holdBack, newEnding);
   }
 
-  /** Plans the response to a request; both are null if there is none. */
+  /** Plans the response to a request; both can be null. */
   private interface Effect {
     ResponsePlan plan(@Nullable Request request, byte @Nullable [] answer);
 
@@ -144,7 +144,7 @@ public record ResponsePlan(
    * Applies a fault.
    *
    * @param request the message, null if the bytes were no message
-   * @param answer the answer without the fault, null if there is none or the request was not
+   * @param answer the answer without the fault, null without an answer or if the request was not
    *     executed
    */
   public static ResponsePlan of(Fault fault, @Nullable Request request, byte @Nullable [] answer) {

@@ -31,7 +31,7 @@ import no.hials.crosscom.simulator.FileTree;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 
-/** Gives each test a simulated controller with C3 Bridge and the files of a client of it. */
+/** Starts for each test a simulated controller with C3 Bridge and the files of a client of it. */
 abstract class FilesRobotTest {
   static final String FILE = "KRC:\\R1\\Program\\test.src";
 
@@ -135,7 +135,7 @@ abstract class FilesRobotTest {
         });
   }
 
-  /** Gives the requests of a step that came so far. */
+  /** Returns the requests of a step that came so far. */
   final List<Request> received(Step step) {
     return robot.requests().stream().filter(step::is).map(RecordedRequest::request).toList();
   }

@@ -619,7 +619,7 @@ final class C3CodecTest {
 
   // what is cut or has something left over
 
-  /** Counts a frame anew. */
+  /** Counts a frame again. */
   private static byte[] counted(byte[] frame) {
     int length = frame.length - Codec.HEADER_LENGTH;
     frame[2] = (byte) (length >> 8);

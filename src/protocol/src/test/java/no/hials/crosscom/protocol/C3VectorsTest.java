@@ -268,7 +268,7 @@ final class C3VectorsTest {
     return Codec.decodeRequest(frame, ServerType.C3_BRIDGE, Strictness.STRICT);
   }
 
-  /** Gives the whole frames of a stream. */
+  /** Returns the whole frames of a stream. */
   private static List<byte[]> frames(byte[] stream) throws IOException {
     FrameReader reader = new FrameReader(new ByteArrayInputStream(stream));
     List<byte[]> frames = new ArrayList<>();

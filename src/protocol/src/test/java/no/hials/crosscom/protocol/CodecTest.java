@@ -346,7 +346,7 @@ final class CodecTest {
     assertThat(Arrays.copyOf(frame, 8)).isEqualTo(Hex.bytes("00 00  FF FF  00  FF F9  76"));
   }
 
-  /** Writes the length field anew, so that only the inside of the frame is wrong. */
+  /** Rewrites the length field, so that only the inside of the frame is wrong. */
   private static byte[] withLength(byte[] frame, int length) {
     byte[] changed = frame.clone();
     changed[2] = (byte) (length >> 8);

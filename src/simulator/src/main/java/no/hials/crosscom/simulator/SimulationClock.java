@@ -47,7 +47,7 @@ public sealed interface SimulationClock {
    *
    * @param text {@code real}, {@code max}, {@code stepped}, or a factor such as {@code 10}
    * @return the clock
-   * @throws IllegalArgumentException if it is none of these
+   * @throws IllegalArgumentException if it is not one of these
    */
   static SimulationClock parse(String text) {
     return switch (text.strip().toLowerCase(Locale.ROOT)) {

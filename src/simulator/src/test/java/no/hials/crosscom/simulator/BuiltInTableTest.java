@@ -36,7 +36,7 @@ class BuiltInTableTest {
   private record Row(
       String name, String type, int dimensions, @Nullable String value, VariableNote note) {
 
-    /** Gives a name under which the row's value, or the first element of it, can be read. */
+    /** Returns a name under which the row's value, or the first element of it, can be read. */
     String readName(boolean isStruc) {
       if (dimensions == 0) {
         return name;
@@ -90,7 +90,7 @@ class BuiltInTableTest {
     return rows;
   }
 
-  /** Gives the KRL text of an initial value; null if there is none. */
+  /** Returns the KRL text of an initial value; null without one. */
   private static @Nullable String text(@Nullable Expression initial) {
     try {
       return initial == null

@@ -97,7 +97,7 @@ final class Cell implements AutoCloseable {
     until(controller::standing);
   }
 
-  /** Gives number and text of the only message. */
+  /** Returns number and text of the only message. */
   String message() {
     assertThat(controller.messages()).hasSize(1);
     return controller.messages().get(0).toString();

@@ -249,7 +249,7 @@ class ControllerInterruptTest {
 
   // triggers
 
-  /** Gives where A1 is when an output comes on. */
+  /** Returns where A1 is when an output comes on. */
   private double firedAt(String trigger) throws KrlFileException {
     controller.place(Cell.START);
     cell.set("$OUT[1]", "FALSE");

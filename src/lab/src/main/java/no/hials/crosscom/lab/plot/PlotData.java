@@ -94,7 +94,7 @@ public final class PlotData {
       return Arrays.stream(y).anyMatch(value -> !Double.isNaN(value));
     }
 
-    /** Returns the first text that is not a number, TRUE or FALSE; empty if there is none. */
+    /** Returns the first text that is not a number, TRUE or FALSE; empty without one. */
     public String text() {
       return text;
     }

@@ -33,7 +33,7 @@ class ConstantExpressionsTest {
     Declarations.declare(scope, "SIGNAL SIG FALSE", Access.READ_ONLY, null);
   }
 
-  /** Gives the tree of an expression, which begins in column 7. */
+  /** Returns the tree of an expression, which begins in column 7. */
   private static Expression parse(String text) {
     ParseResult result = KrlParser.parse("x", "DEFDAT X\nINT Y=" + text + "\nENDDAT");
     assertThat(result.errors()).isEmpty();

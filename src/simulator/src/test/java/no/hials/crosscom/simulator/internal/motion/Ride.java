@@ -122,12 +122,12 @@ final class Ride {
     positions.add(system.axes());
   }
 
-  /** Gives the flange at every cycle. */
+  /** Returns the flange at every cycle. */
   List<Frame> flanges() {
     return positions.stream().map(ROBOT::forward).toList();
   }
 
-  /** Gives the highest speed of an axis from one cycle to the next, degrees/s. */
+  /** Returns the highest speed of an axis from one cycle to the next, degrees/s. */
   double peakSpeed(int axis) {
     double peak = 0;
     for (int i = 1; i < positions.size(); i++) {
@@ -136,7 +136,7 @@ final class Ride {
     return peak / Interpolator.CYCLE;
   }
 
-  /** Gives the highest change of an axis' speed from one cycle to the next, degrees/s². */
+  /** Returns the highest change of an axis' speed from one cycle to the next, degrees/s². */
   double peakAcceleration(int axis) {
     double peak = 0;
     for (int i = 2; i < positions.size(); i++) {
@@ -145,7 +145,7 @@ final class Ride {
     return peak / Interpolator.CYCLE / Interpolator.CYCLE;
   }
 
-  /** Gives the speed of the flange in every cycle, m/s. */
+  /** Returns the speed of the flange in every cycle, m/s. */
   List<Double> flangeSpeeds() {
     List<Double> speeds = new ArrayList<>();
     List<Frame> flanges = flanges();
@@ -155,7 +155,7 @@ final class Ride {
     return speeds;
   }
 
-  /** Gives the highest change of the flange's speed from one cycle to the next, m/s². */
+  /** Returns the highest change of the flange's speed from one cycle to the next, m/s². */
   double peakPathAcceleration() {
     double peak = 0;
     double before = 0;

@@ -125,7 +125,7 @@ final class Rig {
     return library.check(file.name()).stream().map(KrlError::toString).toList();
   }
 
-  /** Gives what is wrong with statements in a subprogram. */
+  /** Returns what is wrong with statements in a subprogram. */
   List<String> errorsIn(String body) {
     return errorsOf("DEF TEST()\n" + body + "\nEND\n");
   }
@@ -192,7 +192,7 @@ final class Rig {
     return faultOf("DEF TEST()\n" + body + "\nEND\n");
   }
 
-  /** Gives number, line and text of the message that the program has stopped with. */
+  /** Returns number, line and text of the message that the program has stopped with. */
   String fault() {
     assertThat(interpreter.state()).isEqualTo(ProgramState.STOP);
     assertThat(robot.faults).hasSize(1);

@@ -1,0 +1,84 @@
+package no.hials.crosscom.examples;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** Finds words that nobody says, in comments, docs, help texts and messages. */
+class EnglishTest {
+  private static final Set<String> NOT_OURS = Set.of("target", ".git", ".idea", "node_modules");
+  private static final Pattern TEXT = Pattern.compile(".*\\.(java|g4|md|xml|sh|yml|src|sub|dat)");
+
+  /** May grow. Whole words, in upper or lower case. */
+  private static final List<String> WORDS =
+      List.of("anew", "for want of", "mend", "in vain", "seldom", "whoever", "is none");
+
+  /** May grow. First words of a doc comment. */
+  private static final List<String> FIRST_WORDS = List.of("Gives");
+
+  private static final Pattern WRONG =
+      Pattern.compile(
+          "(?i:\\b("
+              + String.join("|", WORDS)
+              + ")\\b)"
+              + "|/\\*\\* ("
+              + String.join("|", FIRST_WORDS)
+              + ")\\b");
+
+  @Test
+  void nobodySaysSo() throws IOException {
+    List<String> wrong = new ArrayList<>();
+    for (Path file : files(MarkdownPages.ROOT)) {
+      String text = Files.readString(file, StandardCharsets.ISO_8859_1);
+      for (String found : wrongWords(text)) {
+        wrong.add(MarkdownPages.ROOT.relativize(file) + ": " + found);
+      }
+    }
+
+    assertThat(wrong).isEmpty();
+  }
+
+  @Test
+  void findsWordsAlsoAcrossLines() {
+    String text =
+        """
+        /**
+         * Gives it. Mended, amend, is
+         * none. Returns it.
+         */
+        """;
+
+    assertThat(wrongWords(text)).containsExactly("/** Gives", "is none");
+  }
+
+  private static List<String> wrongWords(String text) {
+    String words = text.replaceAll("\\s*\\R\\s*(\\*(?!/)|//|#)?\\s*", " ");
+    return WRONG.matcher(words).results().map(MatchResult::group).toList();
+  }
+
+  /** Returns the texts of the repository, without this test and the results of builds. */
+  private static List<Path> files(Path folder) throws IOException {
+    List<Path> files = new ArrayList<>();
+    try (Stream<Path> entries = Files.list(folder)) {
+      for (Path entry : entries.sorted().toList()) {
+        String name = entry.getFileName().toString();
+        if (Files.isDirectory(entry)) {
+          files.addAll(NOT_OURS.contains(name) ? List.of() : files(entry));
+        } else if (TEXT.matcher(name).matches() && !name.equals("EnglishTest.java")) {
+          files.add(entry);
+        }
+      }
+    }
+    return files;
+  }
+}

@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /** The kinds of build of a server. */
 public enum BuildType implements WireCode {
   /** Open source. */
@@ -22,15 +20,5 @@ public enum BuildType implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<BuildType> from(int code) {
-    return WireCode.find(BuildType.class, code);
   }
 }

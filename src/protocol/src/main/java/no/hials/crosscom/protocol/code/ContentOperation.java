@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /** The steps of writing or reading a file's content (types 29 and 30). */
 public enum ContentOperation implements WireCode {
   /** Prepares the server's buffer. */
@@ -22,15 +20,5 @@ public enum ContentOperation implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<ContentOperation> from(int code) {
-    return WireCode.find(ContentOperation.class, code);
   }
 }

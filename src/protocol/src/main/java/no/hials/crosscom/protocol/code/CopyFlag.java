@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /**
  * Flags for copying, moving and writing files; only their names and numbers are known. {@link
  * #MODIFY} includes the bit of {@link #ARCHIVE}, and {@link #UPDATE} the bit of {@link #REFRESH}.
@@ -45,15 +43,5 @@ public enum CopyFlag implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<CopyFlag> from(int code) {
-    return WireCode.find(CopyFlag.class, code);
   }
 }

@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /** The ways in which a file may be edited on the controller. */
 public enum EditMode implements WireCode {
   /** Unknown, as that of a directory. */
@@ -24,15 +22,5 @@ public enum EditMode implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<EditMode> from(int code) {
-    return WireCode.find(EditMode.class, code);
   }
 }

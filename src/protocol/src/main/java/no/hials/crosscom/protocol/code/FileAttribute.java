@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /** Flags for the attributes of a file or directory. */
 public enum FileAttribute implements WireCode {
   /** Read only. */
@@ -28,15 +26,5 @@ public enum FileAttribute implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<FileAttribute> from(int code) {
-    return WireCode.find(FileAttribute.class, code);
   }
 }

@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /** Flags for the properties of a file that a request can ask for. */
 public enum FileProperty implements WireCode {
   /** The type. */
@@ -30,15 +28,5 @@ public enum FileProperty implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<FileProperty> from(int code) {
-    return WireCode.find(FileProperty.class, code);
   }
 }

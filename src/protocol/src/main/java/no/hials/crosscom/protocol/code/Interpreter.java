@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /** The interpreters of the controller (type 10). */
 public enum Interpreter implements WireCode {
   /** The submit interpreter. */
@@ -18,15 +16,5 @@ public enum Interpreter implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<Interpreter> from(int code) {
-    return WireCode.find(Interpreter.class, code);
   }
 }

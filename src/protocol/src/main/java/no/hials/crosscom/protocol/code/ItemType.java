@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /**
  * The kinds of items in the file tree: a code for one item, flags for a request that asks for
  * several kinds.
@@ -37,15 +35,5 @@ public enum ItemType implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<ItemType> from(int code) {
-    return WireCode.find(ItemType.class, code);
   }
 }

@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /** Flags for listing a directory; only their names and numbers are known. */
 public enum ListFlag implements WireCode {
   /** Recursive. */
@@ -28,15 +26,5 @@ public enum ListFlag implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<ListFlag> from(int code) {
-    return WireCode.find(ListFlag.class, code);
   }
 }

@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /**
  * Flags for the parts of a KRL module. C3 Bridge calls {@link #SRC} and {@link #DAT} together
  * SRCDAT.
@@ -27,15 +25,5 @@ public enum ModulePart implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<ModulePart> from(int code) {
-    return WireCode.find(ModulePart.class, code);
   }
 }

@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /**
  * The motions to a position. The numbers are those of the server's header, by which it runs, and
  * not of its description (docs/reference/c3-messages.md#motion-11).
@@ -25,15 +23,5 @@ public enum MotionType implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<MotionType> from(int code) {
-    return WireCode.find(MotionType.class, code);
   }
 }

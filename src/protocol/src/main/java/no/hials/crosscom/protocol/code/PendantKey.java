@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /** The keys of the teach pendant that a client can press (type 12). */
 public enum PendantKey implements WireCode {
   /** Starts the program, forward or backward. */
@@ -22,15 +20,5 @@ public enum PendantKey implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<PendantKey> from(int code) {
-    return WireCode.find(PendantKey.class, code);
   }
 }

@@ -1,7 +1,5 @@
 package no.hials.crosscom.protocol.code;
 
-import java.util.Optional;
-
 /** The commands for a program (type 10). */
 public enum ProgramCommand implements WireCode {
   /** Resets the selected program. */
@@ -26,15 +24,5 @@ public enum ProgramCommand implements WireCode {
   @Override
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the constant with a number.
-   *
-   * @param code any number
-   * @return the constant, or empty if the number is unknown
-   */
-  public static Optional<ProgramCommand> from(int code) {
-    return WireCode.find(ProgramCommand.class, code);
   }
 }

@@ -4,9 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
-import java.util.function.IntFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,78 +19,49 @@ class CodesTest {
 
   static Stream<Arguments> numbers() {
     return Stream.of(
+        arguments(ProgramCommand.class, "1 RESET, 2 START, 3 STOP, 4 CANCEL, 5 SELECT, 6 RUN"),
+        arguments(Interpreter.class, "0 SUBMIT, 1 ROBOT"),
+        arguments(MotionType.class, "1 PTP, 2 LIN, 3 PTP_REL, 4 LIN_REL"),
+        arguments(PendantKey.class, "1 START, 2 STOP, 3 JOG, 4 MOUSE"),
         arguments(
-            ProgramCommand.values(),
-            "1 RESET, 2 START, 3 STOP, 4 CANCEL, 5 SELECT, 6 RUN",
-            (IntFunction<Optional<?>>) ProgramCommand::from),
-        arguments(
-            Interpreter.values(),
-            "0 SUBMIT, 1 ROBOT",
-            (IntFunction<Optional<?>>) Interpreter::from),
-        arguments(
-            MotionType.values(),
-            "1 PTP, 2 LIN, 3 PTP_REL, 4 LIN_REL",
-            (IntFunction<Optional<?>>) MotionType::from),
-        arguments(
-            PendantKey.values(),
-            "1 START, 2 STOP, 3 JOG, 4 MOUSE",
-            (IntFunction<Optional<?>>) PendantKey::from),
-        arguments(
-            FileAttribute.values(),
+            FileAttribute.class,
             "1 READ_ONLY, 2 HIDDEN, 4 SYSTEM, 16 DIRECTORY, 32 ARCHIVE, 16384 ENCRYPTED,"
-                + " 268435456 SIGNED",
-            (IntFunction<Optional<?>>) FileAttribute::from),
+                + " 268435456 SIGNED"),
         arguments(
-            ItemType.values(),
+            ItemType.class,
             "0 UNKNOWN, 1 DIRECTORY, 2 VIRTUAL_DIRECTORY, 4 ARCHIVE, 8 BINARY, 16 TEXT, 32 MODULE,"
-                + " 64 RAW, 128 MOTION_FILE, 256 PROTECTED_CONTAINER",
-            (IntFunction<Optional<?>>) ItemType::from),
+                + " 64 RAW, 128 MOTION_FILE, 256 PROTECTED_CONTAINER"),
         arguments(
-            ListFlag.values(),
-            "1 RECURSIVE, 2 EXPAND, 4 LONG, 8 OLD_LONG, 16 NO_PFC, 32 PFC_AS_FILE, 64 ZIP_AS_FILE",
-            (IntFunction<Optional<?>>) ListFlag::from),
+            ListFlag.class,
+            "1 RECURSIVE, 2 EXPAND, 4 LONG, 8 OLD_LONG, 16 NO_PFC, 32 PFC_AS_FILE, 64 ZIP_AS_FILE"),
+        arguments(ModulePart.class, "1 SUB, 2 SRC, 4 DAT, 8 TEMPLATE, 16 MOTION"),
         arguments(
-            ModulePart.values(),
-            "1 SUB, 2 SRC, 4 DAT, 8 TEMPLATE, 16 MOTION",
-            (IntFunction<Optional<?>>) ModulePart::from),
-        arguments(
-            CopyFlag.values(),
+            CopyFlag.class,
             "1 ARCHIVE, 3 MODIFY, 4 CONTINUE, 8 RECURSIVE, 16 REFRESH, 48 UPDATE, 64 OVERWRITE,"
                 + " 128 NO_DIRECTORY_ENTRIES, 256 JUNK_DIRECTORY, 512 FORCE_BINARY,"
                 + " 1024 FORCE_TEXT, 2048 NO_VERSION_CHECK, 4096 OVERWRITE_READ_ONLY,"
-                + " 8192 NO_KRL_ANALYSIS",
-            (IntFunction<Optional<?>>) CopyFlag::from),
+                + " 8192 NO_KRL_ANALYSIS"),
         arguments(
-            FileProperty.values(),
+            FileProperty.class,
             "1 TYPE, 2 NAME, 4 SIZE, 8 ATTRIBUTES, 16 CREATION, 32 ACCESS, 64 MODIFICATION,"
-                + " 128 EDIT_MODE",
-            (IntFunction<Optional<?>>) FileProperty::from),
-        arguments(
-            EditMode.values(),
-            "-1 UNKNOWN, 0 FULL, 1 DAT_KOR, 2 PRO_KOR, 3 READ_ONLY",
-            (IntFunction<Optional<?>>) EditMode::from),
-        arguments(
-            BuildType.values(),
-            "0 OPEN_SOURCE, 1 PROPRIETARY, 2 FREEWARE, 3 INTERNAL",
-            (IntFunction<Optional<?>>) BuildType::from),
-        arguments(
-            ContentOperation.values(),
-            "1 BEGIN, 2 DATA, 3 SIZE, 4 END",
-            (IntFunction<Optional<?>>) ContentOperation::from));
+                + " 128 EDIT_MODE"),
+        arguments(EditMode.class, "-1 UNKNOWN, 0 FULL, 1 DAT_KOR, 2 PRO_KOR, 3 READ_ONLY"),
+        arguments(BuildType.class, "0 OPEN_SOURCE, 1 PROPRIETARY, 2 FREEWARE, 3 INTERNAL"),
+        arguments(ContentOperation.class, "1 BEGIN, 2 DATA, 3 SIZE, 4 END"));
   }
 
   @ParameterizedTest(name = "{1}")
   @MethodSource("numbers")
-  void codesHaveTheNumbersOfTheReferenceAndAreFoundByThem(
-      WireCode[] constants, String golden, IntFunction<Optional<?>> from) {
-    assertThat(constants)
+  <E extends Enum<E> & WireCode> void codesHaveTheNumbersOfTheReferenceAndAreFoundByThem(
+      Class<E> type, String golden) {
+    assertThat(type.getEnumConstants())
         .extracting(constant -> constant.code() + " " + constant)
         .containsExactly(golden.split(", "));
-    for (WireCode constant : constants) {
-      assertThat(from.apply(constant.code()).orElseThrow()).isSameAs(constant);
+    for (E constant : type.getEnumConstants()) {
+      assertThat(WireCode.find(type, constant.code()).orElseThrow()).isSameAs(constant);
     }
-    assertThat(from.apply(-2)).isEmpty();
-    assertThat(from.apply(99)).isEmpty();
+    assertThat(WireCode.find(type, -2)).isEmpty();
+    assertThat(WireCode.find(type, 99)).isEmpty();
   }
 
   @Test

@@ -62,11 +62,10 @@ import no.hials.crosscom.protocol.variable.BenchmarkWriteRequest;
 import no.hials.crosscom.protocol.variable.MultipleResponse;
 import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
 import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
 import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 import no.hials.crosscom.protocol.variable.WriteUtf16Request;
 import no.hials.crosscom.simulator.FileTree;
 import no.hials.crosscom.simulator.Refusal;
@@ -172,7 +171,7 @@ final class C3BridgeTest {
     assertThat(text(new WriteUtf16Request(1, "MYPOS", "{X 5}")))
         .isEqualTo(new TextResponse(1, MessageType.WRITE_UTF16, "{X 5}", Tail.SUCCESS));
     assertThat(client.write("MYPOS", "{X 6}"))
-        .isEqualTo(new WriteResponse(8, "{X 6}", Tail.SUCCESS));
+        .isEqualTo(new ValueResponse(8, MessageType.WRITE, "{X 6}", Tail.SUCCESS));
     assertThat(server.requests())
         .extracting(RecordedRequest::name, RecordedRequest::value, RecordedRequest::isWrite)
         .containsExactly(tuple("MYPOS", "{X 5}", true), tuple("MYPOS", "{X 6}", true));
@@ -212,7 +211,8 @@ final class C3BridgeTest {
   @Test
   void ignoresBytesBehindTheFields() throws IOException {
     client.send("00 01 00 09 00 00 04 50 49 4E 47 AA BB");
-    assertThat(client.response()).isEqualTo(new ReadResponse(1, "PONG", Tail.SUCCESS));
+    assertThat(client.response())
+        .isEqualTo(new ValueResponse(1, MessageType.READ, "PONG", Tail.SUCCESS));
   }
 
   // internal variables
@@ -238,7 +238,8 @@ final class C3BridgeTest {
   @Test
   void hasNoPingIfToldSo() throws IOException {
     restart(cfg -> cfg.ping(false).trimValues(true));
-    assertThat(client.read("PING")).isEqualTo(new ReadResponse(7, "", Tail.FAILURE_ZERO));
+    assertThat(client.read("PING"))
+        .isEqualTo(new ValueResponse(7, MessageType.READ, "", Tail.FAILURE_ZERO));
     assertThat(client.read("@PROXY_TYPE").tail()).isEqualTo(Tail.SUCCESS);
     assertThat(client.read("$TORQUE_AXIS_ACT[]").value()).doesNotEndWith(" ");
   }

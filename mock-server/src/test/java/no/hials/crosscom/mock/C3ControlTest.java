@@ -23,11 +23,9 @@ import no.hials.crosscom.protocol.code.ProgramCommand;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.file.DeleteFileRequest;
 import no.hials.crosscom.protocol.program.MotionRequest;
-import no.hials.crosscom.protocol.program.MotionResponse;
 import no.hials.crosscom.protocol.program.PendantKeyRequest;
-import no.hials.crosscom.protocol.program.PendantKeyResponse;
 import no.hials.crosscom.protocol.program.ProgramControlRequest;
-import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.simulator.Controller;
@@ -218,7 +216,9 @@ final class C3ControlTest {
               client.exchange(
                   new ProgramControlRequest(
                       652, Code.of(ProgramCommand.START), Code.of(Interpreter.SUBMIT))))
-          .isEqualTo(new ProgramControlResponse(652, Code.of(ProgramCommand.START), Tail.SUCCESS));
+          .isEqualTo(
+              new ProgramResponse(
+                  652, MessageType.PROGRAM_CONTROL, ProgramCommand.START.code(), Tail.SUCCESS));
       assertThat(controller.submit().state()).isEqualTo(ProgramState.ACTIVE);
     }
   }
@@ -241,7 +241,8 @@ final class C3ControlTest {
     @Test
     void movesTheRobotToAPosition() throws IOException {
       assertThat(client.exchange(new MotionRequest(1, Code.of(MotionType.PTP), "{A1 30}")))
-          .isEqualTo(new MotionResponse(1, Code.of(MotionType.PTP), Tail.SUCCESS));
+          .isEqualTo(
+              new ProgramResponse(1, MessageType.MOTION, MotionType.PTP.code(), Tail.SUCCESS));
       controller.step(SHORT);
       assertThat(controller.standing()).isFalse();
       untilStanding();
@@ -337,7 +338,8 @@ final class C3ControlTest {
     void movesAnAxisWhileTheKeyIsPressed() throws IOException {
       assertThat(
               client.exchange(new PendantKeyRequest(1, Code.of(PendantKey.JOG), 1, 2, true, false)))
-          .isEqualTo(new PendantKeyResponse(1, Code.of(PendantKey.JOG), Tail.SUCCESS));
+          .isEqualTo(
+              new ProgramResponse(1, MessageType.PENDANT_KEY, PendantKey.JOG.code(), Tail.SUCCESS));
       controller.step(Duration.ofSeconds(2));
       assertThat(controller.standing()).isFalse();
       assertThat(release(PendantKey.JOG, 1)).isEqualTo(ErrorCode.SUCCESS);

@@ -23,7 +23,7 @@ import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.TextResponse;
 import no.hials.crosscom.protocol.variable.AccessResult;
 import no.hials.crosscom.protocol.variable.MultipleResponse;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.simulator.SimulationClock;
 import no.hials.crosscom.simulator.VariableTable;
 import org.junit.jupiter.api.Test;
@@ -232,9 +232,9 @@ final class C3VectorsTest {
     }
     String now = String.valueOf(port);
     Response response = Codec.decodeResponse(answer, ServerType.C3_BRIDGE);
-    if (response instanceof ReadResponse read) {
+    if (response instanceof ValueResponse read) {
       return Codec.encode(
-          new ReadResponse(read.id(), read.value().replace(PORT, now), read.tail()));
+          new ValueResponse(read.id(), read.type(), read.value().replace(PORT, now), read.tail()));
     }
     if (response instanceof TextResponse text) {
       return Codec.encode(

@@ -13,13 +13,12 @@ import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.internal.ResponsePlan;
 import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.EmptyResponse;
+import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.variable.ReadArrayRequest;
 import no.hials.crosscom.protocol.variable.ReadArrayResponse;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.WriteArrayRequest;
-import no.hials.crosscom.protocol.variable.WriteArrayResponse;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -80,12 +79,13 @@ class FaultTest {
   void answersAScriptedValueWithTheRequestsOwnIdAndFunction() throws IOException {
     Tail tail = new Tail(2, 0);
     server.faults(request -> Optional.of(Fault.answer("1 2", tail)));
-    assertThat(client.read("MYINT")).isEqualTo(new ReadResponse(7, "1 2", tail));
-    assertThat(client.write("MYINT", "5")).isEqualTo(new WriteResponse(8, "1 2", tail));
+    assertThat(client.read("MYINT")).isEqualTo(new ValueResponse(7, MessageType.READ, "1 2", tail));
+    assertThat(client.write("MYINT", "5"))
+        .isEqualTo(new ValueResponse(8, MessageType.WRITE, "1 2", tail));
     assertThat(client.exchange(new ReadArrayRequest(3, "MYINTS[]")))
         .isEqualTo(new ReadArrayResponse(3, List.of(1, 2), tail));
     assertThat(client.exchange(new WriteArrayRequest(4, "MYINTS", List.of(3))))
-        .isEqualTo(new WriteArrayResponse(4, "1 2", tail));
+        .isEqualTo(new ValueResponse(4, MessageType.WRITE_ARRAY, "1 2", tail));
     assertExecuted(false);
     assertThat(server.variables().get("MYINTS[1]")).isEqualTo("0");
   }

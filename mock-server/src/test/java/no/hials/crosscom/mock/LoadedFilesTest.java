@@ -13,7 +13,7 @@ import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
 import no.hials.crosscom.protocol.code.ProgramState;
-import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.FileTree;
@@ -48,7 +48,7 @@ final class LoadedFilesTest {
       ProgramSelectRequest request =
           new ProgramSelectRequest(
               1, Code.of(ProgramCommand.SELECT), Code.of(Interpreter.SUBMIT), name, "", false);
-      return ((ProgramControlResponse) client.exchange(request)).tail().success();
+      return ((ProgramResponse) client.exchange(request)).tail().success();
     }
   }
 

@@ -1,5 +1,7 @@
 package no.hials.crosscom.mock;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
@@ -11,9 +13,8 @@ import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 import org.jspecify.annotations.Nullable;
 
 /** A socket that sends and receives raw bytes. */
@@ -88,12 +89,18 @@ public final class RawClient implements AutoCloseable {
     return Arrays.copyOf(frames.buffer(), length);
   }
 
-  public ReadResponse read(String name) throws IOException {
-    return (ReadResponse) exchange(new ReadRequest(7, name));
+  public ValueResponse read(String name) throws IOException {
+    return value(new ReadRequest(7, name));
   }
 
-  WriteResponse write(String name, String value) throws IOException {
-    return (WriteResponse) exchange(new WriteRequest(8, name, value));
+  ValueResponse write(String name, String value) throws IOException {
+    return value(new WriteRequest(8, name, value));
+  }
+
+  private ValueResponse value(Request request) throws IOException {
+    ValueResponse response = (ValueResponse) exchange(request);
+    assertThat(response.type()).isEqualTo(request.type());
+    return response;
   }
 
   @Override

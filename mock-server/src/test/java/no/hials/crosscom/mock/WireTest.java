@@ -8,15 +8,14 @@ import java.util.HexFormat;
 import java.util.List;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.EmptyResponse;
+import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.variable.ReadArrayRequest;
 import no.hials.crosscom.protocol.variable.ReadArrayResponse;
 import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.WriteArrayRequest;
-import no.hials.crosscom.protocol.variable.WriteArrayResponse;
 import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 import no.hials.crosscom.simulator.Refusal;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -124,14 +123,17 @@ class WireTest {
   @Test
   void answersAFailedWriteWithTheTailThatWasChosen() throws IOException {
     restart(MockServerConfig.create(cfg -> cfg.failedWriteTail(new Tail(2, 0))));
-    assertThat(client.write("NO", "1")).isEqualTo(new WriteResponse(8, "1", new Tail(2, 0)));
+    assertThat(client.write("NO", "1"))
+        .isEqualTo(new ValueResponse(8, MessageType.WRITE, "1", new Tail(2, 0)));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"", " ", "[]", ".", "1", "$OV_PRO[", "$OV_PRO.", "MYINTS[1", "A B"})
   void refusesWhatIsNoName(String name) throws IOException {
-    assertThat(client.read(name)).isEqualTo(new ReadResponse(7, "", Tail.SUCCESS));
-    assertThat(client.write(name, "1")).isEqualTo(new WriteResponse(8, "1", Tail.FAILURE));
+    assertThat(client.read(name))
+        .isEqualTo(new ValueResponse(7, MessageType.READ, "", Tail.SUCCESS));
+    assertThat(client.write(name, "1"))
+        .isEqualTo(new ValueResponse(8, MessageType.WRITE, "1", Tail.FAILURE));
   }
 
   @Test
@@ -143,7 +145,8 @@ class WireTest {
   @Test
   void refusesAValueThatDoesNotFitIntoItsOwnEcho() throws IOException {
     String value = "1".repeat(65_530);
-    assertThat(client.write("", value)).isEqualTo(new WriteResponse(8, "", Tail.FAILURE));
+    assertThat(client.write("", value))
+        .isEqualTo(new ValueResponse(8, MessageType.WRITE, "", Tail.FAILURE));
   }
 
   @Test
@@ -151,7 +154,8 @@ class WireTest {
     server.variables().declare("LONG[65528]", "CHAR", "\"" + "x".repeat(65_527) + "\"");
     assertThat(client.read("LONG[]").value()).hasSize(65_529);
     server.variables().set("LONG[]", "\"" + "x".repeat(65_528) + "\"");
-    assertThat(client.read("LONG[]")).isEqualTo(new ReadResponse(7, "", Tail.SUCCESS));
+    assertThat(client.read("LONG[]"))
+        .isEqualTo(new ValueResponse(7, MessageType.READ, "", Tail.SUCCESS));
     assertThat(server.requests().get(1).refusal()).isEqualTo(Refusal.TOO_LONG);
   }
 
@@ -234,7 +238,7 @@ class WireTest {
   @ValueSource(strings = {"MYINTS", "MYINTS[]"})
   void writesTheElementsOfFunction3OneByOne(String name) throws IOException {
     assertThat(client.exchange(new WriteArrayRequest(3, name, List.of(7, 65_535))))
-        .isEqualTo(new WriteArrayResponse(3, "", Tail.SUCCESS));
+        .isEqualTo(new ValueResponse(3, MessageType.WRITE_ARRAY, "", Tail.SUCCESS));
     assertThat(server.variables().get("MYINTS[]")).isEqualTo("7 65535 0 0 0 0 0 0 0 0 ");
   }
 
@@ -242,7 +246,7 @@ class WireTest {
   void keepsTheElementsOfFunction3ThatCameBeforeARefusedOne() throws IOException {
     server.variables().declare("TWO[2]", "INT", "0");
     assertThat(client.exchange(new WriteArrayRequest(3, "TWO", List.of(1, 2, 3))))
-        .isEqualTo(new WriteArrayResponse(3, "", Tail.FAILURE));
+        .isEqualTo(new ValueResponse(3, MessageType.WRITE_ARRAY, "", Tail.FAILURE));
     assertThat(server.variables().get("TWO[]")).isEqualTo("1 2 ");
     assertThat(server.requests().get(0).refusal()).isEqualTo(Refusal.BAD_INDEX);
   }
@@ -298,7 +302,8 @@ class WireTest {
   @Test
   void answersInTheTypesOfTheCodec() throws IOException {
     assertThat(client.read("$MODEL_NAME[]"))
-        .isEqualTo(new ReadResponse(7, "\"#KR6R900 C4SR FLR 230\"", Tail.SUCCESS));
+        .isEqualTo(
+            new ValueResponse(7, MessageType.READ, "\"#KR6R900 C4SR FLR 230\"", Tail.SUCCESS));
     client.send("00 11 00 01 63");
     assertThat(client.response()).isEqualTo(new EmptyResponse(0x11));
   }

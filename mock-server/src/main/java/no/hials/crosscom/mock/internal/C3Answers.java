@@ -20,9 +20,6 @@ import no.hials.crosscom.protocol.TextResponse;
 import no.hials.crosscom.protocol.code.BuildType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ContentOperation;
-import no.hials.crosscom.protocol.code.MotionType;
-import no.hials.crosscom.protocol.code.PendantKey;
-import no.hials.crosscom.protocol.code.ProgramCommand;
 import no.hials.crosscom.protocol.file.Bytes;
 import no.hials.crosscom.protocol.file.ContentResponse;
 import no.hials.crosscom.protocol.file.ContentSizeResponse;
@@ -31,9 +28,7 @@ import no.hials.crosscom.protocol.file.FilePropertiesResponse;
 import no.hials.crosscom.protocol.file.ListDirectoryResponse;
 import no.hials.crosscom.protocol.file.ReadDataResponse;
 import no.hials.crosscom.protocol.file.WriteDataResponse;
-import no.hials.crosscom.protocol.program.MotionResponse;
-import no.hials.crosscom.protocol.program.PendantKeyResponse;
-import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.server.Features;
 import no.hials.crosscom.protocol.server.FeaturesResponse;
 import no.hials.crosscom.protocol.server.InformationResponse;
@@ -43,9 +38,8 @@ import no.hials.crosscom.protocol.variable.AccessResult;
 import no.hials.crosscom.protocol.variable.BenchmarkResponse;
 import no.hials.crosscom.protocol.variable.MultipleResponse;
 import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 
 /**
  * Creates answers that only repeat fields of the request: C3 Bridge's answers to malformed requests
@@ -104,14 +98,10 @@ final class C3Answers {
       Tail tail) {
     int first = fields.length == 0 ? 0 : fields[0] & 0xFF;
     return switch (type) {
-      case READ -> new ReadResponse(id, value, tail);
-      case WRITE -> new WriteResponse(id, value, tail);
+      case READ, WRITE -> new ValueResponse(id, type, value, tail);
       case READ_UTF16, WRITE_UTF16, FULL_NAME, KRC_NAME -> new TextResponse(id, type, value, tail);
       case READ_MULTIPLE, WRITE_MULTIPLE -> new MultipleResponse(id, type, results, tail);
-      case PROGRAM_CONTROL ->
-          new ProgramControlResponse(id, new Code<>(ProgramCommand.class, first), tail);
-      case MOTION -> new MotionResponse(id, new Code<>(MotionType.class, first), tail);
-      case PENDANT_KEY -> new PendantKeyResponse(id, new Code<>(PendantKey.class, first), tail);
+      case PROGRAM_CONTROL, MOTION, PENDANT_KEY -> new ProgramResponse(id, type, first, tail);
       case INFORMATION -> new InformationResponse(id, information(value), tail);
       case FEATURES -> new FeaturesResponse(id, features(value), tail);
       case BENCHMARK -> benchmark(id, fields, tail);

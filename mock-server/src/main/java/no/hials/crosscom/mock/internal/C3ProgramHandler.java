@@ -6,7 +6,6 @@ import java.util.function.Supplier;
 import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.PlainResponse;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.code.Code;
@@ -16,12 +15,10 @@ import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.program.MotionRequest;
-import no.hials.crosscom.protocol.program.MotionResponse;
 import no.hials.crosscom.protocol.program.PendantKeyRequest;
-import no.hials.crosscom.protocol.program.PendantKeyResponse;
 import no.hials.crosscom.protocol.program.ProgramControlRequest;
-import no.hials.crosscom.protocol.program.ProgramControlResponse;
 import no.hials.crosscom.protocol.program.ProgramRequest;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.value.KrlReal;
@@ -84,24 +81,20 @@ public final class C3ProgramHandler {
     return requests.apply(request);
   }
 
-  private ProgramControlResponse answer(ProgramControlRequest request) {
-    Tail tail = attempt(request, () -> control(request));
-    return new ProgramControlResponse(request.id(), request.command(), tail);
+  private Response answer(ProgramControlRequest request) {
+    return answer(request, request.command().number(), () -> control(request));
   }
 
-  private ProgramControlResponse answer(ProgramSelectRequest request) {
-    Tail tail = attempt(request, () -> select(request));
-    return new ProgramControlResponse(request.id(), request.command(), tail);
+  private Response answer(ProgramSelectRequest request) {
+    return answer(request, request.command().number(), () -> select(request));
   }
 
-  private MotionResponse answer(MotionRequest request) {
-    Tail tail = attempt(request, () -> move(request));
-    return new MotionResponse(request.id(), request.motion(), tail);
+  private Response answer(MotionRequest request) {
+    return answer(request, request.motion().number(), () -> move(request));
   }
 
-  private PendantKeyResponse answer(PendantKeyRequest request) {
-    Tail tail = attempt(request, () -> press(request));
-    return new PendantKeyResponse(request.id(), request.key(), tail);
+  private Response answer(PendantKeyRequest request) {
+    return answer(request, request.key().number(), () -> press(request));
   }
 
   /** Answers type 63. */
@@ -110,7 +103,7 @@ public final class C3ProgramHandler {
     return new PlainResponse(request.id(), request.type(), Tail.SUCCESS);
   }
 
-  private static Tail attempt(Request request, Work work) {
+  private static Response answer(ProgramRequest request, int repeated, Work work) {
     ErrorCode code;
     String why = "";
     try {
@@ -132,7 +125,7 @@ public final class C3ProgramHandler {
     if (code != ErrorCode.SUCCESS) {
       log.debug("{} refused: {} {}", request, code, why);
     }
-    return C3Answers.tail(code);
+    return new ProgramResponse(request.id(), request.type(), repeated, C3Answers.tail(code));
   }
 
   // type 10

@@ -20,13 +20,12 @@ import no.hials.crosscom.protocol.variable.MultipleResponse;
 import no.hials.crosscom.protocol.variable.ReadArrayRequest;
 import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
 import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
 import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.VariableRequest;
 import no.hials.crosscom.protocol.variable.WriteArrayRequest;
 import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 import no.hials.crosscom.protocol.variable.WriteUtf16Request;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
@@ -145,7 +144,8 @@ public final class C3VariableHandler {
       return tooLong();
     }
     Tail tail = result.refused() == null ? Tail.SUCCESS : config.failedRead().tail();
-    return new Outcome(new ReadResponse(request.id(), value, tail), result.refused());
+    return new Outcome(
+        new ValueResponse(request.id(), request.type(), value, tail), result.refused());
   }
 
   private static Outcome tooLong() {
@@ -157,8 +157,9 @@ public final class C3VariableHandler {
     Result result = write(request.name(), request.value());
     boolean done = result.refused() == null;
     return new Outcome(
-        new WriteResponse(
+        new ValueResponse(
             request.id(),
+            request.type(),
             done ? result.value() : "",
             done ? Tail.SUCCESS : config.failedWriteTail()),
         result.refused());

@@ -17,11 +17,9 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.protocol.variable.ReadArrayRequest;
 import no.hials.crosscom.protocol.variable.ReadArrayResponse;
 import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.WriteArrayRequest;
-import no.hials.crosscom.protocol.variable.WriteArrayResponse;
 import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.VariableTable;
@@ -72,9 +70,14 @@ public final class KukavarproxyHandler implements RequestHandler {
     throw new IllegalArgumentException("not a request for KUKAVARPROXY: " + request);
   }
 
+  private static Outcome answer(
+      Request request, String value, Tail tail, @Nullable RefusedException refused) {
+    return new Outcome(new ValueResponse(request.id(), request.type(), value, tail), refused);
+  }
+
   private Outcome read(ReadRequest request) {
     if (isForServer(request)) {
-      return new Outcome(new ReadResponse(request.id(), "PONG", Tail.SUCCESS), null);
+      return answer(request, "PONG", Tail.SUCCESS, null);
     }
     try {
       String text = variables.read(request.name());
@@ -82,9 +85,9 @@ public final class KukavarproxyHandler implements RequestHandler {
         text = text.strip();
       }
       checkLength(text.length());
-      return new Outcome(new ReadResponse(request.id(), text, Tail.SUCCESS), null);
+      return answer(request, text, Tail.SUCCESS, null);
     } catch (RefusedException e) {
-      return new Outcome(new ReadResponse(request.id(), "", config.failedRead().tail()), e);
+      return answer(request, "", config.failedRead().tail(), e);
     }
   }
 
@@ -115,7 +118,7 @@ public final class KukavarproxyHandler implements RequestHandler {
       refused = e;
     }
     Tail tail = refused == null ? Tail.SUCCESS : config.failedWriteTail();
-    return new Outcome(new WriteResponse(request.id(), echo, tail), refused);
+    return answer(request, echo, tail, refused);
   }
 
   private Outcome readArray(ReadArrayRequest request) {
@@ -163,14 +166,14 @@ public final class KukavarproxyHandler implements RequestHandler {
       refused = e;
     }
     Tail tail = refused == null ? Tail.SUCCESS : config.failedWriteTail();
-    return new Outcome(new WriteArrayResponse(request.id(), "", tail), refused);
+    return answer(request, "", tail, refused);
   }
 
   /** Creates an answer with a given value and tail. */
   static Response answer(Request request, String value, Tail tail) {
     return switch (request.type()) {
       case READ_ARRAY -> new ReadArrayResponse(request.id(), wordsOrNone(value), tail);
-      case WRITE_ARRAY -> new WriteArrayResponse(request.id(), value, tail);
+      case WRITE_ARRAY -> new ValueResponse(request.id(), request.type(), value, tail);
       default -> C3Answers.scripted(request, value, tail);
     };
   }

@@ -4,11 +4,11 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 import no.hials.crosscom.simulator.VariableTable;
 
 /** The measured operations: the same access as bytes and through the client. */
@@ -61,8 +61,8 @@ enum Operation {
   byte[] answer() {
     return Codec.encode(
         write
-            ? new WriteResponse(1, value, Tail.SUCCESS)
-            : new ReadResponse(1, value, Tail.SUCCESS));
+            ? new ValueResponse(1, MessageType.WRITE, value, Tail.SUCCESS)
+            : new ValueResponse(1, MessageType.READ, value, Tail.SUCCESS));
   }
 
   /** Returns the expected result of {@link #through}. */

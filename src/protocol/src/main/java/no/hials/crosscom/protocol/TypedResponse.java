@@ -6,29 +6,21 @@ import no.hials.crosscom.protocol.file.FilePropertiesResponse;
 import no.hials.crosscom.protocol.file.ListDirectoryResponse;
 import no.hials.crosscom.protocol.file.ReadDataResponse;
 import no.hials.crosscom.protocol.file.WriteDataResponse;
-import no.hials.crosscom.protocol.program.MotionResponse;
-import no.hials.crosscom.protocol.program.PendantKeyResponse;
-import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.server.FeaturesResponse;
 import no.hials.crosscom.protocol.server.InformationResponse;
 import no.hials.crosscom.protocol.variable.BenchmarkResponse;
 import no.hials.crosscom.protocol.variable.MultipleResponse;
 import no.hials.crosscom.protocol.variable.ReadArrayResponse;
-import no.hials.crosscom.protocol.variable.ReadResponse;
-import no.hials.crosscom.protocol.variable.WriteArrayResponse;
-import no.hials.crosscom.protocol.variable.WriteResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 
 /** An answer that repeats the function of its request and ends with a tail. */
 public sealed interface TypedResponse extends Response
-    permits ReadResponse,
-        WriteResponse,
+    permits ValueResponse,
         ReadArrayResponse,
-        WriteArrayResponse,
         TextResponse,
         MultipleResponse,
-        ProgramControlResponse,
-        MotionResponse,
-        PendantKeyResponse,
+        ProgramResponse,
         InformationResponse,
         FeaturesResponse,
         BenchmarkResponse,

@@ -6,7 +6,7 @@ import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.util.Arrays;
 import java.util.stream.Stream;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -110,7 +110,7 @@ final class AnswerFrameTest {
   @Test
   void theLongestValueIsSeenWhole() throws Exception {
     String value = "0123456789".repeat(6553).substring(0, 65529);
-    byte[] frame = Codec.encode(new ReadResponse(0, value, Tail.SUCCESS));
+    byte[] frame = Codec.encode(new ValueResponse(0, MessageType.READ, value, Tail.SUCCESS));
 
     answer.wrap(frame, frame.length);
     answer.openValue();

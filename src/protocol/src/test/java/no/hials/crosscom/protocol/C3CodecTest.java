@@ -53,11 +53,9 @@ import no.hials.crosscom.protocol.file.SetAttributesRequest;
 import no.hials.crosscom.protocol.file.WriteDataRequest;
 import no.hials.crosscom.protocol.file.WriteDataResponse;
 import no.hials.crosscom.protocol.program.MotionRequest;
-import no.hials.crosscom.protocol.program.MotionResponse;
 import no.hials.crosscom.protocol.program.PendantKeyRequest;
-import no.hials.crosscom.protocol.program.PendantKeyResponse;
 import no.hials.crosscom.protocol.program.ProgramControlRequest;
-import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 import no.hials.crosscom.protocol.server.Features;
 import no.hials.crosscom.protocol.server.FeaturesResponse;
@@ -351,7 +349,8 @@ final class C3CodecTest {
             00 01  01
             """),
         arguments(
-            new ProgramControlResponse(652, Code.of(ProgramCommand.RESET), Tail.SUCCESS),
+            new ProgramResponse(
+                652, MessageType.PROGRAM_CONTROL, ProgramCommand.RESET.code(), Tail.SUCCESS),
             // answer to the reset (docs/reference/c3-messages.md#examples)
             "02 8C  00 05  0A  01  00 01 01"),
         arguments(
@@ -377,15 +376,17 @@ final class C3CodecTest {
             // c3-vectors.tsv: read BIG66000 multiple
             "01 D2  00 05  06  00  00 0A 00"),
         arguments(
-            new ProgramControlResponse(0x015A, new Code<>(ProgramCommand.class, 7), new Tail(7, 0)),
+            new ProgramResponse(0x015A, MessageType.PROGRAM_CONTROL, 7, new Tail(7, 0)),
             // c3-vectors.tsv: command 7 (disable start) not implemented
             "01 5A  00 05  0A  07  00 07 00"),
         arguments(
-            new MotionResponse(0x0163, Code.of(MotionType.LIN_REL), Tail.SUCCESS),
+            new ProgramResponse(
+                0x0163, MessageType.MOTION, MotionType.LIN_REL.code(), Tail.SUCCESS),
             // c3-vectors.tsv: LIN_REL
             "01 63  00 05  0B  04  00 01 01"),
         arguments(
-            new PendantKeyResponse(0x0170, Code.of(PendantKey.JOG), Tail.SUCCESS),
+            new ProgramResponse(
+                0x0170, MessageType.PENDANT_KEY, PendantKey.JOG.code(), Tail.SUCCESS),
             // c3-vectors.tsv: key move axis 3 key 2 plus
             "01 70  00 05  0C  03  00 01 01"),
         arguments(
@@ -991,7 +992,7 @@ final class C3CodecTest {
             MessageType.READ_MULTIPLE,
             Collections.nCopies(255, new AccessResult(new Code<>(ErrorCode.class, 255), "")),
             REFUSED),
-        new ProgramControlResponse(0, new Code<>(ProgramCommand.class, 255), REFUSED),
+        new ProgramResponse(0, MessageType.PROGRAM_CONTROL, 255, REFUSED),
         new InformationResponse(
             0,
             new ServerInformation(
@@ -1100,9 +1101,15 @@ final class C3CodecTest {
     return Stream.of(
         refused(() -> new TextResponse(-1, MessageType.KRC_NAME, "", tail), id),
         refused(() -> new MultipleResponse(-1, MessageType.READ_MULTIPLE, List.of(), tail), id),
-        refused(() -> new ProgramControlResponse(-1, Code.of(ProgramCommand.STOP), tail), id),
-        refused(() -> new MotionResponse(-1, Code.of(MotionType.LIN), tail), id),
-        refused(() -> new PendantKeyResponse(-1, Code.of(PendantKey.STOP), tail), id),
+        refused(
+            () ->
+                new ProgramResponse(
+                    -1, MessageType.PROGRAM_CONTROL, ProgramCommand.STOP.code(), tail),
+            id),
+        refused(() -> new ProgramResponse(-1, MessageType.MOTION, MotionType.LIN.code(), tail), id),
+        refused(
+            () -> new ProgramResponse(-1, MessageType.PENDANT_KEY, PendantKey.STOP.code(), tail),
+            id),
         refused(() -> new InformationResponse(-1, information, tail), id),
         refused(() -> new FeaturesResponse(-1, new Features(Set.of()), tail), id),
         refused(() -> new BenchmarkResponse(-1, true, 0, 0, 0, 0, 0, tail), id),

@@ -13,12 +13,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import no.hials.crosscom.protocol.internal.FieldReader;
-import no.hials.crosscom.protocol.variable.ReadResponse;
-import no.hials.crosscom.protocol.variable.WriteResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -259,9 +257,7 @@ final class C3VectorsTest {
 
     Response response = Codec.decodeResponse(frame);
 
-    Function<Response, String> value =
-        r -> r instanceof ReadResponse read ? read.value() : ((WriteResponse) r).value();
-    assertThat(answer).hasToString(value.apply(response));
+    assertThat(answer).hasToString(((ValueResponse) response).value());
   }
 
   private static Request strict(byte[] frame) throws MalformedFrameException {

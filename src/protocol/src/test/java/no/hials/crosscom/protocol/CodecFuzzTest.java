@@ -3,7 +3,7 @@ package no.hials.crosscom.protocol;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.code_intelligence.jazzer.junit.FuzzTest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 
 /**
  * Decodes what Jazzer makes of the frames in {@code CodecFuzzTestInputs}. {@code mvn test} tries
@@ -48,7 +48,7 @@ final class CodecFuzzTest {
       assertThat(answer.success()).isEqualTo(typed.tail().success());
       assertThat(answer.code()).isEqualTo(typed.tail().code());
     }
-    if (response instanceof ReadResponse read) {
+    if (response instanceof ValueResponse read) {
       answer.openValue();
       assertThat(answer).hasToString(read.value());
     }

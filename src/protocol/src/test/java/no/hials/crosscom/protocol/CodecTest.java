@@ -14,11 +14,9 @@ import java.util.stream.Stream;
 import no.hials.crosscom.protocol.variable.ReadArrayRequest;
 import no.hials.crosscom.protocol.variable.ReadArrayResponse;
 import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.WriteArrayRequest;
-import no.hials.crosscom.protocol.variable.WriteArrayResponse;
 import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -113,7 +111,7 @@ final class CodecTest {
   static Stream<Arguments> goldenResponses() {
     return Stream.of(
         arguments(
-            new ReadResponse(0, "100", Tail.SUCCESS),
+            new ValueResponse(0, MessageType.READ, "100", Tail.SUCCESS),
             // answer 100 (docs/reference/wire-format.md#examples)
             """
             00 00                             # id 0
@@ -123,7 +121,7 @@ final class CodecTest {
             00 01  01                         # done
             """),
         arguments(
-            new WriteResponse(1, "50", Tail.SUCCESS),
+            new ValueResponse(1, MessageType.WRITE, "50", Tail.SUCCESS),
             // answer 50 (docs/reference/wire-format.md#examples)
             """
             00 01                             # id 1
@@ -133,7 +131,7 @@ final class CodecTest {
             00 01  01                         # done
             """),
         arguments(
-            new ReadResponse(256, "#CHARGE_OK", Tail.SUCCESS),
+            new ValueResponse(256, MessageType.READ, "#CHARGE_OK", Tail.SUCCESS),
             // answer #CHARGE_OK (docs/reference/wire-format.md#examples)
             """
             01 00                             # id 256
@@ -143,7 +141,7 @@ final class CodecTest {
             00 01  01                         # done
             """),
         arguments(
-            new WriteResponse(256, "35", Tail.SUCCESS),
+            new ValueResponse(256, MessageType.WRITE, "35", Tail.SUCCESS),
             // the last answer (docs/reference/wire-format.md#examples)
             """
             01 00                             # id 256
@@ -153,7 +151,7 @@ final class CodecTest {
             00 01  01                         # done
             """),
         arguments(
-            new ReadResponse(0, "284.994965", Tail.SUCCESS),
+            new ValueResponse(0, MessageType.READ, "284.994965", Tail.SUCCESS),
             // docs/reference/wire-format.md#examples
             """
             00 00                             # id 0
@@ -163,7 +161,7 @@ final class CodecTest {
             00 01  01                         # done
             """),
         arguments(
-            new ReadResponse(7, "", Tail.SUCCESS),
+            new ValueResponse(7, MessageType.READ, "", Tail.SUCCESS),
             // docs/reference/kukavarproxy.md#refused-accesses: an unknown variable, as KUKAVARPROXY
             // of 2019 and later has it
             """
@@ -174,7 +172,7 @@ final class CodecTest {
             00 01  01                         # done, it says
             """),
         arguments(
-            new ReadResponse(7, "", Tail.FAILURE_ZERO),
+            new ValueResponse(7, MessageType.READ, "", Tail.FAILURE_ZERO),
             // the same of C3 Bridge (docs/reference/c3-messages.md#error-codes)
             """
             00 07                             # id 7
@@ -184,7 +182,7 @@ final class CodecTest {
             00 00  00                         # refused
             """),
         arguments(
-            new WriteResponse(8, "1", Tail.FAILURE),
+            new ValueResponse(8, MessageType.WRITE, "1", Tail.FAILURE),
             // docs/reference/kukavarproxy.md#refused-accesses
             """
             00 08                             # id 8
@@ -205,7 +203,7 @@ final class CodecTest {
             00 01  01                         # done
             """),
         arguments(
-            new WriteArrayResponse(65535, "", Tail.FAILURE),
+            new ValueResponse(65535, MessageType.WRITE_ARRAY, "", Tail.FAILURE),
             // laid out by hand from docs/reference/wire-format.md#integer-arrays; no capture is
             // known
             """
@@ -250,7 +248,7 @@ final class CodecTest {
 
   @Test
   void aTailIsCodeThenFlag() {
-    byte[] frame = Codec.encode(new ReadResponse(0, "", new Tail(0x1234, 0x80)));
+    byte[] frame = Codec.encode(new ValueResponse(0, MessageType.READ, "", new Tail(0x1234, 0x80)));
 
     assertThat(Arrays.copyOfRange(frame, frame.length - 3, frame.length))
         .isEqualTo(Hex.bytes("12 34  80"));
@@ -265,10 +263,10 @@ final class CodecTest {
   void everyAnswerKeepsItsTail(Tail tail) throws Exception {
     for (Response response :
         List.of(
-            new ReadResponse(1, "x", tail),
-            new WriteResponse(1, "x", tail),
+            new ValueResponse(1, MessageType.READ, "x", tail),
+            new ValueResponse(1, MessageType.WRITE, "x", tail),
             new ReadArrayResponse(1, List.of(5), tail),
-            new WriteArrayResponse(1, "", tail))) {
+            new ValueResponse(1, MessageType.WRITE_ARRAY, "", tail))) {
       assertThat(Codec.decodeResponse(Codec.encode(response))).isEqualTo(response);
     }
   }
@@ -317,11 +315,11 @@ final class CodecTest {
 
   static Stream<Response> responsesAtTheLimits() {
     return Stream.of(
-        new ReadResponse(0, "", Tail.SUCCESS),
-        new ReadResponse(65535, allOfLatin1(), Tail.SUCCESS),
-        new ReadResponse(65535, "v".repeat(65529), Tail.SUCCESS),
-        new WriteResponse(65535, "v".repeat(65529), Tail.FAILURE),
-        new WriteArrayResponse(65535, "v".repeat(65529), Tail.FAILURE),
+        new ValueResponse(0, MessageType.READ, "", Tail.SUCCESS),
+        new ValueResponse(65535, MessageType.READ, allOfLatin1(), Tail.SUCCESS),
+        new ValueResponse(65535, MessageType.READ, "v".repeat(65529), Tail.SUCCESS),
+        new ValueResponse(65535, MessageType.WRITE, "v".repeat(65529), Tail.FAILURE),
+        new ValueResponse(65535, MessageType.WRITE_ARRAY, "v".repeat(65529), Tail.FAILURE),
         new ReadArrayResponse(0, List.of(), Tail.FAILURE_ZERO),
         new ReadArrayResponse(1, List.of(0, 255, 256, 32767, 32768, 65535), Tail.SUCCESS),
         new ReadArrayResponse(65535, Collections.nCopies(32764, 65535), Tail.SUCCESS),
@@ -340,7 +338,8 @@ final class CodecTest {
 
   @Test
   void theLongestFrameCountsAllItsBytes() {
-    byte[] frame = Codec.encode(new ReadResponse(0, "v".repeat(65529), Tail.SUCCESS));
+    byte[] frame =
+        Codec.encode(new ValueResponse(0, MessageType.READ, "v".repeat(65529), Tail.SUCCESS));
 
     assertThat(frame).hasSize(65539).hasSize(Codec.MAX_FRAME_LENGTH);
     assertThat(Arrays.copyOf(frame, 8)).isEqualTo(Hex.bytes("00 00  FF FF  00  FF F9  76"));
@@ -433,7 +432,9 @@ final class CodecTest {
   @ValueSource(ints = {0, 1, 9, 11, 0x0A00, 65535})
   void aLengthFieldThatMiscountsIsMalformed(int length) {
     byte[] request = withLength(Codec.encode(new ReadRequest(0, "$OV_PRO")), length);
-    byte[] response = withLength(Codec.encode(new ReadResponse(0, "1000", Tail.SUCCESS)), length);
+    byte[] response =
+        withLength(
+            Codec.encode(new ValueResponse(0, MessageType.READ, "1000", Tail.SUCCESS)), length);
 
     assertThatExceptionOfType(MalformedFrameException.class)
         .isThrownBy(() -> Codec.decodeRequest(request))
@@ -546,10 +547,11 @@ final class CodecTest {
       rows.add(refused(() -> new WriteRequest(id, "A", "1"), message));
       rows.add(refused(() -> new ReadArrayRequest(id, "A"), message));
       rows.add(refused(() -> new WriteArrayRequest(id, "A", List.of()), message));
-      rows.add(refused(() -> new ReadResponse(id, "1", Tail.SUCCESS), message));
-      rows.add(refused(() -> new WriteResponse(id, "1", Tail.SUCCESS), message));
+      rows.add(refused(() -> new ValueResponse(id, MessageType.READ, "1", Tail.SUCCESS), message));
+      rows.add(refused(() -> new ValueResponse(id, MessageType.WRITE, "1", Tail.SUCCESS), message));
       rows.add(refused(() -> new ReadArrayResponse(id, List.of(), Tail.SUCCESS), message));
-      rows.add(refused(() -> new WriteArrayResponse(id, "", Tail.SUCCESS), message));
+      rows.add(
+          refused(() -> new ValueResponse(id, MessageType.WRITE_ARRAY, "", Tail.SUCCESS), message));
       rows.add(refused(() -> new EmptyResponse(id), message));
     }
     rows.add(refused(() -> new Tail(-1, 0), "tail code must be 0 to 65535, is -1"));
@@ -582,13 +584,13 @@ final class CodecTest {
             () -> new WriteArrayRequest(0, "n", Collections.nCopies(32765, 1)),
             "name and elements needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
-            () -> new ReadResponse(0, value, Tail.SUCCESS),
+            () -> new ValueResponse(0, MessageType.READ, value, Tail.SUCCESS),
             "value needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
-            () -> new WriteResponse(0, value, Tail.SUCCESS),
+            () -> new ValueResponse(0, MessageType.WRITE, value, Tail.SUCCESS),
             "value needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
-            () -> new WriteArrayResponse(0, value, Tail.SUCCESS),
+            () -> new ValueResponse(0, MessageType.WRITE_ARRAY, value, Tail.SUCCESS),
             "value needs a frame of 65536 bytes, a frame has 65535 at most"),
         refused(
             () -> new ReadArrayResponse(0, Collections.nCopies(32765, 1), Tail.SUCCESS),
@@ -607,13 +609,13 @@ final class CodecTest {
             () -> new WriteArrayRequest(0, "\u20AC", List.of()),
             notLatin1("name", "U+20AC", 0, "\u20AC")),
         refused(
-            () -> new ReadResponse(0, "ab\uFFFF", Tail.SUCCESS),
+            () -> new ValueResponse(0, MessageType.READ, "ab\uFFFF", Tail.SUCCESS),
             notLatin1("value", "U+FFFF", 2, "ab\uFFFF")),
         refused(
-            () -> new WriteResponse(0, "\u20AC", Tail.SUCCESS),
+            () -> new ValueResponse(0, MessageType.WRITE, "\u20AC", Tail.SUCCESS),
             notLatin1("value", "U+20AC", 0, "\u20AC")),
         refused(
-            () -> new WriteArrayResponse(0, "\u20AC", Tail.SUCCESS),
+            () -> new ValueResponse(0, MessageType.WRITE_ARRAY, "\u20AC", Tail.SUCCESS),
             notLatin1("value", "U+20AC", 0, "\u20AC")));
   }
 

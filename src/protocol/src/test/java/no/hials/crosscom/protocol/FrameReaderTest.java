@@ -12,7 +12,7 @@ import java.nio.channels.ReadableByteChannel;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -25,7 +25,8 @@ final class FrameReaderTest {
   private static final byte[] EMPTY = Hex.bytes("00 02 00 00");
   private static final byte[] LONGEST =
       Codec.encode(
-          new ReadResponse(3, "0123456789abc".repeat(5037) + "!".repeat(48), Tail.SUCCESS));
+          new ValueResponse(
+              3, MessageType.READ, "0123456789abc".repeat(5037) + "!".repeat(48), Tail.SUCCESS));
 
   /**
    * A stream and a channel that give their bytes in pieces, as TCP may, and count how often they
@@ -198,7 +199,8 @@ final class FrameReaderTest {
   @ParameterizedTest
   @ValueSource(ints = {2047, 2048, 2049, 4096})
   void framesAroundTheFirstBuffersSizeAreRead(int length) throws Exception {
-    byte[] frame = Codec.encode(new ReadResponse(1, "v".repeat(length - 10), Tail.SUCCESS));
+    byte[] frame =
+        Codec.encode(new ValueResponse(1, MessageType.READ, "v".repeat(length - 10), Tail.SUCCESS));
     assertThat(frame).hasSize(length);
     FrameReader reader = new FrameReader((InputStream) Pieces.of(frame, frame, ANSWER_50));
 

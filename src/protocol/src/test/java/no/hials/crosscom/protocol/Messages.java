@@ -48,11 +48,9 @@ import no.hials.crosscom.protocol.file.WriteDataRequest;
 import no.hials.crosscom.protocol.file.WriteDataResponse;
 import no.hials.crosscom.protocol.internal.ProgramLayouts;
 import no.hials.crosscom.protocol.program.MotionRequest;
-import no.hials.crosscom.protocol.program.MotionResponse;
 import no.hials.crosscom.protocol.program.PendantKeyRequest;
-import no.hials.crosscom.protocol.program.PendantKeyResponse;
 import no.hials.crosscom.protocol.program.ProgramControlRequest;
-import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 import no.hials.crosscom.protocol.server.Features;
 import no.hials.crosscom.protocol.server.FeaturesResponse;
@@ -70,13 +68,11 @@ import no.hials.crosscom.protocol.variable.ReadArrayRequest;
 import no.hials.crosscom.protocol.variable.ReadArrayResponse;
 import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
 import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
 import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.WriteArrayRequest;
-import no.hials.crosscom.protocol.variable.WriteArrayResponse;
 import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 import no.hials.crosscom.protocol.variable.WriteUtf16Request;
 
 /** Random messages of every type: those that KUKAVARPROXY knows, and those of C3 Bridge. */
@@ -95,10 +91,10 @@ final class Messages {
   static Response response(Random r) {
     return oneOf(
         r,
-        () -> new ReadResponse(u16(r), text(r), tail(r)),
-        () -> new WriteResponse(u16(r), text(r), tail(r)),
+        () -> new ValueResponse(u16(r), MessageType.READ, text(r), tail(r)),
+        () -> new ValueResponse(u16(r), MessageType.WRITE, text(r), tail(r)),
         () -> new ReadArrayResponse(u16(r), words(r), tail(r)),
-        () -> new WriteArrayResponse(u16(r), text(r), tail(r)),
+        () -> new ValueResponse(u16(r), MessageType.WRITE_ARRAY, text(r), tail(r)),
         () -> new EmptyResponse(u16(r)));
   }
 
@@ -192,8 +188,8 @@ final class Messages {
   private static Response c3VariableResponse(Random r) {
     return oneOf(
         r,
-        () -> new ReadResponse(u16(r), text(r), tail(r)),
-        () -> new WriteResponse(u16(r), text(r), tail(r)),
+        () -> new ValueResponse(u16(r), MessageType.READ, text(r), tail(r)),
+        () -> new ValueResponse(u16(r), MessageType.WRITE, text(r), tail(r)),
         () -> new EmptyResponse(u16(r)),
         () ->
             new TextResponse(
@@ -212,9 +208,9 @@ final class Messages {
                 anyOf(r, MessageType.READ_MULTIPLE, MessageType.WRITE_MULTIPLE),
                 list(r, 0, 20, () -> new AccessResult(code(ErrorCode.class, r), wide(r))),
                 tail(r)),
-        () -> new ProgramControlResponse(u16(r), code(ProgramCommand.class, r), tail(r)),
-        () -> new MotionResponse(u16(r), code(MotionType.class, r), tail(r)),
-        () -> new PendantKeyResponse(u16(r), code(PendantKey.class, r), tail(r)),
+        () -> new ProgramResponse(u16(r), MessageType.PROGRAM_CONTROL, u8(r), tail(r)),
+        () -> new ProgramResponse(u16(r), MessageType.MOTION, u8(r), tail(r)),
+        () -> new ProgramResponse(u16(r), MessageType.PENDANT_KEY, u8(r), tail(r)),
         () -> new InformationResponse(u16(r), information(r), tail(r)),
         () ->
             new FeaturesResponse(

@@ -11,7 +11,7 @@ import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.program.MotionRequest;
-import no.hials.crosscom.protocol.program.MotionResponse;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 
 /** Moves the robot by messages of type 11. */
 public final class C3Motion implements Motion {
@@ -59,7 +59,7 @@ public final class C3Motion implements Motion {
   private void move(MotionType type, String position) throws CrossComException {
     channel.ask(
         new MotionRequest(0, Code.of(type), position),
-        MotionResponse.class,
+        ProgramResponse.class,
         "motion " + type + " " + position);
   }
 

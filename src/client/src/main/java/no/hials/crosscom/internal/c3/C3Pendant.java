@@ -5,7 +5,7 @@ import no.hials.crosscom.c3.KeyAction;
 import no.hials.crosscom.c3.Pendant;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.program.PendantKeyRequest;
-import no.hials.crosscom.protocol.program.PendantKeyResponse;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 
 /** Presses keys by messages of type 12. */
 public final class C3Pendant implements Pendant {
@@ -33,7 +33,7 @@ public final class C3Pendant implements Pendant {
   private void send(KeyAction key, boolean released) throws CrossComException {
     channel.ask(
         new PendantKeyRequest(0, key.key(), key.number(), key.keyCode(), key.direction(), released),
-        PendantKeyResponse.class,
+        ProgramResponse.class,
         (released ? "release of " : "press of ") + key);
   }
 }

@@ -8,7 +8,7 @@ import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
 import no.hials.crosscom.protocol.program.ProgramControlRequest;
-import no.hials.crosscom.protocol.program.ProgramControlResponse;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 
 /** Controls programs by messages of type 10. */
@@ -48,7 +48,7 @@ public final class C3Programs implements Programs {
       throws CrossComException {
     channel.ask(
         new ProgramControlRequest(0, Code.of(command), Code.of(interpreter)),
-        ProgramControlResponse.class,
+        ProgramResponse.class,
         noun
             + " of the "
             + (interpreter == Interpreter.ROBOT ? "robot" : "submit")
@@ -79,7 +79,7 @@ public final class C3Programs implements Programs {
             name,
             Objects.requireNonNull(parameters, "parameters"),
             force),
-        ProgramControlResponse.class,
+        ProgramResponse.class,
         noun + " of program " + name);
   }
 }

@@ -17,13 +17,11 @@ import no.hials.crosscom.protocol.variable.ReadArrayRequest;
 import no.hials.crosscom.protocol.variable.ReadArrayResponse;
 import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
 import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadResponse;
 import no.hials.crosscom.protocol.variable.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import no.hials.crosscom.protocol.variable.WriteArrayRequest;
-import no.hials.crosscom.protocol.variable.WriteArrayResponse;
 import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.protocol.variable.WriteResponse;
 import no.hials.crosscom.protocol.variable.WriteUtf16Request;
 
 /** The layouts of the messages about variables: types 0 to 7 and 17. */
@@ -31,26 +29,20 @@ public final class VariableLayouts {
   private VariableLayouts() {}
 
   static void addTo(Layouts all) {
+    all.writer(ValueResponse.class, (m, out) -> out.string(m.value()));
+    for (MessageType type : List.of(MessageType.READ, MessageType.WRITE, MessageType.WRITE_ARRAY)) {
+      all.answer(type, (id, in, tail) -> new ValueResponse(id, type, in.string("value"), tail));
+    }
     all.request(
         MessageType.READ,
         ReadRequest.class,
         (m, out) -> out.string(m.name()),
         (id, in) -> new ReadRequest(id, in.string("name")));
-    all.answer(
-        MessageType.READ,
-        ReadResponse.class,
-        (m, out) -> out.string(m.value()),
-        (id, in, tail) -> new ReadResponse(id, in.string("value"), tail));
     all.request(
         MessageType.WRITE,
         WriteRequest.class,
         (m, out) -> write(m.name(), m.value(), out),
         (id, in) -> new WriteRequest(id, in.string("name"), in.string("value")));
-    all.answer(
-        MessageType.WRITE,
-        WriteResponse.class,
-        (m, out) -> out.string(m.value()),
-        (id, in, tail) -> new WriteResponse(id, in.string("value"), tail));
     all.request(
         MessageType.READ_ARRAY,
         ReadArrayRequest.class,
@@ -69,11 +61,6 @@ public final class VariableLayouts {
           out.words(m.elements());
         },
         (id, in) -> new WriteArrayRequest(id, in.string("name"), in.words("elements")));
-    all.answer(
-        MessageType.WRITE_ARRAY,
-        WriteArrayResponse.class,
-        (m, out) -> out.string(m.value()),
-        (id, in, tail) -> new WriteArrayResponse(id, in.string("value"), tail));
     all.request(
         MessageType.READ_UTF16,
         ReadUtf16Request.class,

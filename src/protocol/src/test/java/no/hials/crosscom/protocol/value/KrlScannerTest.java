@@ -13,8 +13,9 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
-import no.hials.crosscom.protocol.variable.ReadResponse;
+import no.hials.crosscom.protocol.variable.ValueResponse;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -257,7 +258,7 @@ final class KrlScannerTest {
     List<Object> read = new ArrayList<>();
     for (String value :
         List.of("{FRAME: X 1.00000, Y -0.18675448}", "{POS: N[] \"\u00E5\u00FF\", X 3}")) {
-      byte[] frame = Codec.encode(new ReadResponse(0, value, Tail.SUCCESS));
+      byte[] frame = Codec.encode(new ValueResponse(0, MessageType.READ, value, Tail.SUCCESS));
       answer.wrap(frame, frame.length);
       answer.openValue();
       scanner.reset(answer);
@@ -274,7 +275,7 @@ final class KrlScannerTest {
 
   @Test
   void anErrorInAnAnswerKeepsTheTextWhenTheBufferChanges() throws Exception {
-    byte[] frame = Codec.encode(new ReadResponse(0, "{X ?}", Tail.SUCCESS));
+    byte[] frame = Codec.encode(new ValueResponse(0, MessageType.READ, "{X ?}", Tail.SUCCESS));
     AnswerFrame answer = new AnswerFrame();
     answer.wrap(frame, frame.length);
     answer.openValue();

@@ -18,17 +18,19 @@ final class Checks {
     }
   }
 
-  static void notNegative(String field, double value) {
+  static double notNegative(String field, double value) {
     if (!(value >= 0 && Double.isFinite(value))) {
       throw new IllegalArgumentException(field + " must be 0 or more, is " + value);
     }
+    return value;
   }
 
-  static void between(String field, Duration value, Duration least, Duration most) {
+  static Duration between(String field, Duration value, Duration least, Duration most) {
     if (value.compareTo(least) < 0 || value.compareTo(most) > 0) {
       throw new IllegalArgumentException(
           field + " must be " + least + " to " + most + ", is " + value);
     }
+    return value;
   }
 
   static void holds(boolean rule, String message) {

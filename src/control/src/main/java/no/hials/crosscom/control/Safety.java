@@ -9,46 +9,10 @@ import no.hials.crosscom.protocol.code.OperatingMode;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The limits of a loop, all enabled by default. Immutable; created by {@link #create}.
- *
- * @param path limits of the tool centre point in Cartesian laws, mm; default 100 mm/s, 5 mm, 50 mm
- * @param rotation limits of the tool's rotation in Cartesian laws, degrees; default 30 degrees/s, 2
- *     degrees, 15 degrees
- * @param axes limits of each axis in joint laws, degrees; default 30 degrees/s, 2 degrees, 15
- *     degrees
- * @param axisLimits the ranges of the axes; by default those of the controller ({@code $SOFTN_END},
- *     {@code $SOFTP_END})
- * @param axisMargin the minimum distance of the axes from their limits, degrees; default 5
- * @param workspace the box in which the tool centre point must stay; by default, for Cartesian laws
- *     300 mm to each side of its position at the start, and for joint laws no limit
- * @param workspaceMargin the minimum distance from the sides of the workspace, mm; default 10
- * @param modes the operating modes in which the loop may run; default only T1
- * @param checkInterval the interval at which the mode, the program state, the axes (Cartesian laws)
- *     or the position (joint laws), and the watchdog are read; default 300 ms
- * @param maxFeedbackAge the maximum time to read the position, and to read it and call the law;
- *     default 100 ms
- * @param maxStall the maximum time that the robot may stand still when it was told to move; at most
- *     a fifth of it is counted between two readings, so that a pause of this computer is not taken
- *     for a stall; default 500 ms
- * @param maxInputAge the maximum age of the input for motion; default 200 ms
- * @param watchdog the time without a heartbeat after which the watchdog on the controller stops the
- *     robot ({@code JOV_LIMIT} of {@code krl/config.dat}); zero for no heartbeat; default 500 ms
+ * The limits of a loop, all enabled by default. Immutable; created by {@link #create}. The {@link
+ * Builder} describes the options.
  */
-public record Safety(
-    MotionLimits path,
-    MotionLimits rotation,
-    MotionLimits axes,
-    @Nullable AxisLimits axisLimits,
-    double axisMargin,
-    @Nullable Workspace workspace,
-    double workspaceMargin,
-    Set<OperatingMode> modes,
-    Duration checkInterval,
-    Duration maxFeedbackAge,
-    Duration maxStall,
-    Duration maxInputAge,
-    Duration watchdog) {
-
+public final class Safety {
   /** Half the side of the default workspace of a Cartesian law, mm. */
   static final double REACH = 300;
 
@@ -56,19 +20,10 @@ public record Safety(
   private static final Duration SHORTEST_WATCHDOG = Duration.ofMillis(50);
   private static final Duration LONGEST = Duration.ofSeconds(10);
 
-  /** Checks every field. */
-  public Safety {
-    Checks.notNegative("axis margin", axisMargin);
-    Checks.notNegative("workspace margin", workspaceMargin);
-    modes = Set.copyOf(modes);
-    Checks.holds(!modes.isEmpty(), "at least one operating mode must be allowed");
-    Checks.between("check interval", checkInterval, SHORTEST, LONGEST);
-    Checks.between("maximum age of the feedback", maxFeedbackAge, SHORTEST, LONGEST);
-    Checks.between("maximum time of a stall", maxStall, SHORTEST, LONGEST);
-    Checks.between("maximum age of the input", maxInputAge, SHORTEST, LONGEST);
-    if (!watchdog.isZero()) {
-      Checks.between("time of the watchdog", watchdog, SHORTEST_WATCHDOG, LONGEST);
-    }
+  private final Options options;
+
+  private Safety(Options options) {
+    this.options = options;
   }
 
   /**
@@ -81,11 +36,78 @@ public record Safety(
   public static Safety create(Consumer<Builder> changes) {
     Builder builder = new Builder();
     changes.accept(builder);
-    return builder.build();
+    Options options = builder.options;
+    builder.options = new Options(); // a builder that is kept changes nothing
+    return new Safety(options);
   }
 
-  /** Collects the settings of a {@link Safety}. */
-  public static final class Builder {
+  /** Returns the limits of the tool centre point in Cartesian laws, mm. */
+  public MotionLimits path() {
+    return options.path;
+  }
+
+  /** Returns the limits of the tool's rotation in Cartesian laws, degrees. */
+  public MotionLimits rotation() {
+    return options.rotation;
+  }
+
+  /** Returns the limits of each axis in joint laws, degrees. */
+  public MotionLimits axes() {
+    return options.axes;
+  }
+
+  /** Returns the ranges of the axes; null for those of the controller. */
+  public @Nullable AxisLimits axisLimits() {
+    return options.axisLimits;
+  }
+
+  /** Returns the minimum distance of the axes from their limits, degrees. */
+  public double axisMargin() {
+    return options.axisMargin;
+  }
+
+  /** Returns the box in which the tool centre point must stay; null for the default. */
+  public @Nullable Workspace workspace() {
+    return options.workspace;
+  }
+
+  /** Returns the minimum distance from the sides of the workspace, mm. */
+  public double workspaceMargin() {
+    return options.workspaceMargin;
+  }
+
+  /** Returns the operating modes in which the loop may run. */
+  public Set<OperatingMode> modes() {
+    return options.modes;
+  }
+
+  /** Returns the interval at which the mode, the program state and the other feedback are read. */
+  public Duration checkInterval() {
+    return options.checkInterval;
+  }
+
+  /** Returns the maximum time to read the position, and to read it and call the law. */
+  public Duration maxFeedbackAge() {
+    return options.maxFeedbackAge;
+  }
+
+  /** Returns the maximum time that the robot may stand still when it was told to move. */
+  public Duration maxStall() {
+    return options.maxStall;
+  }
+
+  /** Returns the maximum age of the input for motion. */
+  public Duration maxInputAge() {
+    return options.maxInputAge;
+  }
+
+  /** Returns the time without a heartbeat after which the watchdog stops the robot; or zero. */
+  public Duration watchdog() {
+    return options.watchdog;
+  }
+
+  /** The options as they were set. */
+  private static final class Options {
     private MotionLimits path = new MotionLimits(100, 5, 50);
     private MotionLimits rotation = new MotionLimits(30, 2, 15);
     private MotionLimits axes = new MotionLimits(30, 2, 15);
@@ -93,203 +115,166 @@ public record Safety(
     private double axisMargin = 5;
     private @Nullable Workspace workspace;
     private double workspaceMargin = 10;
-    private Set<OperatingMode> modes = EnumSet.of(OperatingMode.T1);
+    private Set<OperatingMode> modes = Set.of(OperatingMode.T1);
     private Duration checkInterval = Duration.ofMillis(300);
     private Duration maxFeedbackAge = Duration.ofMillis(100);
     private Duration maxStall = Duration.ofMillis(500);
     private Duration maxInputAge = Duration.ofMillis(200);
     private Duration watchdog = Duration.ofMillis(500);
+  }
+
+  /** Sets the limits. Each method sets one option and returns this builder. */
+  public static final class Builder {
+    private Options options = new Options();
 
     private Builder() {}
 
+    // motion
+
     /**
-     * Sets the limits of the tool centre point in Cartesian laws.
+     * Sets the limits of the tool centre point in Cartesian laws. The default is 100 mm/s, 5 mm and
+     * 50 mm.
      *
      * @param speed mm/s
      * @param step between targets, mm
      * @param trackingError mm
-     * @return this
      */
     public Builder path(double speed, double step, double trackingError) {
-      path = new MotionLimits(speed, step, trackingError);
+      options.path = new MotionLimits(speed, step, trackingError);
       return this;
     }
 
     /**
-     * Sets the limits of the tool's rotation in Cartesian laws.
+     * Sets the limits of the tool's rotation in Cartesian laws. The default is 30 degrees/s, 2
+     * degrees and 15 degrees.
      *
      * @param speed degrees/s
      * @param step between targets, degrees
      * @param trackingError degrees
-     * @return this
      */
     public Builder rotation(double speed, double step, double trackingError) {
-      rotation = new MotionLimits(speed, step, trackingError);
+      options.rotation = new MotionLimits(speed, step, trackingError);
       return this;
     }
 
     /**
-     * Sets the limits of each axis in joint laws.
+     * Sets the limits of each axis in joint laws. The default is 30 degrees/s, 2 degrees and 15
+     * degrees.
      *
      * @param speed degrees/s
      * @param step between targets, degrees
      * @param trackingError degrees
-     * @return this
      */
     public Builder axes(double speed, double step, double trackingError) {
-      axes = new MotionLimits(speed, step, trackingError);
+      options.axes = new MotionLimits(speed, step, trackingError);
       return this;
     }
 
+    // positions
+
     /**
-     * Sets the ranges of the axes, in place of those of the controller.
-     *
-     * @param limits the ranges
-     * @return this
+     * Sets the ranges of the axes. The default are those of the controller, {@code $SOFTN_END} and
+     * {@code $SOFTP_END}.
      */
     public Builder axisLimits(AxisLimits limits) {
-      axisLimits = limits;
+      options.axisLimits = limits;
       return this;
     }
 
-    /**
-     * Sets the ranges of the axes to those of a robot model, in place of those of the controller.
-     *
-     * @param model the robot
-     * @return this
-     */
+    /** Sets the ranges of the axes to those of a robot model. */
     public Builder axisLimits(RobotModel model) {
       return axisLimits(AxisLimits.of(model));
     }
 
-    /**
-     * Sets the minimum distance of the axes from their limits.
-     *
-     * @param degrees 0 or more
-     * @return this
-     */
+    /** Sets the minimum distance of the axes from their limits, 0 degrees or more; default 5. */
     public Builder axisMargin(double degrees) {
-      axisMargin = degrees;
+      options.axisMargin = Checks.notNegative("axis margin", degrees);
       return this;
     }
 
     /**
-     * Sets the box in which the tool centre point must stay, for joint laws too.
-     *
-     * @param box the workspace in {@code $BASE}
-     * @return this
+     * Sets the box in {@code $BASE} in which the tool centre point must stay, for joint laws too.
+     * The default is 300 mm to each side of its position at the start for Cartesian laws, and no
+     * limit for joint laws.
      */
     public Builder workspace(Workspace box) {
-      workspace = box;
+      options.workspace = box;
       return this;
     }
 
-    /**
-     * Sets the minimum distance from the sides of the workspace.
-     *
-     * @param mm 0 or more
-     * @return this
-     */
+    /** Sets the minimum distance from the sides of the workspace, 0 mm or more; default 10. */
     public Builder workspaceMargin(double mm) {
-      workspaceMargin = mm;
+      options.workspaceMargin = Checks.notNegative("workspace margin", mm);
       return this;
     }
 
+    // the controller
+
     /**
-     * Sets the operating modes in which the loop may run. In AUT and EX nobody holds an enabling
-     * switch.
-     *
-     * @param first a mode
-     * @param others more modes
-     * @return this
+     * Sets the operating modes in which the loop may run. The default is only T1: in AUT and EX
+     * nobody holds an enabling switch.
      */
     public Builder modes(OperatingMode first, OperatingMode... others) {
-      modes = EnumSet.of(first, others);
+      options.modes = Set.copyOf(EnumSet.of(first, others));
       return this;
     }
 
     /**
-     * Sets the interval at which the mode, the program state and the other feedback are read.
-     *
-     * @param interval 1 ms to 10 s
-     * @return this
+     * Sets the interval at which the mode, the program state, the axes (Cartesian laws) or the
+     * position (joint laws), and the watchdog are read, 1 ms to 10 s. The default is 300 ms.
      */
     public Builder checkInterval(Duration interval) {
-      checkInterval = interval;
+      options.checkInterval = Checks.between("check interval", interval, SHORTEST, LONGEST);
       return this;
     }
 
     /**
-     * Sets the maximum time to read the position, and to read it and call the law.
-     *
-     * @param time 1 ms to 10 s
-     * @return this
-     */
-    public Builder maxFeedbackAge(Duration time) {
-      maxFeedbackAge = time;
-      return this;
-    }
-
-    /**
-     * Sets the maximum time that the robot may stand still when it was told to move. Detecting a
-     * stall takes more than five readings, at any interval.
-     *
-     * @param time 1 ms to 10 s
-     * @return this
-     */
-    public Builder maxStall(Duration time) {
-      maxStall = time;
-      return this;
-    }
-
-    /**
-     * Sets the maximum age of the input for motion.
-     *
-     * @param time 1 ms to 10 s
-     * @return this
-     */
-    public Builder maxInputAge(Duration time) {
-      maxInputAge = time;
-      return this;
-    }
-
-    /**
-     * Sets the time without a heartbeat after which the watchdog on the controller stops the robot.
-     *
-     * @param time 50 ms to 10 s
-     * @return this
+     * Sets the time without a heartbeat, 50 ms to 10 s, after which the watchdog on the controller
+     * stops the robot ({@code JOV_LIMIT} of {@code krl/config.dat}). The default is 500 ms.
      */
     public Builder watchdog(Duration time) {
-      watchdog = time;
+      options.watchdog =
+          time.isZero()
+              ? time
+              : Checks.between("time of the watchdog", time, SHORTEST_WATCHDOG, LONGEST);
       return this;
     }
 
     /**
      * Sends no heartbeat, for a program without a watchdog. Then nothing on the controller stops
      * the robot if the connection is lost.
-     *
-     * @return this
      */
     public Builder noWatchdog() {
-      watchdog = Duration.ZERO;
+      return watchdog(Duration.ZERO);
+    }
+
+    // feedback and input
+
+    /**
+     * Sets the maximum time to read the position, and to read it and call the law, 1 ms to 10 s.
+     * The default is 100 ms.
+     */
+    public Builder maxFeedbackAge(Duration time) {
+      options.maxFeedbackAge =
+          Checks.between("maximum age of the feedback", time, SHORTEST, LONGEST);
       return this;
     }
 
-    private Safety build() {
-      return new Safety(
-          path,
-          rotation,
-          axes,
-          axisLimits,
-          axisMargin,
-          workspace,
-          workspaceMargin,
-          modes,
-          checkInterval,
-          maxFeedbackAge,
-          maxStall,
-          maxInputAge,
-          watchdog);
+    /**
+     * Sets the maximum time that the robot may stand still when it was told to move, 1 ms to 10 s.
+     * The default is 500 ms. At most a fifth of it is counted between two readings, so that a pause
+     * of this computer is not taken for a stall; detecting a stall takes more than five readings,
+     * at any interval.
+     */
+    public Builder maxStall(Duration time) {
+      options.maxStall = Checks.between("maximum time of a stall", time, SHORTEST, LONGEST);
+      return this;
+    }
+
+    /** Sets the maximum age of the input for motion, 1 ms to 10 s. The default is 200 ms. */
+    public Builder maxInputAge(Duration time) {
+      options.maxInputAge = Checks.between("maximum age of the input", time, SHORTEST, LONGEST);
+      return this;
     }
   }
 }

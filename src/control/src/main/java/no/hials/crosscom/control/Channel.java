@@ -79,7 +79,7 @@ final class Channel {
     }
   }
 
-  private static ControlRefusedException failed(IOException e) {
+  private static ControlRefusedException failed(Exception e) {
     return new ControlRefusedException(
         new StopReason(Kind.ACCESS, Objects.requireNonNull(e.getMessage()), e));
   }
@@ -107,7 +107,7 @@ final class Channel {
           position.getB(),
           position.getC());
     } catch (IllegalStateException e) {
-      throw incomplete(e);
+      throw failed(e);
     }
   }
 
@@ -116,13 +116,8 @@ final class Channel {
     try {
       return Axes.of(axes.asArrayA1ToA6());
     } catch (IllegalStateException e) {
-      throw incomplete(e);
+      throw failed(e);
     }
-  }
-
-  private static ControlRefusedException incomplete(IllegalStateException e) {
-    return new ControlRefusedException(
-        new StopReason(Kind.ACCESS, Objects.requireNonNull(e.getMessage()), e));
   }
 
   /** Reads the software limits of the controller's axes. */

@@ -107,7 +107,7 @@ final class Feedback<P> {
     if (unchanged > maxStall) {
       throw new ControlRefusedException(
           Kind.STALLED_FEEDBACK,
-          space.feedback().getName()
+          space.feedback.getName()
               + " must change within "
               + maxStall / 1_000_000
               + " ms when the robot is told to move, was the same for "

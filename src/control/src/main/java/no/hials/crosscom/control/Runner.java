@@ -185,7 +185,7 @@ final class Runner<P> {
 
   private void read(boolean withCheck, long begin) throws ControlRefusedException {
     if (!withCheck) {
-      channel.read(space.feedback());
+      channel.read(space.feedback);
       checkReading(begin);
       return;
     }
@@ -195,11 +195,11 @@ final class Runner<P> {
         switch (check) {
           case 0 -> channel.mode;
           case 1 -> channel.program;
-          case 2 -> space.otherFeedback();
+          case 2 -> space.otherFeedback;
           case 3 -> heartbeat.limit;
           default -> heartbeat.seen;
         };
-    channel.read(space.feedback(), variable);
+    channel.read(space.feedback, variable);
     checkReading(begin);
     switch (check) {
       case 0 -> channel.checkMode(safety);
@@ -217,7 +217,7 @@ final class Runner<P> {
   private void checkAge(String words, long begin) throws ControlRefusedException {
     double limit = safety.maxFeedbackAge().toNanos() / 1e6;
     double age = (time.nanoTime() - begin) / 1e6;
-    Guard.checkAtMost(Kind.STALE_FEEDBACK, words, space.feedback().getName(), limit, "ms", age);
+    Guard.checkAtMost(Kind.STALE_FEEDBACK, words, space.feedback.getName(), limit, "ms", age);
   }
 
   /** Returns the input; null if the robot must stand. */
@@ -340,7 +340,7 @@ final class Runner<P> {
     } else if (reason.kind() == Kind.STALLED_FEEDBACK) {
       return false; // the position of the robot is not known; it stops at its last target
     } else {
-      channel.read(space.feedback());
+      channel.read(space.feedback);
       space.setTarget(space.numbers(space.actual()));
     }
     channel.write(space.target());

@@ -15,6 +15,17 @@ import no.hials.crosscom.kinematics.Frame;
  */
 abstract sealed class Space<P> {
   final Channel channel;
+  final Law law;
+
+  /** The period of the loop, s. */
+  final double period;
+
+  /** The variable with the position of the robot. */
+  final KRLVariable feedback;
+
+  /** The variable with the position in the other space. */
+  final KRLVariable otherFeedback;
+
   final List<Quantity> quantities;
 
   /** The names of the numbers of a position, as in the variables. */
@@ -29,8 +40,19 @@ abstract sealed class Space<P> {
    */
   record Quantity(String name, String unit, MotionLimits limits) {}
 
-  private Space(Channel channel, List<Quantity> quantities, List<String> names) {
+  private Space(
+      Channel channel,
+      LoopConfig config,
+      Law law,
+      KRLVariable feedback,
+      KRLVariable otherFeedback,
+      List<Quantity> quantities,
+      List<String> names) {
     this.channel = channel;
+    this.law = law;
+    this.period = config.period().toNanos() / 1e9;
+    this.feedback = feedback;
+    this.otherFeedback = otherFeedback;
     this.quantities = quantities;
     this.names = names;
   }
@@ -40,12 +62,6 @@ abstract sealed class Space<P> {
         ? new Cartesian(channel, config, law, target)
         : new Joint(channel, config, law, target);
   }
-
-  /** Returns the variable with the position of the robot. */
-  abstract KRLVariable feedback();
-
-  /** Returns the variable with the position in the other space. */
-  abstract KRLVariable otherFeedback();
 
   /** Returns the variable that the program follows. */
   abstract KRLVariable target();
@@ -58,7 +74,9 @@ abstract sealed class Space<P> {
   abstract void check(Guard guard, P place, boolean actual) throws ControlRefusedException;
 
   /** Returns whether the law returns velocities. */
-  abstract boolean isVelocity();
+  final boolean isVelocity() {
+    return law instanceof Law.CartesianVelocity || law instanceof Law.JointVelocity;
+  }
 
   /** Calls the law and returns the desired position. */
   abstract P ask(State state, P actual) throws Exception;
@@ -86,30 +104,20 @@ abstract sealed class Space<P> {
   static final class Cartesian extends Space<Frame> {
     private static final int TURN = 3;
 
-    private final Law law;
-    private final double period;
     private final KRLFrame target;
 
     Cartesian(Channel channel, LoopConfig config, Law law, String target) {
       super(
           channel,
+          config,
+          law,
+          channel.position,
+          channel.axes,
           List.of(
               new Quantity("path", "mm", config.safety().path()),
               new Quantity("rotation", "degrees", config.safety().rotation())),
           List.of("X", "Y", "Z", "A", "B", "C"));
-      this.law = law;
-      this.period = config.period().toNanos() / 1e9;
       this.target = new KRLFrame(target);
-    }
-
-    @Override
-    KRLVariable feedback() {
-      return channel.position;
-    }
-
-    @Override
-    KRLVariable otherFeedback() {
-      return channel.axes;
     }
 
     @Override
@@ -131,11 +139,6 @@ abstract sealed class Space<P> {
     @Override
     void check(Guard guard, Frame place, boolean actual) throws ControlRefusedException {
       guard.check(place, actual);
-    }
-
-    @Override
-    boolean isVelocity() {
-      return law instanceof Law.CartesianVelocity;
     }
 
     @Override
@@ -201,15 +204,17 @@ abstract sealed class Space<P> {
 
   /** Positions of the axes. */
   static final class Joint extends Space<Axes> {
-    private final Law law;
-    private final double period;
     private final KRLAxis target;
 
     Joint(Channel channel, LoopConfig config, Law law, String target) {
       super(
-          channel, quantities(config.safety().axes()), List.of("A1", "A2", "A3", "A4", "A5", "A6"));
-      this.law = law;
-      this.period = config.period().toNanos() / 1e9;
+          channel,
+          config,
+          law,
+          channel.axes,
+          channel.position,
+          quantities(config.safety().axes()),
+          List.of("A1", "A2", "A3", "A4", "A5", "A6"));
       this.target = new KRLAxis(target);
     }
 
@@ -219,16 +224,6 @@ abstract sealed class Space<P> {
         axes.add(new Quantity("A" + i, "degrees", limits));
       }
       return List.copyOf(axes);
-    }
-
-    @Override
-    KRLVariable feedback() {
-      return channel.axes;
-    }
-
-    @Override
-    KRLVariable otherFeedback() {
-      return channel.position;
     }
 
     @Override
@@ -250,11 +245,6 @@ abstract sealed class Space<P> {
     @Override
     void check(Guard guard, Axes place, boolean actual) throws ControlRefusedException {
       guard.check(place, actual);
-    }
-
-    @Override
-    boolean isVelocity() {
-      return law instanceof Law.JointVelocity;
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.BiConsumer;
 import java.util.function.Function;
 import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
@@ -16,6 +17,7 @@ import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.KRL.structs.KRLStruct;
+import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.protocol.value.KrlPrinter;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlScanner;
@@ -26,22 +28,50 @@ import org.jspecify.annotations.Nullable;
 
 /** Reads and prints the values of a Java type as fields of a STRUC. Immutable. */
 abstract class FieldType {
+  /** A float holds every INT up to this; the next INT is rounded to it. */
+  private static final float EXACT = 1 << 24;
+
+  private static final FieldType INT =
+      new Scalar("", KrlScanner::readInt, (out, value) -> out.append((int) value));
+
+  private static final FieldType FLOAT =
+      new Scalar("", FieldType::readFloat, (out, value) -> print(out, new KrlReal((float) value)));
+
+  private static final FieldType DOUBLE =
+      new Scalar("", KrlScanner::readReal, (out, value) -> print(out, KrlReal.of((double) value)));
+
+  private static final FieldType BOOL =
+      new Scalar("", KrlScanner::readBool, (out, v) -> KrlPrinter.appendBool(out, (boolean) v));
+
+  private static final FieldType CHAR =
+      new Scalar("", FieldType::readChar, (out, value) -> printText(out, value.toString()));
+
+  /** The controller prints an empty text as one blank. */
+  private static final FieldType TEXT =
+      new Scalar(
+          "[]",
+          scanner -> {
+            String text = scanner.readString();
+            return text.equals(" ") ? "" : text;
+          },
+          (out, value) -> printText(out, value.equals("") ? " " : (String) value));
+
   private static final Map<Class<?>, FieldType> SCALARS =
       Map.of(
-          int.class, new Int(),
-          Integer.class, new Int(),
-          float.class, new Single(),
-          Float.class, new Single(),
-          double.class, new Real(),
-          Double.class, new Real(),
-          boolean.class, new Bool(),
-          Boolean.class, new Bool());
+          int.class, INT,
+          Integer.class, INT,
+          float.class, FLOAT,
+          Float.class, FLOAT,
+          double.class, DOUBLE,
+          Double.class, DOUBLE,
+          boolean.class, BOOL,
+          Boolean.class, BOOL);
 
   private static final Map<Class<?>, FieldType> OTHERS =
       Map.of(
-          char.class, new Char(),
-          Character.class, new Char(),
-          String.class, new Text(),
+          char.class, CHAR,
+          Character.class, CHAR,
+          String.class, TEXT,
           KRLFrame.class, new Frame(KRLFrame.class, KRLFrame::new),
           KRLPos.class, new Frame(KRLPos.class, KRLPos::new),
           KRLE6Pos.class, new Frame(KRLE6Pos.class, KRLE6Pos::new),
@@ -117,118 +147,74 @@ abstract class FieldType {
     return "";
   }
 
-  private static final class Int extends FieldType {
+  /** A scalar that needs no path for its errors. */
+  private static final class Scalar extends FieldType {
+    private final String brackets;
+    private final Function<KrlScanner, Object> reader;
+    private final BiConsumer<StringBuilder, Object> printer;
+
+    Scalar(
+        String brackets,
+        Function<KrlScanner, Object> reader,
+        BiConsumer<StringBuilder, Object> printer) {
+      this.brackets = brackets;
+      this.reader = reader;
+      this.printer = printer;
+    }
+
     @Override
     Object read(KrlScanner scanner, String path, String name) {
-      return scanner.readInt();
+      return reader.apply(scanner);
     }
 
     @Override
     void print(StringBuilder out, Object value, String path, String name) {
-      out.append(((Integer) value).intValue());
-    }
-  }
-
-  private static final class Real extends FieldType {
-    @Override
-    Object read(KrlScanner scanner, String path, String name) {
-      return scanner.readReal();
-    }
-
-    @Override
-    void print(StringBuilder out, Object value, String path, String name) {
-      KrlPrinter.appendReal(out, KrlReal.of((Double) value).value(), RealStyle.SHORTEST);
-    }
-  }
-
-  private static final class Single extends FieldType {
-    /** A float holds every INT up to this; the next INT is rounded to it. */
-    private static final float EXACT = 1 << 24;
-
-    @Override
-    Object read(KrlScanner scanner, String path, String name) {
-      int start = scanner.position();
-      float value = scanner.readFloat();
-      if (Math.abs(value) >= EXACT) {
-        // rare: a REAL is already a float, but an INT of the controller may have more digits
-        String text = scanner.text().subSequence(start, scanner.position()).toString();
-        KrlScanner again = new KrlScanner(text);
-        if (isInt(text) && again.readInt() != (double) value) {
-          throw new KrlSyntaxException(scanner.text(), start, "an INT that a float can hold", text);
-        }
-      }
-      return value;
-    }
-
-    private static boolean isInt(String text) {
-      return text.startsWith("'") || text.chars().noneMatch(c -> c == '.' || c == 'E' || c == 'e');
-    }
-
-    @Override
-    void print(StringBuilder out, Object value, String path, String name) {
-      KrlPrinter.appendReal(out, new KrlReal((Float) value).value(), RealStyle.SHORTEST);
-    }
-  }
-
-  private static final class Bool extends FieldType {
-    @Override
-    Object read(KrlScanner scanner, String path, String name) {
-      return scanner.readBool();
-    }
-
-    @Override
-    void print(StringBuilder out, Object value, String path, String name) {
-      KrlPrinter.appendBool(out, (Boolean) value);
-    }
-  }
-
-  private static void printText(StringBuilder out, String text) {
-    for (int i = 0; i < text.length(); i++) {
-      if (text.charAt(i) > 0xFF) {
-        throw new IllegalArgumentException(
-            String.format(
-                "must be ISO 8859-1, has U+%04X at index %d of: %s",
-                (int) text.charAt(i), i, text));
-      }
-    }
-    KrlPrinter.append(out, new KrlString(text), RealStyle.SHORTEST);
-  }
-
-  private static final class Char extends FieldType {
-    @Override
-    Object read(KrlScanner scanner, String path, String name) {
-      int start = scanner.position();
-      String text = scanner.readString();
-      if (text.length() != 1) {
-        throw scanner.wrongAt(start, "one character in double quotes");
-      }
-      return text.charAt(0);
-    }
-
-    @Override
-    void print(StringBuilder out, Object value, String path, String name) {
-      printText(out, value.toString());
-    }
-  }
-
-  private static final class Text extends FieldType {
-    @Override
-    Object read(KrlScanner scanner, String path, String name) {
-      String text = scanner.readString();
-      return text.equals(" ") ? "" : text;
-    }
-
-    @Override
-    void print(StringBuilder out, Object value, String path, String name) {
-      String text = (String) value;
-      // the controller prints an empty text as one blank
-      printText(out, text.isEmpty() ? " " : text);
+      printer.accept(out, value);
     }
 
     @Override
     String brackets() {
-      return "[]";
+      return brackets;
     }
+  }
+
+  private static Object readFloat(KrlScanner scanner) {
+    int start = scanner.position();
+    float value = scanner.readFloat();
+    if (Math.abs(value) >= EXACT) {
+      // rare: a REAL is already a float, but an INT of the controller may have more digits
+      String text = scanner.text().subSequence(start, scanner.position()).toString();
+      KrlScanner again = new KrlScanner(text);
+      if (isInt(text) && again.readInt() != (double) value) {
+        throw new KrlSyntaxException(scanner.text(), start, "an INT that a float can hold", text);
+      }
+    }
+    return value;
+  }
+
+  private static boolean isInt(String text) {
+    return text.startsWith("'") || text.chars().noneMatch(c -> c == '.' || c == 'E' || c == 'e');
+  }
+
+  private static Object readChar(KrlScanner scanner) {
+    int start = scanner.position();
+    String text = scanner.readString();
+    if (text.length() != 1) {
+      throw scanner.wrongAt(start, "one character in double quotes");
+    }
+    return text.charAt(0);
+  }
+
+  private static void print(StringBuilder out, KrlReal number) {
+    KrlPrinter.appendReal(out, number.value(), RealStyle.SHORTEST);
+  }
+
+  private static void printText(StringBuilder out, String text) {
+    if (!Latin1.has(text)) {
+      throw new IllegalArgumentException(
+          "must be ISO 8859-1, " + Latin1.outside(text) + " of: " + text);
+    }
+    KrlPrinter.append(out, new KrlString(text), RealStyle.SHORTEST);
   }
 
   /** An ENUM. */

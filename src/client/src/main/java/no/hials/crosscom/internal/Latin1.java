@@ -7,12 +7,7 @@ package no.hials.crosscom.internal;
 public final class Latin1 {
   private Latin1() {}
 
-  /**
-   * Returns whether functions 0 and 1 can carry a text.
-   *
-   * @param text any
-   * @return true if all its characters are ISO 8859-1
-   */
+  /** Returns whether functions 0 and 1 can carry a text. */
   public static boolean has(CharSequence text) {
     for (int i = 0; i < text.length(); i++) {
       if (text.charAt(i) > 0xFF) {
@@ -22,23 +17,21 @@ public final class Latin1 {
     return true;
   }
 
-  /**
-   * Returns why functions 0 and 1 cannot carry a text.
-   *
-   * @param text a text for which {@link #has} returns false
-   * @return the rule, expected and actual
-   */
+  /** Returns why functions 0 and 1 cannot carry a text that {@link #has} refuses. */
   public static String violation(CharSequence text) {
+    return "must be ISO 8859-1 unless the server is C3 Bridge Interface, "
+        + outside(text)
+        + ": "
+        + text;
+  }
+
+  /** Describes the first character of a text that {@link #has} refuses. */
+  public static String outside(CharSequence text) {
     int index = 0;
     while (text.charAt(index) <= 0xFF) {
       index++;
     }
-    return "must be ISO 8859-1 unless the server is C3 Bridge Interface, has U+"
-        + String.format("%04X", (int) text.charAt(index))
-        + " at index "
-        + index
-        + ": "
-        + text;
+    return String.format("has U+%04X at index %d", (int) text.charAt(index), index);
   }
 
   /**
@@ -46,9 +39,6 @@ public final class Latin1 {
    * code page 1252, where 80 to 9F are characters beyond ISO 8859-1
    * (docs/reference/c3-messages.md#code-pages); that it sends a question mark for other characters
    * is assumed.
-   *
-   * @param text any
-   * @return true if a read in UTF-16 may return another text
    */
   public static boolean isDoubtful(CharSequence text) {
     for (int i = 0; i < text.length(); i++) {

@@ -22,6 +22,7 @@ import no.hials.crosscom.c3.FileEntry;
 import no.hials.crosscom.c3.FileInfo;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.internal.Cancellation;
+import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
@@ -301,12 +302,8 @@ public final class C3Files implements ControllerFiles {
   }
 
   private static byte[] encoded(String text) {
-    for (int i = 0; i < text.length(); i++) {
-      if (text.charAt(i) > 0xFF) {
-        throw new IllegalArgumentException(
-            String.format(
-                "the text must be ISO 8859-1, has U+%04X at index %d", (int) text.charAt(i), i));
-      }
+    if (!Latin1.has(text)) {
+      throw new IllegalArgumentException("the text must be ISO 8859-1, " + Latin1.outside(text));
     }
     return text.getBytes(TEXT);
   }

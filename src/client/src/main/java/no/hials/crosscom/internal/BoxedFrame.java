@@ -7,12 +7,7 @@ import no.hials.crosscom.protocol.Request;
 public final class BoxedFrame {
   private BoxedFrame() {}
 
-  /**
-   * Encodes a request.
-   *
-   * @param request the message
-   * @return its frame
-   */
+  /** Encodes a request. */
   public static Byte[] of(Request request) {
     byte[] frame = Codec.encode(request);
     Byte[] boxed = new Byte[frame.length];

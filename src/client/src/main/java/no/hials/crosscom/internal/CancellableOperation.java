@@ -9,12 +9,6 @@ import org.jspecify.annotations.Nullable;
  */
 @FunctionalInterface
 public interface CancellableOperation<T extends @Nullable Object> {
-  /**
-   * Runs the operation.
-   *
-   * @param cancellation to be asked on the way
-   * @return the result, or null if it has none
-   * @throws Exception if it fails
-   */
+  /** Runs the operation, which has to ask the cancellation on the way. */
   @Nullable T run(Cancellation cancellation) throws Exception;
 }

@@ -14,18 +14,12 @@ public interface Cancellation {
         public void commit() {}
       };
 
-  /**
-   * Ends the operation if it is cancelled.
-   *
-   * @throws CancellationException if so
-   */
+  /** Throws a {@link CancellationException} if the operation is cancelled. */
   void check();
 
   /**
-   * Ensures that the operation is not cancelled, neither now nor later. Calling it again does
-   * nothing.
-   *
-   * @throws CancellationException if the operation is cancelled
+   * Throws a {@link CancellationException} if the operation is cancelled, and ensures that it is
+   * not cancelled later. Calling it again does nothing.
    */
   void commit();
 }

@@ -28,7 +28,6 @@ public interface MessageChannel {
    * @param answer the class that its successful answer has
    * @param what a noun phrase for error messages, which follow it to "the", such as {@code
    *     selection of program /R1/MAIN}
-   * @param <R> that class
    * @return the answer; it says success
    * @throws CrossComUnsupportedException if the server does not know the message; it was not sent
    * @throws CrossComRefusedException if the answer says failure; it has the code
@@ -45,27 +44,20 @@ public interface MessageChannel {
    * exchange chooses the connection; once it is lost, each further exchange fails with {@link
    * CrossComConnectionLostException} before anything is sent. Nothing is repeated, and other
    * threads' exchanges may come in between. For one thread.
-   *
-   * @return the channel
    */
   MessageChannel onOneConnection();
 
   /**
-   * Checks that the server knows a message, without sending it.
+   * Throws a {@link CrossComUnsupportedException} if the server does not know a message, without
+   * sending it.
    *
-   * @param type the message
    * @param what as for {@link #ask}
-   * @throws CrossComUnsupportedException if it does not
-   * @throws CrossComException if asking the server failed
    */
   void require(MessageType type, String what) throws CrossComException;
 
   /**
-   * Runs an operation of many exchanges in the client's thread for transfers, one at a time.
-   *
-   * @param operation the operation
-   * @param <T> the type of its result
-   * @return the result to come; it can be cancelled until the operation commits itself
+   * Runs an operation of many exchanges in the client's thread for transfers, one at a time. The
+   * result can be cancelled until the operation commits itself.
    */
   <T> CompletableFuture<T> asyncTransfer(CancellableOperation<T> operation);
 
@@ -76,7 +68,6 @@ public interface MessageChannel {
    * @param file the file on the controller
    * @param bytes how many bytes were transferred
    * @param why the rule that broke, expected and actual
-   * @return the exception
    */
   CrossComTransferException transferFailed(String what, String file, long bytes, String why);
 }

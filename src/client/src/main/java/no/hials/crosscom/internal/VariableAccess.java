@@ -13,37 +13,25 @@ public abstract class VariableAccess {
   /** For the one implementation, in {@link KRLVariable}. */
   protected VariableAccess() {}
 
-  /**
-   * Returns the one implementation.
-   *
-   * @return the implementation; it exists as soon as a variable does
-   */
+  /** Returns the one implementation, which exists as soon as a variable does. */
   public static VariableAccess get() {
     return Objects.requireNonNull(instance, "no variable class is loaded");
   }
 
-  /**
-   * Installs the one implementation.
-   *
-   * @param access the implementation
-   */
+  /** Installs the one implementation. */
   public static void set(VariableAccess access) {
     instance = access;
   }
 
   /**
-   * Returns the encoded read request of a variable, function 0, which is encoded once.
-   *
-   * @param variable the variable
-   * @return the frame, with any id, not to be changed; null if the name is not ISO 8859-1
+   * Returns the read request of a variable, function 0, with any id, which is encoded once and not
+   * to be changed; null if the name is not ISO 8859-1.
    */
   public abstract byte @Nullable [] readFrame(KRLVariable variable);
 
   /**
-   * Returns whether a value can have characters that function 0 of C3 Bridge cannot send.
-   *
-   * @param variable the variable
-   * @return true for texts, and for what can have them as a part
+   * Returns whether a value can have characters that function 0 of C3 Bridge cannot send: a text,
+   * or what can have texts as a part.
    */
   public abstract boolean holdsText(KRLVariable variable);
 
@@ -51,7 +39,6 @@ public abstract class VariableAccess {
    * Returns the text that a write of a variable sends. Printing a number or a structure of numbers
    * creates no objects.
    *
-   * @param variable the variable
    * @return the text, valid until the next call for the variable
    * @throws IllegalStateException if the variable has no value
    */
@@ -60,43 +47,26 @@ public abstract class VariableAccess {
   /**
    * Sets a variable from text in place, all or nothing.
    *
-   * @param variable the variable
    * @param scanner at the beginning of the text
    * @param written whether the text is that of a write, which may name some fields only
    * @return false if the class of the variable can only be set from a String
    */
   public abstract boolean scan(KRLVariable variable, KrlScanner scanner, boolean written);
 
-  /**
-   * Sets a variable of a class that can only be set from a String.
-   *
-   * @param variable the variable
-   * @param text the text
-   */
+  /** Sets a variable of a class that can only be set from a String. */
   public abstract void setFromString(KRLVariable variable, String text);
 
   /**
    * Sets one element of an array from text; {@link #acceptElements} makes them the value.
    *
-   * @param array the array
    * @param scanner at the beginning of the element's text
    * @param index from 0
    */
   public abstract void scanElement(KRLArray array, KrlScanner scanner, int index);
 
-  /**
-   * Sets the array to the elements set by {@link #scanElement}.
-   *
-   * @param array the array
-   * @param count how many there are
-   */
+  /** Sets the array to the elements set by {@link #scanElement}. */
   public abstract void acceptElements(KRLArray array, int count);
 
-  /**
-   * Sets how long the last exchange took.
-   *
-   * @param variable the variable
-   * @param nanos the time in ns
-   */
+  /** Sets how long the last exchange took, in ns. */
   public abstract void setReadTime(KRLVariable variable, long nanos);
 }

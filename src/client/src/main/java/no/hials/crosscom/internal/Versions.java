@@ -15,12 +15,7 @@ public final class Versions {
 
   private Versions() {}
 
-  /**
-   * Reads a version.
-   *
-   * @param text such as {@code 1.4 (OPEN SOURCE)}
-   * @return the version, or null if the text is not a version
-   */
+  /** Reads a text such as {@code 1.4 (OPEN SOURCE)}; returns null if it is not a version. */
   public static @Nullable Version parse(String text) {
     Matcher matcher = FORM.matcher(text);
     if (!matcher.matches()) {

@@ -64,12 +64,7 @@ public final class C3Files implements ControllerFiles {
   private final MessageChannel channel;
   private final Transfers transfers;
 
-  /**
-   * Creates the files of a client.
-   *
-   * @param channel sends the messages
-   * @param turn held by the transfer that is under way
-   */
+  /** The turn is held by the transfer that is under way. */
   public C3Files(MessageChannel channel, ReentrantLock turn) {
     this.channel = channel;
     this.transfers = new Transfers(channel, turn);

@@ -29,11 +29,6 @@ public final class C3Information implements Information {
 
   private final MessageChannel channel;
 
-  /**
-   * Creates the information of a client.
-   *
-   * @param channel sends the messages
-   */
   public C3Information(MessageChannel channel) {
     this.channel = channel;
   }

@@ -17,11 +17,6 @@ import no.hials.crosscom.protocol.program.ProgramResponse;
 public final class C3Motion implements Motion {
   private final MessageChannel channel;
 
-  /**
-   * Creates the motions of a client.
-   *
-   * @param channel sends the messages
-   */
   public C3Motion(MessageChannel channel) {
     this.channel = channel;
   }

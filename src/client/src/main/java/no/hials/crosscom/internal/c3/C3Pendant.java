@@ -11,11 +11,6 @@ import no.hials.crosscom.protocol.program.ProgramResponse;
 public final class C3Pendant implements Pendant {
   private final MessageChannel channel;
 
-  /**
-   * Creates the pendant of a client.
-   *
-   * @param channel sends the messages
-   */
   public C3Pendant(MessageChannel channel) {
     this.channel = channel;
   }

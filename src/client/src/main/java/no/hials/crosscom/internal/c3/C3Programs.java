@@ -15,11 +15,6 @@ import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 public final class C3Programs implements Programs {
   private final MessageChannel channel;
 
-  /**
-   * Creates the programs of a client.
-   *
-   * @param channel sends the messages
-   */
   public C3Programs(MessageChannel channel) {
     this.channel = channel;
   }

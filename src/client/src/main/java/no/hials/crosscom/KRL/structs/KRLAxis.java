@@ -1,6 +1,11 @@
 package no.hials.crosscom.KRL.structs;
 
-/** Holds an AXIS: the positions of the robot axes A1 to A6, in degrees, or mm for a linear axis. */
+/**
+ * Holds an AXIS: the positions of the robot axes A1 to A6, in degrees, or mm for a linear axis.
+ *
+ * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
+ * answer. Setters return this structure.
+ */
 public class KRLAxis extends NumberStruct {
   /**
    * Creates a structure whose fields are 0.0.
@@ -21,148 +26,79 @@ public class KRLAxis extends NumberStruct {
     super(name, nodes);
   }
 
-  /**
-   * Returns axis A1.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns axis A1, in degrees, or mm for a linear axis. */
   public double getA1() {
     return get("A1");
   }
 
-  /**
-   * Returns axis A2.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns axis A2, in degrees, or mm for a linear axis. */
   public double getA2() {
     return get("A2");
   }
 
-  /**
-   * Returns axis A3.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns axis A3, in degrees, or mm for a linear axis. */
   public double getA3() {
     return get("A3");
   }
 
-  /**
-   * Returns axis A4.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns axis A4, in degrees, or mm for a linear axis. */
   public double getA4() {
     return get("A4");
   }
 
-  /**
-   * Returns axis A5.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns axis A5, in degrees, or mm for a linear axis. */
   public double getA5() {
     return get("A5");
   }
 
-  /**
-   * Returns axis A6.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns axis A6, in degrees, or mm for a linear axis. */
   public double getA6() {
     return get("A6");
   }
 
-  /**
-   * Sets axis A1.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets axis A1, in degrees, or mm for a linear axis. */
   public KRLAxis setA1(double d) {
     set("A1", d);
     return this;
   }
 
-  /**
-   * Sets axis A2.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets axis A2, in degrees, or mm for a linear axis. */
   public KRLAxis setA2(double d) {
     set("A2", d);
     return this;
   }
 
-  /**
-   * Sets axis A3.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets axis A3, in degrees, or mm for a linear axis. */
   public KRLAxis setA3(double d) {
     set("A3", d);
     return this;
   }
 
-  /**
-   * Sets axis A4.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets axis A4, in degrees, or mm for a linear axis. */
   public KRLAxis setA4(double d) {
     set("A4", d);
     return this;
   }
 
-  /**
-   * Sets axis A5.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets axis A5, in degrees, or mm for a linear axis. */
   public KRLAxis setA5(double d) {
     set("A5", d);
     return this;
   }
 
-  /**
-   * Sets axis A6.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets axis A6, in degrees, or mm for a linear axis. */
   public KRLAxis setA6(double d) {
     set("A6", d);
     return this;
   }
 
-  /**
-   * Sets A1 to A6.
-   *
-   * @param values exactly 6; degrees, or mm for linear axes
-   * @return this
-   */
+  /** Sets A1 to A6 to exactly 6 values, in degrees, or mm for linear axes. */
   public KRLAxis setA1ToA6(double... values) {
     set("A1", 6, values);
     return this;
   }
 
-  /**
-   * Returns A1 to A6.
-   *
-   * @return a new array of 6; degrees, or mm for linear axes
-   */
+  /** Returns A1 to A6 as a new array of 6, in degrees, or mm for linear axes. */
   public double[] asArrayA1ToA6() {
     return get("A1", 6);
   }

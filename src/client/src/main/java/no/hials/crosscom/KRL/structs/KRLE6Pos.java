@@ -3,6 +3,9 @@ package no.hials.crosscom.KRL.structs;
 /**
  * Holds an E6POS: a POS with six external axes. The fields are in the order of the original client,
  * E1 to E6 before S and T; a controller prints S and T first.
+ *
+ * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
+ * answer. Setters return this structure.
  */
 public final class KRLE6Pos extends KRLPos {
   /**
@@ -14,148 +17,79 @@ public final class KRLE6Pos extends KRLPos {
     super(name, "X", "Y", "Z", "A", "B", "C", "E1", "E2", "E3", "E4", "E5", "E6", "S", "T");
   }
 
-  /**
-   * Returns external axis E1.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns external axis E1, in degrees, or mm for a linear axis. */
   public double getE1() {
     return get("E1");
   }
 
-  /**
-   * Returns external axis E2.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns external axis E2, in degrees, or mm for a linear axis. */
   public double getE2() {
     return get("E2");
   }
 
-  /**
-   * Returns external axis E3.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns external axis E3, in degrees, or mm for a linear axis. */
   public double getE3() {
     return get("E3");
   }
 
-  /**
-   * Returns external axis E4.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns external axis E4, in degrees, or mm for a linear axis. */
   public double getE4() {
     return get("E4");
   }
 
-  /**
-   * Returns external axis E5.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns external axis E5, in degrees, or mm for a linear axis. */
   public double getE5() {
     return get("E5");
   }
 
-  /**
-   * Returns external axis E6.
-   *
-   * @return degrees, or mm for a linear axis
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns external axis E6, in degrees, or mm for a linear axis. */
   public double getE6() {
     return get("E6");
   }
 
-  /**
-   * Sets external axis E1.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets external axis E1, in degrees, or mm for a linear axis. */
   public KRLE6Pos setE1(double d) {
     set("E1", d);
     return this;
   }
 
-  /**
-   * Sets external axis E2.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets external axis E2, in degrees, or mm for a linear axis. */
   public KRLE6Pos setE2(double d) {
     set("E2", d);
     return this;
   }
 
-  /**
-   * Sets external axis E3.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets external axis E3, in degrees, or mm for a linear axis. */
   public KRLE6Pos setE3(double d) {
     set("E3", d);
     return this;
   }
 
-  /**
-   * Sets external axis E4.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets external axis E4, in degrees, or mm for a linear axis. */
   public KRLE6Pos setE4(double d) {
     set("E4", d);
     return this;
   }
 
-  /**
-   * Sets external axis E5.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets external axis E5, in degrees, or mm for a linear axis. */
   public KRLE6Pos setE5(double d) {
     set("E5", d);
     return this;
   }
 
-  /**
-   * Sets external axis E6.
-   *
-   * @param d degrees, or mm for a linear axis
-   * @return this
-   */
+  /** Sets external axis E6, in degrees, or mm for a linear axis. */
   public KRLE6Pos setE6(double d) {
     set("E6", d);
     return this;
   }
 
-  /**
-   * Sets E1 to E6.
-   *
-   * @param values exactly 6; degrees, or mm for linear axes
-   * @return this
-   */
+  /** Sets E1 to E6 to exactly 6 values, in degrees, or mm for linear axes. */
   public KRLE6Pos setE1ToE6(double... values) {
     set("E1", 6, values);
     return this;
   }
 
-  /**
-   * Returns E1 to E6.
-   *
-   * @return a new array of 6; degrees, or mm for linear axes
-   */
+  /** Returns E1 to E6 as a new array of 6, in degrees, or mm for linear axes. */
   public double[] asArrayE1ToE6() {
     return get("E1", 6);
   }

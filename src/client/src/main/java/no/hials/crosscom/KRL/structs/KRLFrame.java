@@ -3,6 +3,9 @@ package no.hials.crosscom.KRL.structs;
 /**
  * Holds a FRAME: a position X, Y, Z in mm and an orientation A, B, C in degrees, which is {@code
  * Rz(A) Ry(B) Rx(C)} (docs/reference/kinematics.md#orientation).
+ *
+ * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
+ * answer. Setters return this structure.
  */
 public class KRLFrame extends NumberStruct {
   /**
@@ -24,168 +27,90 @@ public class KRLFrame extends NumberStruct {
     super(name, nodes);
   }
 
-  /**
-   * Returns the position along X.
-   *
-   * @return mm
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns the position along X, in mm. */
   public double getX() {
     return get("X");
   }
 
-  /**
-   * Returns the position along Y.
-   *
-   * @return mm
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns the position along Y, in mm. */
   public double getY() {
     return get("Y");
   }
 
-  /**
-   * Returns the position along Z.
-   *
-   * @return mm
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns the position along Z, in mm. */
   public double getZ() {
     return get("Z");
   }
 
-  /**
-   * Returns the rotation about Z.
-   *
-   * @return degrees
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns the rotation about Z, in degrees. */
   public double getA() {
     return get("A");
   }
 
-  /**
-   * Returns the rotation about the new Y'.
-   *
-   * @return degrees
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns the rotation about the new Y', in degrees. */
   public double getB() {
     return get("B");
   }
 
-  /**
-   * Returns the rotation about the new X''.
-   *
-   * @return degrees
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns the rotation about the new X'', in degrees. */
   public double getC() {
     return get("C");
   }
 
-  /**
-   * Sets the position along X.
-   *
-   * @param d mm
-   * @return this
-   */
+  /** Sets the position along X, in mm. */
   public KRLFrame setX(double d) {
     set("X", d);
     return this;
   }
 
-  /**
-   * Sets the position along Y.
-   *
-   * @param d mm
-   * @return this
-   */
+  /** Sets the position along Y, in mm. */
   public KRLFrame setY(double d) {
     set("Y", d);
     return this;
   }
 
-  /**
-   * Sets the position along Z.
-   *
-   * @param d mm
-   * @return this
-   */
+  /** Sets the position along Z, in mm. */
   public KRLFrame setZ(double d) {
     set("Z", d);
     return this;
   }
 
-  /**
-   * Sets the rotation about Z.
-   *
-   * @param d degrees
-   * @return this
-   */
+  /** Sets the rotation about Z, in degrees. */
   public KRLFrame setA(double d) {
     set("A", d);
     return this;
   }
 
-  /**
-   * Sets the rotation about the new Y'.
-   *
-   * @param d degrees
-   * @return this
-   */
+  /** Sets the rotation about the new Y', in degrees. */
   public KRLFrame setB(double d) {
     set("B", d);
     return this;
   }
 
-  /**
-   * Sets the rotation about the new X''.
-   *
-   * @param d degrees
-   * @return this
-   */
+  /** Sets the rotation about the new X'', in degrees. */
   public KRLFrame setC(double d) {
     set("C", d);
     return this;
   }
 
-  /**
-   * Sets X to Z.
-   *
-   * @param values exactly 3; mm
-   * @return this
-   */
+  /** Sets X to Z to exactly 3 values, in mm. */
   public KRLFrame setXToZ(double... values) {
     set("X", 3, values);
     return this;
   }
 
-  /**
-   * Sets A to C.
-   *
-   * @param values exactly 3; degrees
-   * @return this
-   */
+  /** Sets A to C to exactly 3 values, in degrees. */
   public KRLFrame setAToC(double... values) {
     set("A", 3, values);
     return this;
   }
 
-  /**
-   * Returns X to Z.
-   *
-   * @return a new array of 3; mm
-   */
+  /** Returns X to Z as a new array of 3, in mm. */
   public double[] asArrayXToZ() {
     return get("X", 3);
   }
 
-  /**
-   * Returns A to C.
-   *
-   * @return a new array of 3; degrees
-   */
+  /** Returns A to C as a new array of 3, in degrees. */
   public double[] asArrayAToC() {
     return get("A", 3);
   }

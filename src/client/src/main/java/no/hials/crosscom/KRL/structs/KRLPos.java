@@ -2,6 +2,9 @@ package no.hials.crosscom.KRL.structs;
 
 /**
  * Holds a POS: a FRAME with Status and Turn, which distinguish the axis positions that reach it.
+ *
+ * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
+ * answer. Setters return this structure.
  */
 public class KRLPos extends KRLFrame {
   /**
@@ -30,43 +33,23 @@ public class KRLPos extends KRLFrame {
     return field.equals("S") || field.equals("T");
   }
 
-  /**
-   * Returns the Status.
-   *
-   * @return a bit field, as a whole number
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns the Status, a bit field, as a whole number. */
   public double getS() {
     return get("S");
   }
 
-  /**
-   * Returns the Turn.
-   *
-   * @return a bit field, as a whole number
-   * @throws IllegalStateException if it was missing in the controller's last answer
-   */
+  /** Returns the Turn, a bit field, as a whole number. */
   public double getT() {
     return get("T");
   }
 
-  /**
-   * Sets the Status.
-   *
-   * @param d a bit field, as a whole number
-   * @return this
-   */
+  /** Sets the Status, a bit field, as a whole number. */
   public KRLPos setS(double d) {
     set("S", d);
     return this;
   }
 
-  /**
-   * Sets the Turn.
-   *
-   * @param d a bit field, as a whole number
-   * @return this
-   */
+  /** Sets the Turn, a bit field, as a whole number. */
   public KRLPos setT(double d) {
     set("T", d);
     return this;

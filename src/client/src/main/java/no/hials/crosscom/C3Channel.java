@@ -1,7 +1,6 @@
 package no.hials.crosscom;
 
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.Executor;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.internal.CancellableOperation;
 import no.hials.crosscom.internal.Cancellation;
@@ -20,8 +19,7 @@ final class C3Channel implements MessageChannel {
 
   private final ReconnectingConnection connection;
   private final ServerDetector detector;
-  private final Executor transfers;
-  private final Executor callbacks;
+  private final Threads threads;
   private final Cancellation call;
   private final ReentrantLock lock;
 
@@ -30,27 +28,19 @@ final class C3Channel implements MessageChannel {
 
   private @Nullable Connection pin;
 
-  C3Channel(ReconnectingConnection connection, Executor transfers, Executor callbacks) {
-    this(
-        connection,
-        new ServerDetector(connection),
-        transfers,
-        callbacks,
-        Cancellation.NEVER,
-        false);
+  C3Channel(ReconnectingConnection connection, Threads threads) {
+    this(connection, new ServerDetector(connection), threads, Cancellation.NEVER, false);
   }
 
   private C3Channel(
       ReconnectingConnection connection,
       ServerDetector detector,
-      Executor transfers,
-      Executor callbacks,
+      Threads threads,
       Cancellation call,
       boolean pinned) {
     this.connection = connection;
     this.detector = detector;
-    this.transfers = transfers;
-    this.callbacks = callbacks;
+    this.threads = threads;
     this.call = call;
     this.lock = connection.lock();
     this.pinned = pinned;
@@ -58,17 +48,17 @@ final class C3Channel implements MessageChannel {
 
   /** Creates a channel that commits a call before its first exchange. */
   C3Channel forCall(Cancellation chosen) {
-    return new C3Channel(connection, detector, transfers, callbacks, chosen, false);
+    return new C3Channel(connection, detector, threads, chosen, false);
   }
 
   @Override
   public MessageChannel onOneConnection() {
-    return new C3Channel(connection, detector, transfers, callbacks, call, true);
+    return new C3Channel(connection, detector, threads, call, true);
   }
 
   @Override
   public <T> CompletableFuture<T> asyncTransfer(CancellableOperation<T> operation) {
-    return AsyncCall.submit(transfers, callbacks, operation);
+    return threads.transfer(operation);
   }
 
   @Override

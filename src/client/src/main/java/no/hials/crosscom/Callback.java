@@ -2,6 +2,7 @@ package no.hials.crosscom;
 
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.MalformedFrameException;
+import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.variables.Variable;
 
 /**
@@ -17,12 +18,12 @@ public final class Callback {
   private final long readTime;
   private final String stringValue;
 
-  Callback(String variableName, int id, int option, String stringValue, long readTime) {
-    this.variableName = variableName;
-    this.id = id;
-    this.option = option;
-    this.stringValue = stringValue;
-    this.readTime = readTime;
+  Callback(Request request, TextAnswer answer) {
+    this.variableName = request.getVariable();
+    this.id = request.getId();
+    this.option = (request.getValue() == null ? MessageType.READ : MessageType.WRITE).code();
+    this.stringValue = answer.text().strip();
+    this.readTime = answer.nanos();
   }
 
   /**

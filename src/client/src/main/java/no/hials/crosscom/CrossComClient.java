@@ -12,8 +12,6 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.Executor;
-import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import no.hials.crosscom.KRL.KRLAny;
@@ -34,7 +32,6 @@ import no.hials.crosscom.internal.c3.C3Motion;
 import no.hials.crosscom.internal.c3.C3Pendant;
 import no.hials.crosscom.internal.c3.C3Programs;
 import no.hials.crosscom.protocol.Codec;
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
@@ -57,7 +54,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>The client detects the type of the server when it matters, and uses its features: on C3
  * Bridge, texts beyond ISO 8859-1, messages for several variables, and {@link #programs}, {@link
- * #motion}, {@link #pendant}, {@link #files} and {@link #information}.
+ * #motion}, {@link #pendant}, {@link #files} and {@link #information}. These five always return the
+ * same objects, whose methods throw {@link CrossComUnsupportedException} on KUKAVARPROXY.
  *
  * <p>The client creates these daemon threads, where PORT is the server's:
  *
@@ -77,9 +75,7 @@ import org.jspecify.annotations.Nullable;
 public final class CrossComClient implements Closeable {
   private final ClientConfig config;
   private final ReconnectingConnection connection;
-  private final ThreadPoolExecutor async;
-  private final ThreadPoolExecutor transfers;
-  private final Executor callbacks;
+  private final Threads threads;
   private final Set<Watch> watches;
   private final ReentrantLock transferTurn;
   private final C3Channel channel;
@@ -113,12 +109,10 @@ public final class CrossComClient implements Closeable {
   public CrossComClient(ClientConfig config) throws CrossComException {
     this.config = Objects.requireNonNull(config, "config");
     this.connection = new ReconnectingConnection(config);
-    this.async = Threads.lazy("crosscom-async-" + config.port());
-    this.transfers = Threads.lazy("crosscom-files-" + config.port());
-    this.callbacks = Threads.forCallbacks("crosscom-callback-" + config.port());
+    this.threads = new Threads(config.port());
     this.watches = ConcurrentHashMap.newKeySet();
     this.transferTurn = new ReentrantLock(true);
-    this.channel = new C3Channel(connection, transfers, callbacks);
+    this.channel = new C3Channel(connection, threads);
     this.variables = new VariableExchange(config, connection, channel, Cancellation.NEVER);
     this.programs = new C3Programs(channel);
     this.motion = new C3Motion(channel);
@@ -132,9 +126,7 @@ public final class CrossComClient implements Closeable {
   private CrossComClient(CrossComClient client, Cancellation call) {
     this.config = client.config;
     this.connection = client.connection;
-    this.async = client.async;
-    this.transfers = client.transfers;
-    this.callbacks = client.callbacks;
+    this.threads = client.threads;
     this.watches = client.watches;
     this.transferTurn = client.transferTurn;
     this.channel = client.channel.forCall(call);
@@ -146,11 +138,7 @@ public final class CrossComClient implements Closeable {
     this.information = new C3Information(channel);
   }
 
-  /**
-   * Returns the configuration.
-   *
-   * @return the configuration of the constructor
-   */
+  /** Returns the configuration of the constructor. */
   public ClientConfig getConfig() {
     return config;
   }
@@ -166,42 +154,22 @@ public final class CrossComClient implements Closeable {
     return channel.find("request for the kind of server", ServerDetector::server);
   }
 
-  /**
-   * Returns the object that selects, starts and stops programs. It needs C3 Bridge.
-   *
-   * @return always the same object; on KUKAVARPROXY its methods throw {@link
-   *     CrossComUnsupportedException}
-   */
+  /** Returns the object that selects, starts and stops programs. It needs C3 Bridge. */
   public Programs programs() {
     return programs;
   }
 
-  /**
-   * Returns the object that moves the robot to positions. It needs C3 Bridge.
-   *
-   * @return always the same object; on KUKAVARPROXY its methods throw {@link
-   *     CrossComUnsupportedException}
-   */
+  /** Returns the object that moves the robot to positions. It needs C3 Bridge. */
   public Motion motion() {
     return motion;
   }
 
-  /**
-   * Returns the object that presses keys of the teach pendant. It needs C3 Bridge.
-   *
-   * @return always the same object; on KUKAVARPROXY its methods throw {@link
-   *     CrossComUnsupportedException}
-   */
+  /** Returns the object that presses keys of the teach pendant. It needs C3 Bridge. */
   public Pendant pendant() {
     return pendant;
   }
 
-  /**
-   * Returns the object that works with the files of the controller. It needs C3 Bridge.
-   *
-   * @return always the same object; on KUKAVARPROXY its methods throw {@link
-   *     CrossComUnsupportedException}
-   */
+  /** Returns the object that works with the files of the controller. It needs C3 Bridge. */
   public ControllerFiles files() {
     return files;
   }
@@ -209,9 +177,6 @@ public final class CrossComClient implements Closeable {
   /**
    * Returns the object that asks the server about itself, and confirms messages. It needs C3
    * Bridge.
-   *
-   * @return always the same object; on KUKAVARPROXY its methods throw {@link
-   *     CrossComUnsupportedException}
    */
   public Information information() {
     return information;
@@ -438,7 +403,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComException if the exchange fails
    */
   public String simpleRead(String name) throws IOException {
-    return describe(name, variables.read(name));
+    return variables.read(name).describe(name);
   }
 
   /**
@@ -451,15 +416,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComException if the exchange fails
    */
   public String simpleWrite(String name, String val) throws IOException {
-    return describe(name, variables.write(name, val));
-  }
-
-  private static String describe(String name, TextAnswer exchanged) {
-    return name
-        + " #read time="
-        + exchanged.nanos() / 1_000_000
-        + "ms  #value="
-        + exchanged.text().strip();
+    return variables.write(name, val).describe(name);
   }
 
   /**
@@ -476,13 +433,8 @@ public final class CrossComClient implements Closeable {
   public Callback sendRequest(Request request) throws IOException {
     String name = request.getVariable();
     String value = request.getValue();
-    TextAnswer exchanged = value == null ? variables.read(name) : variables.write(name, value);
     return new Callback(
-        name,
-        request.getId(),
-        (value == null ? MessageType.READ : MessageType.WRITE).code(),
-        exchanged.text().strip(),
-        exchanged.nanos());
+        request, value == null ? variables.read(name) : variables.write(name, value));
   }
 
   /**
@@ -554,8 +506,7 @@ public final class CrossComClient implements Closeable {
    * @return the result to come; if the function throws, the future fails with the same exception
    */
   public <T extends @Nullable Object> CompletableFuture<T> async(CrossComFunction<T> function) {
-    return AsyncCall.submit(
-        async, callbacks, call -> function.apply(new CrossComClient(this, call)));
+    return threads.async(call -> function.apply(new CrossComClient(this, call)));
   }
 
   /**
@@ -569,9 +520,7 @@ public final class CrossComClient implements Closeable {
    * @return the end to come; if the action throws, the future fails with the same exception
    */
   public CompletableFuture<Void> asyncRun(CrossComAction action) {
-    return AsyncCall.<@Nullable Void>submit(
-        async,
-        callbacks,
+    return threads.<@Nullable Void>async(
         call -> {
           action.run(new CrossComClient(this, call));
           return null;
@@ -580,11 +529,7 @@ public final class CrossComClient implements Closeable {
 
   // --- methods of Socket that programs of the original call
 
-  /**
-   * Returns whether the client was connected. As with a Socket, this stays true after closing.
-   *
-   * @return true, since the constructor connects
-   */
+  /** Returns true, since the constructor connects. As with a Socket, also after closing. */
   public boolean isConnected() {
     return true;
   }
@@ -592,36 +537,22 @@ public final class CrossComClient implements Closeable {
   /**
    * Returns whether the client can no longer be used: it was closed, or its connection failed and
    * {@link ClientConfig#reconnect} is off.
-   *
-   * @return true if so
    */
   public boolean isClosed() {
     return connection.isClosed();
   }
 
-  /**
-   * Returns the address of the controller.
-   *
-   * @return the address of the connection
-   */
+  /** Returns the address of the controller. */
   public InetAddress getInetAddress() {
     return connection.connection().remoteAddress();
   }
 
-  /**
-   * Returns the server's port.
-   *
-   * @return 1 to 65535
-   */
+  /** Returns the server's port. */
   public int getPort() {
     return config.port();
   }
 
-  /**
-   * Returns the local port of the connection.
-   *
-   * @return 1 to 65535; it changes when the client reconnects
-   */
+  /** Returns the local port of the connection; it changes when the client reconnects. */
   public int getLocalPort() {
     return connection.connection().localPort();
   }
@@ -661,8 +592,7 @@ public final class CrossComClient implements Closeable {
   public void close() throws IOException {
     connection.close();
     watches.forEach(Watch::close);
-    transfers.shutdown();
-    async.shutdown(); // queued operations fail soon, because the client is closed
+    threads.shutdown();
   }
 
   @Override

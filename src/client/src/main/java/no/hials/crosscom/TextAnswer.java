@@ -6,4 +6,9 @@ package no.hials.crosscom;
  * @param text the value as KRL text
  * @param nanos how long the exchange took, in ns
  */
-record TextAnswer(String text, long nanos) {}
+record TextAnswer(String text, long nanos) {
+  /** Describes the access to a variable in one line. */
+  String describe(String name) {
+    return name + " #read time=" + nanos / 1_000_000 + "ms  #value=" + text.strip();
+  }
+}

@@ -1,15 +1,42 @@
 package no.hials.crosscom;
 
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.internal.CancellableOperation;
+import org.jspecify.annotations.Nullable;
 
-/** Creates the executors of a client. */
+/** The executors of a client, which run operations and the program's code that follows on them. */
 final class Threads {
-  private Threads() {}
+  private final ThreadPoolExecutor async;
+  private final ThreadPoolExecutor transfers;
+  private final Executor callbacks;
+
+  Threads(int port) {
+    async = lazy("crosscom-async-" + port);
+    transfers = lazy("crosscom-files-" + port);
+    callbacks = forCallbacks("crosscom-callback-" + port);
+  }
+
+  /** Queues an operation. */
+  <T extends @Nullable Object> CompletableFuture<T> async(CancellableOperation<T> operation) {
+    return AsyncCall.submit(async, callbacks, operation);
+  }
+
+  /** Queues a transfer of a file. */
+  <T> CompletableFuture<T> transfer(CancellableOperation<T> operation) {
+    return AsyncCall.submit(transfers, callbacks, operation);
+  }
+
+  /** Runs no more operations; those that are queued fail soon, because the client is closed. */
+  void shutdown() {
+    transfers.shutdown();
+    async.shutdown();
+  }
 
   /**
    * Creates an executor with a daemon thread for each task, for the program's code, where no task

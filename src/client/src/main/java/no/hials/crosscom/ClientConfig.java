@@ -5,71 +5,43 @@ import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
- * What a client is to do. Immutable; made by {@link #create}.
- *
- * @param host name or address of the controller; not blank
- * @param port TCP port of the server, 1 to 65535; KUKAVARPROXY's is 7000
- * @param connectTimeout how long connecting may take; more than zero, default 5 s
- * @param requestTimeout how long one exchange may take, from sending the request to the last byte
- *     of the answer; zero for no limit, default 3 s
- * @param maxAggregateLength how many bytes the text of a written aggregate may have, default 255
- *     (docs/reference/krl-values.md#lengths); zero for no limit
- * @param maxRequestLength how many bytes a request may have, default 2048: KUKAVARPROXY takes no
- *     more at a time and loses the rest (docs/reference/kukavarproxy.md#pieces-of-requests); 16 to
- *     65539. The messages that only C3 Bridge knows may have 65539 whatever this says
- * @param reconnect whether to reconnect automatically after the connection broke, default true
- * @param reconnectBackoff how long to wait after a first failed attempt to connect again; twice as
- *     long after each further one; default 100 ms
- * @param maxReconnectBackoff how long to wait at most between two attempts, default 5 s
- * @param keepAlive after how long without traffic a {@code PING} is read, since the server drops a
- *     client after 30 s (docs/reference/kukavarproxy.md#connections); zero for never, default 10 s
- * @param listener called after connects and losses
+ * The options of a client. Immutable; created by {@link #create}. The {@link Builder} describes the
+ * options.
  */
-public record ClientConfig(
-    String host,
-    int port,
-    Duration connectTimeout,
-    Duration requestTimeout,
-    int maxAggregateLength,
-    int maxRequestLength,
-    boolean reconnect,
-    Duration reconnectBackoff,
-    Duration maxReconnectBackoff,
-    Duration keepAlive,
-    ConnectionListener listener) {
-
+public final class ClientConfig {
   /** The port that KUKAVARPROXY listens on. */
   public static final int DEFAULT_PORT = 7000;
 
   /** Hears nothing; no thread is started for it. */
   static final ConnectionListener NO_LISTENER = event -> {};
 
-  /** Checks every field. */
-  public ClientConfig {
-    Objects.requireNonNull(host, "host");
+  private final String host;
+  private final Options options;
+
+  private ClientConfig(String host, Options options) {
+    this.host = host;
+    this.options = options;
     check(!host.isBlank(), "host must not be blank");
-    check(port >= 1 && port <= 65_535, "port must be 1 to 65535, is " + port);
-    time("connect time-out", connectTimeout, false);
-    time("request time-out", requestTimeout, true);
-    time("reconnect backoff", reconnectBackoff, false);
-    time("greatest reconnect backoff", maxReconnectBackoff, false);
-    time("keep-alive time", keepAlive, true);
-    check(
-        maxReconnectBackoff.compareTo(reconnectBackoff) >= 0,
-        "greatest reconnect backoff must be at least "
-            + reconnectBackoff
-            + ", is "
-            + maxReconnectBackoff);
-    Objects.requireNonNull(listener, "listener");
-    check(
-        maxAggregateLength >= 0,
-        "greatest aggregate length must be 0 or more, is " + maxAggregateLength);
-    check(
-        maxRequestLength >= 16 && maxRequestLength <= 65_539,
-        "greatest request length must be 16 to 65539, is " + maxRequestLength);
   }
 
-  private static void time(String field, Duration value, boolean zeroAllowed) {
+  /**
+   * Creates a configuration.
+   *
+   * @param host name or address of the controller; not blank
+   * @param settings sets the options that differ from their defaults
+   * @return the configuration
+   * @throws IllegalArgumentException if a value is out of its range
+   */
+  public static ClientConfig create(String host, Consumer<Builder> settings) {
+    Objects.requireNonNull(host, "host");
+    Builder builder = new Builder();
+    settings.accept(builder);
+    Options options = builder.options;
+    builder.options = new Options(); // a builder that is kept changes nothing
+    return new ClientConfig(host, options);
+  }
+
+  private static Duration time(String field, Duration value, boolean zeroAllowed) {
     boolean inRange =
         value.compareTo(Duration.ofMillis(1)) >= 0
             && value.compareTo(Duration.ofMillis(Integer.MAX_VALUE)) <= 0;
@@ -82,6 +54,7 @@ public record ClientConfig(
             + Integer.MAX_VALUE
             + " ms, is "
             + value);
+    return value;
   }
 
   private static void check(boolean holds, String rule) {
@@ -90,23 +63,63 @@ public record ClientConfig(
     }
   }
 
-  /**
-   * Creates a configuration.
-   *
-   * @param host name or address of the controller
-   * @param settings sets the options that differ from their defaults
-   * @return the configuration
-   * @throws IllegalArgumentException if a value is out of its range
-   */
-  public static ClientConfig create(String host, Consumer<Builder> settings) {
-    Builder builder = new Builder(host);
-    settings.accept(builder);
-    return builder.build();
+  /** Returns the name or address of the controller. */
+  public String host() {
+    return host;
   }
 
-  /** Collects the settings of a {@link ClientConfig}. */
-  public static final class Builder {
-    private final String host;
+  /** Returns the TCP port of the server. */
+  public int port() {
+    return options.port;
+  }
+
+  /** Returns how long connecting may take. */
+  public Duration connectTimeout() {
+    return options.connectTimeout;
+  }
+
+  /** Returns how long one exchange may take, zero for no limit. */
+  public Duration requestTimeout() {
+    return options.requestTimeout;
+  }
+
+  /** Returns how many bytes the text of a written aggregate may have, zero for no limit. */
+  public int maxAggregateLength() {
+    return options.maxAggregateLength;
+  }
+
+  /** Returns how many bytes a request may have. */
+  public int maxRequestLength() {
+    return options.maxRequestLength;
+  }
+
+  /** Returns whether the client reconnects automatically after the connection broke. */
+  public boolean reconnect() {
+    return options.reconnect;
+  }
+
+  /** Returns how long to wait after a first failed attempt to connect again. */
+  public Duration reconnectBackoff() {
+    return options.reconnectBackoff;
+  }
+
+  /** Returns how long to wait at most between two attempts. */
+  public Duration maxReconnectBackoff() {
+    return options.maxReconnectBackoff;
+  }
+
+  /** Returns after how long without traffic a {@code PING} is read, zero for never. */
+  public Duration keepAlive() {
+    return options.keepAlive;
+  }
+
+  /** Returns the listener for connects and losses. */
+  public ConnectionListener listener() {
+    return options.listener;
+  }
+
+  /** The options as they were set. */
+  private static final class Options {
     private int port = DEFAULT_PORT;
     private Duration connectTimeout = Duration.ofSeconds(5);
     private Duration requestTimeout = Duration.ofSeconds(3);
@@ -117,125 +130,106 @@ public record ClientConfig(
     private Duration maxReconnectBackoff = Duration.ofSeconds(5);
     private Duration keepAlive = Duration.ofSeconds(10);
     private ConnectionListener listener = NO_LISTENER;
+  }
 
-    private Builder(String host) {
-      this.host = host;
-    }
+  /** Sets the options. Each method sets one option and returns this builder. */
+  public static final class Builder {
+    private Options options = new Options();
 
-    /**
-     * Sets the port.
-     *
-     * @param value 1 to 65535
-     * @return this
-     */
+    private Builder() {}
+
+    /** Sets the TCP port of the server, 1 to 65535. The default is KUKAVARPROXY's, 7000. */
     public Builder port(int value) {
-      port = value;
+      check(value >= 1 && value <= 65_535, "port must be 1 to 65535, is " + value);
+      options.port = value;
       return this;
     }
 
-    /**
-     * Sets how long connecting may take.
-     *
-     * @param value more than zero
-     * @return this
-     */
+    // times
+
+    /** Sets how long connecting may take; more than zero. The default is 5 s. */
     public Builder connectTimeout(Duration value) {
-      connectTimeout = value;
+      options.connectTimeout = time("connect time-out", value, false);
       return this;
     }
 
     /**
-     * Sets how long one exchange may take.
-     *
-     * @param value zero for no limit
-     * @return this
+     * Sets how long one exchange may take, from sending the request to the last byte of the answer;
+     * zero for no limit. The default is 3 s.
      */
     public Builder requestTimeout(Duration value) {
-      requestTimeout = value;
+      options.requestTimeout = time("request time-out", value, true);
       return this;
     }
 
     /**
-     * Sets how long the text of a written aggregate may be.
-     *
-     * @param value in bytes; zero for no limit
-     * @return this
+     * Sets after how long without traffic a {@code PING} is read, zero for never. The server drops
+     * a client after 30 s (docs/reference/kukavarproxy.md#connections). The default is 10 s.
+     */
+    public Builder keepAlive(Duration value) {
+      options.keepAlive = time("keep-alive time", value, true);
+      return this;
+    }
+
+    // lengths
+
+    /**
+     * Sets how many bytes the text of a written aggregate may have, zero for no limit. The default
+     * is 255 (docs/reference/krl-values.md#lengths).
      */
     public Builder maxAggregateLength(int value) {
-      maxAggregateLength = value;
+      check(value >= 0, "greatest aggregate length must be 0 or more, is " + value);
+      options.maxAggregateLength = value;
       return this;
     }
 
     /**
-     * Sets how long a request may be.
-     *
-     * @param value in bytes, 16 to 65539
-     * @return this
+     * Sets how many bytes a request may have, 16 to 65539. The default is 2048: KUKAVARPROXY takes
+     * no more at a time and loses the rest (docs/reference/kukavarproxy.md#pieces-of-requests). The
+     * messages that only C3 Bridge knows may have 65539 whatever this says.
      */
     public Builder maxRequestLength(int value) {
-      maxRequestLength = value;
+      check(
+          value >= 16 && value <= 65_539,
+          "greatest request length must be 16 to 65539, is " + value);
+      options.maxRequestLength = value;
       return this;
     }
 
+    // loss of the connection
+
     /**
-     * Sets whether to reconnect automatically after the connection broke.
-     *
-     * @param value false to leave the client unusable after a failure of its connection
-     * @return this
+     * Sets whether to reconnect automatically after the connection broke (the default), or to leave
+     * the client unusable.
      */
     public Builder reconnect(boolean value) {
-      reconnect = value;
+      options.reconnect = value;
       return this;
     }
 
     /**
      * Sets how long to wait between attempts to connect again.
      *
-     * @param first after the first failed one; twice as long after each further one
-     * @param most at most
-     * @return this
+     * @param first after the first failed attempt; twice as long after each further one. The
+     *     default is 100 ms
+     * @param most at most; the default is 5 s
      */
     public Builder reconnectBackoff(Duration first, Duration most) {
-      reconnectBackoff = first;
-      maxReconnectBackoff = most;
+      options.reconnectBackoff = time("reconnect backoff", first, false);
+      options.maxReconnectBackoff = time("greatest reconnect backoff", most, false);
+      check(
+          most.compareTo(first) >= 0,
+          "greatest reconnect backoff must be at least " + first + ", is " + most);
       return this;
     }
 
     /**
-     * Sets after how long without traffic the connection is used to keep it.
-     *
-     * @param value zero for never
-     * @return this
-     */
-    public Builder keepAlive(Duration value) {
-      keepAlive = value;
-      return this;
-    }
-
-    /**
-     * Sets the listener for connects and losses.
-     *
-     * @param value called in a separate thread, one event after the other
-     * @return this
+     * Sets the listener for connects and losses, which is called in a separate thread, one event
+     * after the other.
      */
     public Builder listener(ConnectionListener value) {
-      listener = value;
+      options.listener = Objects.requireNonNull(value, "listener");
       return this;
-    }
-
-    private ClientConfig build() {
-      return new ClientConfig(
-          host,
-          port,
-          connectTimeout,
-          requestTimeout,
-          maxAggregateLength,
-          maxRequestLength,
-          reconnect,
-          reconnectBackoff,
-          maxReconnectBackoff,
-          keepAlive,
-          listener);
     }
   }
 }

@@ -46,69 +46,46 @@ public record WatchConfig(
    * @throws IllegalArgumentException if a value is out of its range
    */
   public static WatchConfig create(List<String> names, Consumer<Builder> settings) {
-    Builder builder = new Builder(names);
+    Builder builder = new Builder();
     settings.accept(builder);
-    return builder.build();
+    return new WatchConfig(
+        names, builder.period, builder.changesOnly, builder.deadBand, builder.bufferSize);
   }
 
-  /** Collects the settings; each method is described at the component of the same name. */
+  /**
+   * Sets the options. Each method returns this builder; the component of the same name describes
+   * its option.
+   */
   public static final class Builder {
-    private final List<String> names;
     private Duration period = Duration.ofMillis(100);
     private boolean changesOnly;
     private double deadBand;
     private int bufferSize = 256;
 
-    private Builder(List<String> names) {
-      this.names = names;
-    }
+    private Builder() {}
 
-    /**
-     * Sets the period.
-     *
-     * @param value at least 1 ms
-     * @return this
-     */
+    /** Sets the period. */
     public Builder period(Duration value) {
       period = value;
       return this;
     }
 
-    /**
-     * Sets whether only changes are given.
-     *
-     * @param value true for changes only
-     * @return this
-     */
+    /** Sets whether only changes are given. */
     public Builder changesOnly(boolean value) {
       changesOnly = value;
       return this;
     }
 
-    /**
-     * Sets by how much a REAL has to change.
-     *
-     * @param value 0 or more
-     * @return this
-     */
+    /** Sets by how much a REAL has to change. */
     public Builder deadBand(double value) {
       deadBand = value;
       return this;
     }
 
-    /**
-     * Sets how many samples may wait.
-     *
-     * @param value 1 to 65536
-     * @return this
-     */
+    /** Sets how many samples may wait. */
     public Builder bufferSize(int value) {
       bufferSize = value;
       return this;
-    }
-
-    private WatchConfig build() {
-      return new WatchConfig(names, period, changesOnly, deadBand, bufferSize);
     }
   }
 }

@@ -15,52 +15,18 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a {@link Discovery} asks, and how. Immutable; made by {@link #create}.
- *
- * @param targets the IPv4 addresses that are asked, of hosts or for broadcast; at least one
- * @param timeout how long to wait for answers, all of which is waited; 1 ms or more, default 1 s
- * @param localAddress the address of this machine to ask from; null (the default) for whichever
- *     leads to the target
- * @param legacy whether to ask in the legacy mode, which KUKAVARPROXY knows too; default true
- * @param standard whether to ask in the standard mode of C3 Bridge; default true
- * @param legacyPort the UDP port to ask in legacy mode, default 6999
- *     (docs/reference/wire-format.md#discovery)
- * @param legacyReplyPort the UDP port of this machine to which legacy mode answers, default 7000; 0
- *     for a free one, which no real server answers to
- * @param standardPort the UDP port to ask in standard mode, default 7000
+ * Where a {@link Discovery} asks, and how. Immutable; created by {@link #create}. The {@link
+ * Builder} describes the options.
  */
-public record DiscoveryConfig(
-    List<InetAddress> targets,
-    Duration timeout,
-    @Nullable InetAddress localAddress,
-    boolean legacy,
-    boolean standard,
-    int legacyPort,
-    int legacyReplyPort,
-    int standardPort) {
+public final class DiscoveryConfig {
+  private final List<InetAddress> targets;
+  private final Options options;
 
-  /** Checks every field. */
-  public DiscoveryConfig {
-    targets = List.copyOf(targets);
+  private DiscoveryConfig(Options options) {
+    this.options = options;
+    this.targets = List.copyOf(options.targets);
     check(!targets.isEmpty(), "at least one address to ask is needed, there are 0");
-    check(
-        timeout.compareTo(Duration.ofMillis(1)) >= 0
-            && timeout.compareTo(Duration.ofMillis(Integer.MAX_VALUE)) <= 0,
-        "time-out must be 1 to " + Integer.MAX_VALUE + " ms, is " + timeout);
-    check(legacy || standard, "legacy or standard mode must be on, both are off");
-    port("legacy port", legacyPort, 1);
-    port("legacy reply port", legacyReplyPort, 0);
-    port("standard port", standardPort, 1);
-  }
-
-  private static void port(String field, int value, int min) {
-    check(value >= min && value <= 65_535, field + " must be " + min + " to 65535, is " + value);
-  }
-
-  private static void check(boolean holds, String rule) {
-    if (!holds) {
-      throw new IllegalArgumentException(rule);
-    }
+    check(options.legacy || options.standard, "legacy or standard mode must be on, both are off");
   }
 
   /**
@@ -73,11 +39,64 @@ public record DiscoveryConfig(
   public static DiscoveryConfig create(Consumer<Builder> settings) {
     Builder builder = new Builder();
     settings.accept(builder);
-    return builder.build();
+    Options options = builder.options;
+    builder.options = new Options(); // a builder that is kept changes nothing
+    return new DiscoveryConfig(options);
   }
 
-  /** Collects the settings of a {@link DiscoveryConfig}. */
-  public static final class Builder {
+  private static int port(String field, int value, int min) {
+    check(value >= min && value <= 65_535, field + " must be " + min + " to 65535, is " + value);
+    return value;
+  }
+
+  private static void check(boolean holds, String rule) {
+    if (!holds) {
+      throw new IllegalArgumentException(rule);
+    }
+  }
+
+  /** Returns the IPv4 addresses that are asked, of hosts or for broadcast. */
+  public List<InetAddress> targets() {
+    return targets;
+  }
+
+  /** Returns how long to wait for answers. */
+  public Duration timeout() {
+    return options.timeout;
+  }
+
+  /** Returns the address of this machine to ask from; null for whichever leads to the target. */
+  public @Nullable InetAddress localAddress() {
+    return options.localAddress;
+  }
+
+  /** Returns whether to ask in the legacy mode. */
+  public boolean legacy() {
+    return options.legacy;
+  }
+
+  /** Returns whether to ask in the standard mode of C3 Bridge. */
+  public boolean standard() {
+    return options.standard;
+  }
+
+  /** Returns the UDP port to ask in legacy mode. */
+  public int legacyPort() {
+    return options.legacyPort;
+  }
+
+  /** Returns the UDP port of this machine to which legacy mode answers; 0 for a free one. */
+  public int legacyReplyPort() {
+    return options.legacyReplyPort;
+  }
+
+  /** Returns the UDP port to ask in standard mode. */
+  public int standardPort() {
+    return options.standardPort;
+  }
+
+  /** The options as they were set. */
+  private static final class Options {
     private final Set<InetAddress> targets = new LinkedHashSet<>();
     private Duration timeout = Duration.ofSeconds(1);
     private @Nullable InetAddress localAddress;
@@ -86,31 +105,28 @@ public record DiscoveryConfig(
     private int legacyPort = 6999;
     private int legacyReplyPort = 7000;
     private int standardPort = 7000;
+  }
+
+  /** Sets the options. Each method returns this builder. */
+  public static final class Builder {
+    private Options options = new Options();
 
     private Builder() {}
 
-    /**
-     * Asks addresses.
-     *
-     * @param values IPv4 addresses, of hosts or for broadcast
-     * @return this
-     */
+    // whom to ask
+
+    /** Asks IPv4 addresses, of hosts or for broadcast. */
     public Builder addresses(InetAddress... values) {
-      targets.addAll(Arrays.asList(values));
+      options.targets.addAll(Arrays.asList(values));
       return this;
     }
 
-    /**
-     * Asks all hosts that a network interface reaches by broadcast.
-     *
-     * @param value the interface
-     * @return this
-     */
+    /** Asks all hosts that a network interface reaches by broadcast. */
     public Builder networkInterface(NetworkInterface value) {
       value.getInterfaceAddresses().stream()
           .map(InterfaceAddress::getBroadcast)
           .filter(Objects::nonNull)
-          .forEach(targets::add);
+          .forEach(options.targets::add);
       return this;
     }
 
@@ -118,7 +134,6 @@ public record DiscoveryConfig(
      * Asks all hosts that any network interface of this machine reaches by broadcast, other than
      * loopback and those that are down.
      *
-     * @return this
      * @throws SocketException if the interfaces cannot be listed
      */
     public Builder allNetworkInterfaces() throws SocketException {
@@ -133,83 +148,61 @@ public record DiscoveryConfig(
     }
 
     /**
-     * Sets how long to wait for answers.
-     *
-     * @param value 1 ms or more
-     * @return this
+     * Sets how long to wait for answers, all of which is waited; 1 ms or more. The default is 1 s.
      */
     public Builder timeout(Duration value) {
-      timeout = value;
+      check(
+          value.compareTo(Duration.ofMillis(1)) >= 0
+              && value.compareTo(Duration.ofMillis(Integer.MAX_VALUE)) <= 0,
+          "time-out must be 1 to " + Integer.MAX_VALUE + " ms, is " + value);
+      options.timeout = value;
       return this;
     }
 
     /**
-     * Sets the address of this machine to ask from.
-     *
-     * @param value an IPv4 address of an interface
-     * @return this
+     * Sets the address of this machine to ask from, an IPv4 address of an interface. The default is
+     * whichever leads to the target.
      */
     public Builder localAddress(InetAddress value) {
-      localAddress = value;
+      options.localAddress = value;
       return this;
     }
 
+    // modes
+
     /**
-     * Sets whether to ask in the legacy mode.
-     *
-     * @param value false to find only C3 Bridge, and to leave the reply port alone
-     * @return this
+     * Sets whether to ask in the legacy mode, which KUKAVARPROXY knows too (the default); false to
+     * find only C3 Bridge, and to leave the reply port alone.
      */
     public Builder legacy(boolean value) {
-      legacy = value;
+      options.legacy = value;
       return this;
     }
 
-    /**
-     * Sets whether to ask in the standard mode of C3 Bridge.
-     *
-     * @param value true or false
-     * @return this
-     */
+    /** Sets whether to ask in the standard mode of C3 Bridge (the default). */
     public Builder standard(boolean value) {
-      standard = value;
+      options.standard = value;
       return this;
     }
 
     /**
      * Sets the ports of the legacy mode.
      *
-     * @param ask the UDP port to ask, 1 to 65535
-     * @param reply the UDP port of this machine to which the answer comes; 0 for a free one
-     * @return this
+     * @param ask the UDP port to ask, 1 to 65535; default 6999
+     *     (docs/reference/wire-format.md#discovery)
+     * @param reply the UDP port of this machine to which the answer comes, default 7000; 0 for a
+     *     free one, which no real server answers to
      */
     public Builder legacyPorts(int ask, int reply) {
-      legacyPort = ask;
-      legacyReplyPort = reply;
+      options.legacyPort = port("legacy port", ask, 1);
+      options.legacyReplyPort = port("legacy reply port", reply, 0);
       return this;
     }
 
-    /**
-     * Sets the port of the standard mode.
-     *
-     * @param value the UDP port to ask, 1 to 65535
-     * @return this
-     */
+    /** Sets the UDP port to ask in standard mode, 1 to 65535. The default is 7000. */
     public Builder standardPort(int value) {
-      standardPort = value;
+      options.standardPort = port("standard port", value, 1);
       return this;
-    }
-
-    private DiscoveryConfig build() {
-      return new DiscoveryConfig(
-          List.copyOf(targets),
-          timeout,
-          localAddress,
-          legacy,
-          standard,
-          legacyPort,
-          legacyReplyPort,
-          standardPort);
     }
   }
 }

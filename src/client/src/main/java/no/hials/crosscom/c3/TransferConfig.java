@@ -48,7 +48,10 @@ public record TransferConfig(
         builder.overwrite, builder.flags, builder.verification, builder.progress);
   }
 
-  /** Collects the settings; each method is described at the component of the same name. */
+  /**
+   * Sets the options. Each method returns this builder; the component of the same name describes
+   * its option.
+   */
   public static final class Builder {
     private boolean overwrite;
     private Set<CopyFlag> flags = Set.of();
@@ -57,45 +60,25 @@ public record TransferConfig(
 
     private Builder() {}
 
-    /**
-     * Sets whether to replace an existing file.
-     *
-     * @param value true to replace it
-     * @return this
-     */
+    /** Sets whether to replace an existing file. */
     public Builder overwrite(boolean value) {
       overwrite = value;
       return this;
     }
 
-    /**
-     * Sets the flags for the controller.
-     *
-     * @param value any but {@link CopyFlag#OVERWRITE}
-     * @return this
-     */
+    /** Sets the flags for the controller, any but {@link CopyFlag#OVERWRITE}. */
     public Builder flags(CopyFlag... value) {
       flags = Set.of(value);
       return this;
     }
 
-    /**
-     * Sets how to check that all bytes arrived.
-     *
-     * @param value how
-     * @return this
-     */
+    /** Sets how to check that all bytes arrived. */
     public Builder verification(Verification value) {
       verification = value;
       return this;
     }
 
-    /**
-     * Sets the listener for the progress.
-     *
-     * @param value called by the thread that transfers
-     * @return this
-     */
+    /** Sets the listener for the progress, called by the thread that transfers. */
     public Builder progress(TransferProgress value) {
       progress = value;
       return this;

@@ -2,7 +2,7 @@ package no.hials.crosscom.mock;
 
 import java.time.Instant;
 import java.util.List;
-import no.hials.crosscom.mock.internal.SealedSwitch;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.variable.Assignment;
 import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
@@ -39,19 +39,22 @@ public record RecordedRequest(
     @Nullable String hex,
     @Nullable Refusal refusal) {
 
-  private static final SealedSwitch<VariableRequest, List<String>> NAMES =
-      SealedSwitch.<VariableRequest, List<String>>over(VariableRequest.class)
-          .on(ReadRequest.class, read -> List.of(read.name()))
-          .on(WriteRequest.class, write -> List.of(write.name()))
-          .on(ReadArrayRequest.class, read -> List.of(read.name()))
-          .on(WriteArrayRequest.class, write -> List.of(write.name()))
-          .on(ReadUtf16Request.class, read -> List.of(read.name()))
-          .on(WriteUtf16Request.class, write -> List.of(write.name()))
-          .on(ReadMultipleRequest.class, ReadMultipleRequest::names)
-          .on(WriteMultipleRequest.class, write -> names(write.assignments()))
-          .on(BenchmarkReadRequest.class, BenchmarkReadRequest::names)
-          .on(BenchmarkWriteRequest.class, write -> names(write.assignments()))
-          .complete();
+  private static final TypeSwitch<RecordedRequest, VariableRequest, List<String>, RuntimeException>
+      NAMES =
+          TypeSwitch.create(
+              VariableRequest.class,
+              cases ->
+                  cases
+                      .on(ReadRequest.class, (it, read) -> List.of(read.name()))
+                      .on(WriteRequest.class, (it, write) -> List.of(write.name()))
+                      .on(ReadArrayRequest.class, (it, read) -> List.of(read.name()))
+                      .on(WriteArrayRequest.class, (it, write) -> List.of(write.name()))
+                      .on(ReadUtf16Request.class, (it, read) -> List.of(read.name()))
+                      .on(WriteUtf16Request.class, (it, write) -> List.of(write.name()))
+                      .on(ReadMultipleRequest.class, (it, read) -> read.names())
+                      .on(WriteMultipleRequest.class, (it, write) -> names(write.assignments()))
+                      .on(BenchmarkReadRequest.class, (it, read) -> read.names())
+                      .on(BenchmarkWriteRequest.class, (it, write) -> names(write.assignments())));
 
   /**
    * Returns the name of the variable as the client sent it, empty if the request is not for exactly
@@ -67,7 +70,7 @@ public record RecordedRequest(
    * none.
    */
   public List<String> names() {
-    return request instanceof VariableRequest access ? NAMES.apply(access) : List.of();
+    return request instanceof VariableRequest access ? NAMES.apply(this, access) : List.of();
   }
 
   private static List<String> names(List<Assignment> assignments) {

@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.function.Predicate;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
@@ -21,6 +22,7 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.file.BeginReadRequest;
 import no.hials.crosscom.protocol.file.BeginWriteRequest;
+import no.hials.crosscom.protocol.file.Bytes;
 import no.hials.crosscom.protocol.file.ContentRequest;
 import no.hials.crosscom.protocol.file.ContentResponse;
 import no.hials.crosscom.protocol.file.ContentSizeResponse;
@@ -55,11 +57,54 @@ import no.hials.crosscom.simulator.internal.files.TransferBuffer;
  * <p>For one thread at a time. Other connections can use the same files at the same time.
  */
 public final class C3FileHandler implements AutoCloseable {
+  private static final TypeSwitch<C3FileHandler, FileRequest, TypedResponse, RuntimeException>
+      REQUESTS =
+          TypeSwitch.create(
+              FileRequest.class,
+              cases ->
+                  cases
+                      .on(ListDirectoryRequest.class, C3FileHandler::list)
+                      .on(FilePropertiesRequest.class, C3FileHandler::properties)
+                      .on(FileNameRequest.class, C3FileHandler::name)
+                      .on(WriteDataRequest.class, C3FileHandler::writeData)
+                      .on(ReadDataRequest.class, C3FileHandler::readData)
+                      .on(
+                          BeginWriteRequest.class,
+                          (it, begin) ->
+                              it.size(
+                                  begin,
+                                  ContentOperation.BEGIN,
+                                  run(() -> it.writing.begin(begin.size()))))
+                      .on(BeginReadRequest.class, C3FileHandler::beginRead)
+                      .on(
+                          EndWriteRequest.class,
+                          (it, end) ->
+                              content(end, Code.of(ContentOperation.END), run(() -> it.end(end))))
+                      .on(ContentRequest.class, C3FileHandler::content)
+                      .on(
+                          SetAttributesRequest.class,
+                          (it, set) ->
+                              plain(
+                                  set,
+                                  () ->
+                                      it.tree.setAttributes(
+                                          set.name(), set.attributes(), set.mask())))
+                      .on(
+                          CreateFileRequest.class,
+                          (it, create) -> plain(create, () -> it.create(create)))
+                      .on(
+                          DeleteFileRequest.class,
+                          (it, delete) ->
+                              plain(
+                                  delete,
+                                  () ->
+                                      it.tree.delete(delete.name(), delete.always(), it.selected)))
+                      .on(CopyFileRequest.class, (it, copy) -> plain(copy, () -> it.copy(copy))));
+
   private final ControllerFileSystem tree;
   private final Predicate<String> selected;
   private final TransferBuffer writing;
   private final TransferBuffer reading;
-  private final SealedSwitch<FileRequest, TypedResponse> requests;
 
   /**
    * Creates the handler of one connection.
@@ -73,7 +118,6 @@ public final class C3FileHandler implements AutoCloseable {
     this.selected = selected;
     writing = new TransferBuffer(tree);
     reading = new TransferBuffer(tree);
-    requests = requests();
   }
 
   /** Releases the buffers. */
@@ -85,47 +129,17 @@ public final class C3FileHandler implements AutoCloseable {
 
   /** Answers a request of a type from 20 to 30. */
   public TypedResponse handle(FileRequest request) {
-    return requests.apply(request);
+    return REQUESTS.apply(this, request);
   }
 
-  private SealedSwitch<FileRequest, TypedResponse> requests() {
-    return SealedSwitch.<FileRequest, TypedResponse>over(FileRequest.class)
-        .on(ListDirectoryRequest.class, this::list)
-        .on(FilePropertiesRequest.class, this::properties)
-        .on(FileNameRequest.class, this::name)
-        .on(
-            WriteDataRequest.class,
-            data ->
-                new WriteDataResponse(
-                    data.id(),
-                    data.offset(),
-                    writing.write(data.offset(), data.data()),
-                    Tail.SUCCESS))
-        .on(
-            ReadDataRequest.class,
-            data ->
-                new ReadDataResponse(
-                    data.id(),
-                    data.offset(),
-                    reading.read(data.offset(), data.size()),
-                    Tail.SUCCESS))
-        .on(
-            BeginWriteRequest.class,
-            begin -> size(begin, ContentOperation.BEGIN, run(() -> writing.begin(begin.size()))))
-        .on(BeginReadRequest.class, this::beginRead)
-        .on(
-            EndWriteRequest.class,
-            end -> content(end, Code.of(ContentOperation.END), run(() -> end(end))))
-        .on(ContentRequest.class, this::content)
-        .on(
-            SetAttributesRequest.class,
-            set -> plain(set, () -> tree.setAttributes(set.name(), set.attributes(), set.mask())))
-        .on(CreateFileRequest.class, create -> plain(create, () -> create(create)))
-        .on(
-            DeleteFileRequest.class,
-            delete -> plain(delete, () -> tree.delete(delete.name(), delete.always(), selected)))
-        .on(CopyFileRequest.class, copy -> plain(copy, () -> copy(copy)))
-        .complete();
+  private WriteDataResponse writeData(WriteDataRequest data) {
+    int written = writing.write(data.offset(), data.data());
+    return new WriteDataResponse(data.id(), data.offset(), written, Tail.SUCCESS);
+  }
+
+  private ReadDataResponse readData(ReadDataRequest data) {
+    Bytes read = reading.read(data.offset(), data.size());
+    return new ReadDataResponse(data.id(), data.offset(), read, Tail.SUCCESS);
   }
 
   private static PlainResponse plain(Request request, Work change) {

@@ -1,5 +1,6 @@
 package no.hials.crosscom.mock.internal;
 
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
@@ -15,10 +16,22 @@ import no.hials.crosscom.protocol.variable.VariableRequest;
 
 /** Executes requests as a version of C3 Bridge does (docs/reference/c3-messages.md). */
 public final class C3Handler implements RequestHandler {
+  private static final TypeSwitch<C3Handler, Request, Outcome, RuntimeException> REQUESTS =
+      TypeSwitch.create(
+          Request.class,
+          cases ->
+              cases
+                  .on(VariableRequest.class, (it, request) -> it.variables.handle(request))
+                  .on(
+                      ProgramRequest.class,
+                      (it, request) -> new Outcome(it.control.handle(request), null))
+                  .on(FileRequest.class, C3Handler::answer)
+                  .on(ServerRequest.class, C3Handler::answer));
+
   private final C3ProxyVariables bridge;
+  private final C3VariableHandler variables;
   private final C3ProgramHandler control;
   private final C3FileHandler files;
-  private final SealedSwitch<Request, Outcome> requests;
 
   /** Creates the handler of one connection. */
   public C3Handler(
@@ -27,15 +40,9 @@ public final class C3Handler implements RequestHandler {
       C3ProgramHandler control,
       C3FileHandler files) {
     this.bridge = bridge;
+    this.variables = variables;
     this.control = control;
     this.files = files;
-    requests =
-        SealedSwitch.<Request, Outcome>over(Request.class)
-            .on(VariableRequest.class, variables::handle)
-            .on(ProgramRequest.class, request -> new Outcome(control.handle(request), null))
-            .on(FileRequest.class, this::answer)
-            .on(ServerRequest.class, this::answer)
-            .complete();
   }
 
   @Override
@@ -45,7 +52,7 @@ public final class C3Handler implements RequestHandler {
 
   @Override
   public Outcome handle(Request request) {
-    return requests.apply(request);
+    return REQUESTS.apply(this, request);
   }
 
   private Outcome answer(FileRequest request) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import no.hials.crosscom.lang.Statement.MotionKind;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.PlainResponse;
 import no.hials.crosscom.protocol.Response;
@@ -44,6 +45,17 @@ public final class C3ProgramHandler {
   private static final Logger log = LoggerFactory.getLogger(C3ProgramHandler.class);
 
   private static final int ROBOT_AXES = 6;
+  private static final TypeSwitch<C3ProgramHandler, ProgramRequest, Response, RuntimeException>
+      REQUESTS =
+          TypeSwitch.create(
+              ProgramRequest.class,
+              cases ->
+                  cases
+                      .on(ProgramControlRequest.class, C3ProgramHandler::answer)
+                      .on(ProgramSelectRequest.class, C3ProgramHandler::answer)
+                      .on(MotionRequest.class, C3ProgramHandler::answer)
+                      .on(PendantKeyRequest.class, C3ProgramHandler::answer));
+
   private static final String[] MOUSE = {"X", "Y", "Z", "A", "B", "C"};
 
   /** A distance beyond the reach of the arm, mm, and an angle below half a turn, degrees. */
@@ -53,14 +65,6 @@ public final class C3ProgramHandler {
   private static final int FIRST_ANGLE = 3;
 
   private final Supplier<Controller> controller;
-
-  private final SealedSwitch<ProgramRequest, Response> requests =
-      SealedSwitch.<ProgramRequest, Response>over(ProgramRequest.class)
-          .on(ProgramControlRequest.class, this::answer)
-          .on(ProgramSelectRequest.class, this::answer)
-          .on(MotionRequest.class, this::answer)
-          .on(PendantKeyRequest.class, this::answer)
-          .complete();
 
   /** Creates the handler for all connections. */
   public C3ProgramHandler(Supplier<Controller> controller) {
@@ -78,7 +82,7 @@ public final class C3ProgramHandler {
   }
 
   Response handle(ProgramRequest request) {
-    return requests.apply(request);
+    return REQUESTS.apply(this, request);
   }
 
   private Response answer(ProgramControlRequest request) {

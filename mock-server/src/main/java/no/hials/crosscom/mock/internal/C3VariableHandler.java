@@ -3,6 +3,7 @@ package no.hials.crosscom.mock.internal;
 import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.lang.Access;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.internal.RequestHandler.Outcome;
 import no.hials.crosscom.protocol.ErrorCode;
@@ -40,23 +41,26 @@ public final class C3VariableHandler {
   private static final long U32 = 0xFFFF_FFFFL;
   private static final int NANOS_PER_MILLI = 1_000_000;
 
+  private static final TypeSwitch<C3VariableHandler, VariableRequest, Outcome, RuntimeException>
+      REQUESTS =
+          TypeSwitch.create(
+              VariableRequest.class,
+              cases ->
+                  cases
+                      .on(ReadRequest.class, C3VariableHandler::read)
+                      .on(WriteRequest.class, C3VariableHandler::write)
+                      .on(ReadArrayRequest.class, C3VariableHandler::unknown)
+                      .on(WriteArrayRequest.class, C3VariableHandler::unknown)
+                      .on(ReadUtf16Request.class, C3VariableHandler::read)
+                      .on(WriteUtf16Request.class, C3VariableHandler::write)
+                      .on(ReadMultipleRequest.class, C3VariableHandler::read)
+                      .on(WriteMultipleRequest.class, C3VariableHandler::write)
+                      .on(BenchmarkReadRequest.class, C3VariableHandler::benchmark)
+                      .on(BenchmarkWriteRequest.class, C3VariableHandler::benchmark));
+
   private final VariableTable variables;
   private final C3ProxyVariables internal;
   private final MockServerConfig config;
-
-  private final SealedSwitch<VariableRequest, Outcome> requests =
-      SealedSwitch.<VariableRequest, Outcome>over(VariableRequest.class)
-          .on(ReadRequest.class, this::read)
-          .on(WriteRequest.class, this::write)
-          .on(ReadArrayRequest.class, C3VariableHandler::unknown)
-          .on(WriteArrayRequest.class, C3VariableHandler::unknown)
-          .on(ReadUtf16Request.class, this::read)
-          .on(WriteUtf16Request.class, this::write)
-          .on(ReadMultipleRequest.class, this::read)
-          .on(WriteMultipleRequest.class, this::write)
-          .on(BenchmarkReadRequest.class, this::benchmark)
-          .on(BenchmarkWriteRequest.class, this::benchmark)
-          .complete();
 
   /** Creates the handler for all connections. */
   public C3VariableHandler(
@@ -80,12 +84,12 @@ public final class C3VariableHandler {
   }
 
   /** Messages 2 and 3 are KUKAVARPROXY's: C3 Bridge does not know them. */
-  private static Outcome unknown(Request request) {
+  private Outcome unknown(Request request) {
     throw new IllegalArgumentException("not a request for C3 Bridge: " + request);
   }
 
   Outcome handle(VariableRequest request) {
-    return requests.apply(request);
+    return REQUESTS.apply(this, request);
   }
 
   // one access

@@ -2,6 +2,7 @@ package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MalformedRequestException;
@@ -32,16 +33,20 @@ public final class KukavarproxyHandler implements RequestHandler {
 
   private static final int WORD = 0xFFFF;
 
+  private static final TypeSwitch<KukavarproxyHandler, Request, Outcome, RuntimeException>
+      REQUESTS =
+          TypeSwitch.create(
+              Request.class,
+              cases ->
+                  cases
+                      .on(ReadRequest.class, KukavarproxyHandler::read)
+                      .on(WriteRequest.class, KukavarproxyHandler::write)
+                      .on(ReadArrayRequest.class, KukavarproxyHandler::readArray)
+                      .on(WriteArrayRequest.class, KukavarproxyHandler::writeArray)
+                      .otherwise(KukavarproxyHandler::unknown));
+
   private final VariableTable variables;
   private final MockServerConfig config;
-
-  private final SealedSwitch<Request, Outcome> requests =
-      SealedSwitch.<Request, Outcome>over(Request.class)
-          .on(Request.class, KukavarproxyHandler::unknown)
-          .on(ReadRequest.class, this::read)
-          .on(WriteRequest.class, this::write)
-          .on(ReadArrayRequest.class, this::readArray)
-          .on(WriteArrayRequest.class, this::writeArray);
 
   /** Creates the handler for all connections. */
   public KukavarproxyHandler(VariableTable variables, MockServerConfig config) {
@@ -62,11 +67,11 @@ public final class KukavarproxyHandler implements RequestHandler {
 
   @Override
   public Outcome handle(Request request) {
-    return requests.apply(request);
+    return REQUESTS.apply(this, request);
   }
 
   /** The codec decodes only the messages that KUKAVARPROXY knows. */
-  private static Outcome unknown(Request request) {
+  private Outcome unknown(Request request) {
     throw new IllegalArgumentException("not a request for KUKAVARPROXY: " + request);
   }
 

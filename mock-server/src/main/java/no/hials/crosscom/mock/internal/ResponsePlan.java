@@ -7,9 +7,11 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Function;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.EmptyResponse;
@@ -74,71 +76,78 @@ public record ResponsePlan(
     return new ResponsePlan(segments, pause, delay, gate, holdBack, newEnding);
   }
 
-  /** Plans the response to a request; both can be null. */
-  private interface Effect {
-    ResponsePlan plan(@Nullable Request request, byte @Nullable [] answer);
-
-    static Effect always(ResponsePlan plan) {
-      return (request, answer) -> plan;
-    }
+  /** A request, null if the bytes are none, and its answer. */
+  private record Exchange(@Nullable Request request, Optional<byte[]> answer) {
 
     /** Sends nothing if the request was not executed or has no answer. */
-    static Effect on(Function<byte[], ResponsePlan> change) {
-      return (request, answer) -> answer == null ? NOTHING : change.apply(answer);
+    ResponsePlan changed(Function<byte[], ResponsePlan> change) {
+      return answer.map(change).orElse(NOTHING);
     }
 
     /** Sends the proper answer, if there is one, to bytes that are no request. */
-    static Effect instead(Function<Request, Response> scripted) {
-      return (request, answer) ->
-          request == null
-              ? on(ResponsePlan::of).plan(null, answer)
-              : of(Codec.encode(scripted.apply(request)));
+    ResponsePlan instead(Function<Request, Response> scripted) {
+      return request == null
+          ? changed(ResponsePlan::of)
+          : of(Codec.encode(scripted.apply(request)));
     }
   }
 
-  private static final SealedSwitch<Fault, Effect> EFFECTS =
-      SealedSwitch.<Fault, Effect>over(Fault.class)
-          .on(Fault.Simple.class, ResponsePlan::effect)
-          .on(
-              Fault.Raw.class,
-              raw ->
-                  Effect.always(
-                      of(
-                          raw.segments().stream()
-                              .map(HexFormat.ofDelimiter(" ")::parseHex)
-                              .toList())))
-          .on(Fault.Garbage.class, garbage -> Effect.always(of(random(garbage))))
-          .on(
-              Fault.Answer.class,
-              scripted ->
-                  Effect.instead(
-                      request ->
-                          KukavarproxyHandler.answer(request, scripted.value(), scripted.tail())))
-          .on(
-              Fault.CloseDuring.class,
-              close -> Effect.on(answer -> of(first(answer, close.bytes())).then(Ending.CLOSE)))
-          .on(Fault.Truncate.class, cut -> Effect.on(answer -> of(first(answer, cut.bytes()))))
-          .on(Fault.Delay.class, late -> Effect.on(answer -> of(answer).after(late.time(), null)))
-          .on(
-              Fault.Hold.class,
-              hold -> Effect.on(answer -> of(answer).after(Duration.ZERO, hold.released())))
-          .on(
-              Fault.Split.class,
-              split ->
-                  Effect.on(answer -> of(pieces(answer, split.sizes())).spacedBy(split.pause())))
-          .on(
-              Fault.OneByteAtATime.class,
-              bytes ->
-                  Effect.on(
-                      answer ->
-                          of(pieces(answer, Collections.nCopies(answer.length, 1)))
-                              .spacedBy(bytes.pause())))
-          .on(Fault.WrongId.class, wrong -> Effect.on(answer -> of(withId(answer, wrong))))
-          .on(Fault.WrongLength.class, wrong -> Effect.on(answer -> of(withLength(answer, wrong))))
-          .on(
-              Fault.WrongFunction.class,
-              wrong -> Effect.on(answer -> of(withFunction(answer, wrong))))
-          .complete();
+  private static final TypeSwitch<Exchange, Fault, ResponsePlan, RuntimeException> FAULTS =
+      TypeSwitch.create(
+          Fault.class,
+          cases ->
+              cases
+                  .on(Fault.Simple.class, ResponsePlan::simple)
+                  .on(
+                      Fault.Raw.class,
+                      (it, raw) ->
+                          of(
+                              raw.segments().stream()
+                                  .map(HexFormat.ofDelimiter(" ")::parseHex)
+                                  .toList()))
+                  .on(Fault.Garbage.class, (it, garbage) -> of(random(garbage)))
+                  .on(
+                      Fault.Answer.class,
+                      (it, scripted) ->
+                          it.instead(
+                              request ->
+                                  KukavarproxyHandler.answer(
+                                      request, scripted.value(), scripted.tail())))
+                  .on(
+                      Fault.CloseDuring.class,
+                      (it, close) ->
+                          it.changed(answer -> of(first(answer, close.bytes())).then(Ending.CLOSE)))
+                  .on(
+                      Fault.Truncate.class,
+                      (it, cut) -> it.changed(answer -> of(first(answer, cut.bytes()))))
+                  .on(
+                      Fault.Delay.class,
+                      (it, late) -> it.changed(answer -> of(answer).after(late.time(), null)))
+                  .on(
+                      Fault.Hold.class,
+                      (it, hold) ->
+                          it.changed(answer -> of(answer).after(Duration.ZERO, hold.released())))
+                  .on(
+                      Fault.Split.class,
+                      (it, split) ->
+                          it.changed(
+                              answer -> of(pieces(answer, split.sizes())).spacedBy(split.pause())))
+                  .on(
+                      Fault.OneByteAtATime.class,
+                      (it, bytes) ->
+                          it.changed(
+                              answer ->
+                                  of(pieces(answer, Collections.nCopies(answer.length, 1)))
+                                      .spacedBy(bytes.pause())))
+                  .on(
+                      Fault.WrongId.class,
+                      (it, wrong) -> it.changed(answer -> of(withId(answer, wrong))))
+                  .on(
+                      Fault.WrongLength.class,
+                      (it, wrong) -> it.changed(answer -> of(withLength(answer, wrong))))
+                  .on(
+                      Fault.WrongFunction.class,
+                      (it, wrong) -> it.changed(answer -> of(withFunction(answer, wrong)))));
 
   /**
    * Applies a fault.
@@ -148,22 +157,21 @@ public record ResponsePlan(
    *     executed
    */
   public static ResponsePlan of(Fault fault, @Nullable Request request, byte @Nullable [] answer) {
-    return EFFECTS.apply(fault).plan(request, answer);
+    return FAULTS.apply(new Exchange(request, Optional.ofNullable(answer)), fault);
   }
 
-  private static Effect effect(Fault.Simple fault) {
+  private static ResponsePlan simple(Exchange exchange, Fault.Simple fault) {
     return switch (fault) {
-      case NONE -> Effect.on(ResponsePlan::of);
-      case EMPTY_ANSWER -> Effect.instead(request -> new EmptyResponse(request.id()));
-      case DROP, DROP_ANSWER -> Effect.always(NOTHING);
-      case CLOSE_BEFORE -> Effect.always(NOTHING.then(Ending.CLOSE));
-      case RESET_BEFORE -> Effect.always(NOTHING.then(Ending.RESET));
-      case CLOSE_AFTER ->
-          (request, answer) -> (answer == null ? NOTHING : of(answer)).then(Ending.CLOSE);
+      case NONE -> exchange.changed(ResponsePlan::of);
+      case EMPTY_ANSWER -> exchange.instead(request -> new EmptyResponse(request.id()));
+      case DROP, DROP_ANSWER -> NOTHING;
+      case CLOSE_BEFORE -> NOTHING.then(Ending.CLOSE);
+      case RESET_BEFORE -> NOTHING.then(Ending.RESET);
+      case CLOSE_AFTER -> exchange.changed(ResponsePlan::of).then(Ending.CLOSE);
       case ANSWER_TWICE ->
-          Effect.on(
+          exchange.changed(
               answer -> of(ByteBuffer.allocate(2 * answer.length).put(answer).put(answer).array()));
-      case GLUE_TO_NEXT -> Effect.on(answer -> of(answer).heldBack());
+      case GLUE_TO_NEXT -> exchange.changed(answer -> of(answer).heldBack());
     };
   }
 

@@ -62,9 +62,12 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
    * @param <E> the exception that a case may throw
    */
   public static final class Cases<C, T, R, E extends Exception> {
+    private final Class<T> family;
     private final Map<Class<?>, Case<C, ? super T, R, E>> cases = new HashMap<>();
 
-    private Cases() {}
+    private Cases(Class<T> family) {
+      this.family = family;
+    }
 
     /**
      * Adds the case of a class, or of all classes that a sealed interface permits.
@@ -96,6 +99,12 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
             return null;
           });
     }
+
+    /** Adds a case for all classes that have none yet. */
+    public Cases<C, T, R, E> otherwise(Case<C, ? super T, R, E> code) {
+      leaves(family).forEach(leaf -> cases.putIfAbsent(leaf, code));
+      return this;
+    }
   }
 
   /**
@@ -107,7 +116,7 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
    */
   public static <C, T, R, E extends Exception> TypeSwitch<C, T, R, E> create(
       Class<T> family, Consumer<Cases<C, T, R, E>> options) {
-    Cases<C, T, R, E> cases = new Cases<>();
+    Cases<C, T, R, E> cases = new Cases<>(family);
     options.accept(cases);
     leaves(family)
         .filter(leaf -> !cases.cases.containsKey(leaf))

@@ -50,6 +50,20 @@ class TypeSwitchTest {
   }
 
   @Test
+  void runsTheCaseOtherwiseForTheRestOfTheFamily() {
+    TypeSwitch<String, Shape, String, RuntimeException> shapes =
+        TypeSwitch.create(
+            Shape.class,
+            cases ->
+                cases
+                    .on(Circle.class, (prefix, circle) -> prefix + "circle")
+                    .otherwise((prefix, shape) -> prefix + "other"));
+    assertThat(shapes.apply("a ", new Circle(1))).isEqualTo("a circle");
+    assertThat(shapes.apply("an", new Square(1))).isEqualTo("another");
+    assertThat(shapes.apply("an", new Ellipse(1, 2))).isEqualTo("another");
+  }
+
+  @Test
   void refusesASwitchWithoutACaseForEachClass() {
     assertThatIllegalArgumentException()
         .isThrownBy(

@@ -1,11 +1,14 @@
 package no.hials.crosscom.simulator.internal.data;
 
+import java.util.function.DoubleBinaryOperator;
+import java.util.function.LongBinaryOperator;
 import no.hials.crosscom.lang.Expression.BinaryOperator;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 
@@ -27,9 +30,9 @@ public final class Operators {
   public static Operator of(BinaryOperator operator) {
     return switch (operator) {
       case GEOMETRIC -> FrameArithmetic::product;
-      case PLUS -> Operators::sum;
-      case MINUS -> Operators::difference;
-      case TIMES -> Operators::product;
+      case PLUS -> arithmetic(Long::sum, Double::sum);
+      case MINUS -> arithmetic((a, b) -> a - b, (a, b) -> a - b);
+      case TIMES -> arithmetic((a, b) -> a * b, (a, b) -> a * b);
       case DIVIDED -> Operators::quotient;
       case EQUAL -> (left, right) -> new KrlBool(areEqual(left, right));
       case UNEQUAL -> (left, right) -> new KrlBool(!areEqual(left, right));
@@ -37,34 +40,20 @@ public final class Operators {
       case AT_MOST -> (left, right) -> new KrlBool(compare(left, right) <= 0);
       case GREATER -> (left, right) -> new KrlBool(compare(left, right) > 0);
       case AT_LEAST -> (left, right) -> new KrlBool(compare(left, right) >= 0);
-      case B_AND -> (left, right) -> new KrlInt(bits(left) & bits(right));
-      case B_OR -> (left, right) -> new KrlInt(bits(left) | bits(right));
-      case B_EXOR -> (left, right) -> new KrlInt(bits(left) ^ bits(right));
-      case AND -> (left, right) -> new KrlBool(Boolean.logicalAnd(bool(left), bool(right)));
-      case OR -> (left, right) -> new KrlBool(Boolean.logicalOr(bool(left), bool(right)));
-      case EXOR -> (left, right) -> new KrlBool(bool(left) ^ bool(right));
+      case B_AND -> (left, right) -> new KrlInt(intOf(left) & intOf(right));
+      case B_OR -> (left, right) -> new KrlInt(intOf(left) | intOf(right));
+      case B_EXOR -> (left, right) -> new KrlInt(intOf(left) ^ intOf(right));
+      case AND -> (left, right) -> new KrlBool(Boolean.logicalAnd(boolOf(left), boolOf(right)));
+      case OR -> (left, right) -> new KrlBool(Boolean.logicalOr(boolOf(left), boolOf(right)));
+      case EXOR -> (left, right) -> new KrlBool(boolOf(left) ^ boolOf(right));
     };
   }
 
-  private static KrlValue sum(KrlValue left, KrlValue right) throws KrlExecutionException {
-    if (left instanceof KrlInt a && right instanceof KrlInt b) {
-      return integer((long) a.value() + b.value());
-    }
-    return real(number(left) + number(right));
-  }
-
-  private static KrlValue difference(KrlValue left, KrlValue right) throws KrlExecutionException {
-    if (left instanceof KrlInt a && right instanceof KrlInt b) {
-      return integer((long) a.value() - b.value());
-    }
-    return real(number(left) - number(right));
-  }
-
-  private static KrlValue product(KrlValue left, KrlValue right) throws KrlExecutionException {
-    if (left instanceof KrlInt a && right instanceof KrlInt b) {
-      return integer((long) a.value() * b.value());
-    }
-    return real(number(left) * number(right));
+  private static Operator arithmetic(LongBinaryOperator ofInts, DoubleBinaryOperator ofReals) {
+    return (left, right) ->
+        left instanceof KrlInt a && right instanceof KrlInt b
+            ? integer(ofInts.applyAsLong(a.value(), b.value()))
+            : real(ofReals.applyAsDouble(number(left), number(right)));
   }
 
   private static KrlValue quotient(KrlValue left, KrlValue right) throws KrlExecutionException {
@@ -95,12 +84,12 @@ public final class Operators {
 
   /** Returns the result of NOT. */
   public static KrlValue not(KrlValue operand) throws KrlExecutionException {
-    return new KrlBool(!bool(operand));
+    return new KrlBool(!boolOf(operand));
   }
 
   /** Returns the result of B_NOT. */
   public static KrlValue bitwiseNot(KrlValue operand) throws KrlExecutionException {
-    return new KrlInt(~bits(operand));
+    return new KrlInt(~intOf(operand));
   }
 
   /** Returns an INT, and checks its range. */
@@ -144,18 +133,28 @@ public final class Operators {
         "needs " + expected + ", was given " + value.print().strip());
   }
 
-  private static int bits(KrlValue value) throws KrlExecutionException {
+  /** Returns the number of an INT. */
+  public static int intOf(KrlValue value) throws KrlExecutionException {
     if (value instanceof KrlInt number) {
       return number.value();
     }
     throw wrongType("INT", value);
   }
 
-  private static boolean bool(KrlValue value) throws KrlExecutionException {
+  /** Returns the value of a BOOL. */
+  public static boolean boolOf(KrlValue value) throws KrlExecutionException {
     if (value instanceof KrlBool bool) {
       return bool.value();
     }
     throw wrongType("BOOL", value);
+  }
+
+  /** Returns the structure of a position. */
+  public static KrlStruct positionOf(KrlValue value) throws KrlExecutionException {
+    if (value instanceof KrlStruct struct) {
+      return struct;
+    }
+    throw wrongType("a position", value);
   }
 
   /** Returns the result of {@code ==}. */

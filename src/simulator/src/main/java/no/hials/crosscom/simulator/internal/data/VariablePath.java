@@ -68,6 +68,11 @@ public record VariablePath(List<Step> steps) {
     return new Parser(text.strip()).path();
   }
 
+  /** Returns the path of a whole variable. */
+  public static VariablePath of(String name) {
+    return new VariablePath(List.of(new Step(name.toUpperCase(Locale.ROOT), Index.NONE)));
+  }
+
   @Override
   public String toString() {
     StringBuilder out = new StringBuilder();

@@ -35,7 +35,7 @@ final class Builtins {
   private static final Set<String> UNSUPPORTED =
       Set.of("SWRITE", "SREAD", "CWRITE", "CREAD", "COPEN", "CCLOSE");
 
-  private static final VariablePath WHOLE = path("VALUE");
+  private static final VariablePath WHOLE = VariablePath.of("VALUE");
   private static final KrlInt DONE = new KrlInt(0);
   private static final KrlInt FAILED = new KrlInt(-1);
   private static final KrlInt NOT_FOUND = new KrlInt(-1);
@@ -105,14 +105,6 @@ final class Builtins {
         List.of(Kind.VALUE),
         (machine, symbols, arguments) ->
             Operators.real(operator.applyAsDouble(number(arguments, 0))));
-  }
-
-  private static VariablePath path(String name) {
-    try {
-      return VariablePath.parse(name);
-    } catch (RefusedException e) {
-      throw new IllegalArgumentException(e);
-    }
   }
 
   // arguments

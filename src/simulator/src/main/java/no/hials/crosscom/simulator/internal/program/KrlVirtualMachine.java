@@ -6,8 +6,6 @@ import java.util.List;
 import java.util.Objects;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.code.Interpreter;
-import no.hials.crosscom.protocol.value.KrlBool;
-import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
@@ -30,7 +28,7 @@ final class KrlVirtualMachine {
   /** The priority of the program itself, which any interruption interrupts. */
   private static final int LOWEST_PRIORITY = Integer.MAX_VALUE;
 
-  private static final VariablePath RESULT = path("RESULT");
+  private static final VariablePath RESULT = VariablePath.of("RESULT");
 
   private final Interpreter kind;
   private final ProgramEnvironment environment;
@@ -53,14 +51,6 @@ final class KrlVirtualMachine {
   KrlVirtualMachine(Interpreter kind, ProgramEnvironment environment) {
     this.kind = kind;
     this.environment = environment;
-  }
-
-  private static VariablePath path(String name) {
-    try {
-      return VariablePath.parse(name);
-    } catch (RefusedException e) {
-      throw new IllegalArgumentException(e);
-    }
   }
 
   // for the interpreter
@@ -211,19 +201,11 @@ final class KrlVirtualMachine {
   }
 
   boolean popBool() throws KrlExecutionException {
-    KrlValue value = pop();
-    if (value instanceof KrlBool bool) {
-      return bool.value();
-    }
-    throw Operators.wrongType("BOOL", value);
+    return Operators.boolOf(pop());
   }
 
   int popInt() throws KrlExecutionException {
-    KrlValue value = pop();
-    if (value instanceof KrlInt number) {
-      return number.value();
-    }
-    throw Operators.wrongType("INT", value);
+    return Operators.intOf(pop());
   }
 
   double popNumber() throws KrlExecutionException {

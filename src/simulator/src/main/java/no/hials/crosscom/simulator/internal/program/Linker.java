@@ -12,7 +12,6 @@ import java.util.function.Predicate;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Routine;
-import no.hials.crosscom.simulator.internal.data.Index;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
@@ -93,8 +92,7 @@ final class Linker {
   private static CompiledRoutine head(KrlModule module, Routine routine) {
     List<CompiledRoutine.Parameter> parameters = new ArrayList<>();
     for (Routine.Parameter parameter : routine.parameters()) {
-      VariablePath path =
-          new VariablePath(List.of(new VariablePath.Step(Scope.key(parameter.name()), Index.NONE)));
+      VariablePath path = VariablePath.of(Scope.key(parameter.name()));
       parameters.add(new CompiledRoutine.Parameter(path, parameter.array() > 0, parameter.out()));
     }
     return new CompiledRoutine(

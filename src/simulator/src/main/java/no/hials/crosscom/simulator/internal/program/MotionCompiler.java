@@ -79,8 +79,8 @@ final class MotionCompiler {
         motion.circularAngle() == null
             ? OptionalDouble.empty()
             : OptionalDouble.of(machine.popNumber());
-    KrlStruct target = point(machine.pop());
-    KrlStruct auxiliary = motion.auxiliary() == null ? null : point(machine.pop());
+    KrlStruct target = Operators.positionOf(machine.pop());
+    KrlStruct auxiliary = motion.auxiliary() == null ? null : Operators.positionOf(machine.pop());
     String coordinates = motion.coordinates();
     return new MotionOrder(
         motion.kind(),
@@ -93,12 +93,5 @@ final class MotionCompiler {
         machine.module(),
         motion.position(),
         machine.takeTriggers());
-  }
-
-  private static KrlStruct point(KrlValue value) throws KrlExecutionException {
-    if (value instanceof KrlStruct struct) {
-      return struct;
-    }
-    throw Operators.wrongType("a position", value);
   }
 }

@@ -11,7 +11,6 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.KrlExecutionException;
-import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.motion.Interpolator;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent;
@@ -101,7 +100,7 @@ final class AdvanceRun {
     this.triggers = triggers;
     this.listener = listener;
     model = robot;
-    Axes start = access.position(SystemVariableAccess.path("$AXIS_ACT"), robot.home());
+    Axes start = access.position("$AXIS_ACT", robot.home());
     resolver = new MotionResolver(access, robot, start);
     interpolator = new Interpolator(robot, start);
     readLimits();
@@ -124,9 +123,8 @@ final class AdvanceRun {
     Axes low = robot.home();
     Axes high = robot.home();
     for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
-      low = low.with(i, access.number(VariablePath.element("$SOFTN_END", i + 1), robot.minimum(i)));
-      high =
-          high.with(i, access.number(VariablePath.element("$SOFTP_END", i + 1), robot.maximum(i)));
+      low = low.with(i, access.number("$SOFTN_END[" + (i + 1) + "]", robot.minimum(i)));
+      high = high.with(i, access.number("$SOFTP_END[" + (i + 1) + "]", robot.maximum(i)));
     }
     if (isOf(model, low, high)) {
       return;

@@ -81,18 +81,18 @@ public final class ControllerCore {
     timers = new Timers(access);
     panel = new OperatorPanel(access, this::time);
     motions = new AdvanceRun(access, model, new Triggers(this::fire), new MotionListener());
-    robot =
-        new KrlInterpreter(
-            Interpreter.ROBOT,
-            new RobotEnvironment(access, this::time, timers, motions, this::failed));
-    submit =
-        new KrlInterpreter(
-            Interpreter.SUBMIT, new SubmitEnvironment(this::time, timers, motions, this::failed));
+    robot = interpreter(Interpreter.ROBOT, access);
+    submit = interpreter(Interpreter.SUBMIT, access);
     manual = new ManualMotion(robot, motions, panel);
     speed = new SpeedReduction(access, motions, panel, manual);
     variables = new SystemVariables(globals, access, model, robot, submit, state());
     publish();
     variables.bind(() -> time, begin);
+  }
+
+  private KrlInterpreter interpreter(Interpreter kind, SystemVariableAccess access) {
+    return new KrlInterpreter(
+        kind, new InterpreterEnvironment(kind, access, this::time, timers, motions, this::failed));
   }
 
   // calls from outside
@@ -402,7 +402,7 @@ public final class ControllerCore {
     if (failure == null) {
       failure = error;
       submit.stop();
-      stopFor(MessageWindow.FAILED, "the simulation has failed: " + error);
+      stopFor(OperatorPanel.FAILED, "the simulation has failed: " + error);
       publish();
     }
   }

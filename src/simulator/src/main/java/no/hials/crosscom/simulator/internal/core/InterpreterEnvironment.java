@@ -9,17 +9,21 @@ import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.KrlExecutionException;
+import no.hials.crosscom.simulator.internal.program.MotionOrder;
 import no.hials.crosscom.simulator.internal.program.ProgramEnvironment;
 
-/** The requests of both interpreters to the controller: time, outputs, kinematics, messages. */
-abstract class InterpreterEnvironment implements ProgramEnvironment {
+/** The controller as the program of an interpreter uses it. */
+final class InterpreterEnvironment implements ProgramEnvironment {
   /** Called when a program has stopped in error. */
   @FunctionalInterface
   interface FaultListener {
     void failed(Interpreter interpreter, KrlExecutionException fault, Position position);
   }
 
+  private static final int MAX_ADVANCE = 5;
+
   private final Interpreter interpreter;
+  private final SystemVariableAccess access;
   private final LongSupplier time;
   private final Timers timers;
   private final AdvanceRun motions;
@@ -27,11 +31,13 @@ abstract class InterpreterEnvironment implements ProgramEnvironment {
 
   InterpreterEnvironment(
       Interpreter interpreter,
+      SystemVariableAccess access,
       LongSupplier time,
       Timers timers,
       AdvanceRun motions,
       FaultListener listener) {
     this.interpreter = interpreter;
+    this.access = access;
     this.time = time;
     this.timers = timers;
     this.motions = motions;
@@ -41,6 +47,41 @@ abstract class InterpreterEnvironment implements ProgramEnvironment {
   @Override
   public long time() {
     return time.getAsLong();
+  }
+
+  @Override
+  public int advance() {
+    return (int) Math.max(0, Math.min(MAX_ADVANCE, access.number("$ADVANCE", 0)));
+  }
+
+  @Override
+  public int motionsAhead() {
+    return motions.ahead();
+  }
+
+  @Override
+  public boolean motionFinished() {
+    return motions.finished();
+  }
+
+  @Override
+  public void move(MotionOrder order) throws KrlExecutionException {
+    motions.move(order);
+  }
+
+  @Override
+  public void holdMotion(boolean maximum) {
+    motions.hold(maximum);
+  }
+
+  @Override
+  public void releaseMotion() {
+    motions.release();
+  }
+
+  @Override
+  public void discardMotion(int holds) {
+    motions.discard(holds);
   }
 
   @Override

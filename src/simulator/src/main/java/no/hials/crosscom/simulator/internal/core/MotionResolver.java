@@ -10,7 +10,6 @@ import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Statement;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.KrlExecutionException;
-import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone;
 import no.hials.crosscom.simulator.internal.motion.AxisRates;
 import no.hials.crosscom.simulator.internal.motion.Circular;
@@ -27,22 +26,6 @@ import no.hials.crosscom.simulator.internal.program.MotionOrder;
  * $TOOL} and the end of the motion before, the speed by {@code $VEL}, {@code $ACC} and the like.
  */
 final class MotionResolver {
-  private static final VariablePath BASE = SystemVariableAccess.path("$BASE");
-  private static final VariablePath TOOL = SystemVariableAccess.path("$TOOL");
-  private static final VariablePath ROBROOT = SystemVariableAccess.path("$ROBROOT");
-  private static final VariablePath ORI_TYPE = SystemVariableAccess.path("$ORI_TYPE");
-  private static final VariablePath VEL_CP = SystemVariableAccess.path("$VEL.CP");
-  private static final VariablePath VEL_ORI = SystemVariableAccess.path("$VEL.ORI1");
-  private static final VariablePath ACC_CP = SystemVariableAccess.path("$ACC.CP");
-  private static final VariablePath ACC_ORI = SystemVariableAccess.path("$ACC.ORI1");
-  private static final VariablePath VEL_MAX = SystemVariableAccess.path("$VEL_MA.CP");
-  private static final VariablePath VEL_ORI_MAX = SystemVariableAccess.path("$VEL_MA.ORI1");
-  private static final VariablePath ACC_MAX = SystemVariableAccess.path("$ACC_MA.CP");
-  private static final VariablePath ACC_ORI_MAX = SystemVariableAccess.path("$ACC_MA.ORI1");
-  private static final VariablePath APO_CPTP = SystemVariableAccess.path("$APO.CPTP");
-  private static final VariablePath APO_CDIS = SystemVariableAccess.path("$APO.CDIS");
-  private static final VariablePath APO_CVEL = SystemVariableAccess.path("$APO.CVEL");
-  private static final VariablePath APO_CORI = SystemVariableAccess.path("$APO.CORI");
 
   /**
    * The values that INITMOV sets, for a controller without these variables
@@ -84,11 +67,11 @@ final class MotionResolver {
   }
 
   Frame base() {
-    return access.frame(ROBROOT).inverse().times(access.frame(BASE));
+    return access.frame("$ROBROOT").inverse().times(access.frame("$BASE"));
   }
 
   Frame tool() {
-    return access.frame(TOOL);
+    return access.frame("$TOOL");
   }
 
   /** Creates the motion of a statement. */
@@ -223,19 +206,19 @@ final class MotionResolver {
 
   private PathRates pathRates() {
     return new PathRates(
-        rate(VEL_CP, DEFAULT_VELOCITY, VEL_MAX),
-        rate(ACC_CP, DEFAULT_ACCELERATION, ACC_MAX),
-        rate(VEL_ORI, DEFAULT_TURN_VELOCITY, VEL_ORI_MAX),
-        rate(ACC_ORI, DEFAULT_TURN_ACCELERATION, ACC_ORI_MAX));
+        rate("$VEL.CP", DEFAULT_VELOCITY, "$VEL_MA.CP"),
+        rate("$ACC.CP", DEFAULT_ACCELERATION, "$ACC_MA.CP"),
+        rate("$VEL.ORI1", DEFAULT_TURN_VELOCITY, "$VEL_MA.ORI1"),
+        rate("$ACC.ORI1", DEFAULT_TURN_ACCELERATION, "$ACC_MA.ORI1"));
   }
 
-  private double rate(VariablePath path, double otherwise, VariablePath limit) {
-    double value = Math.min(access.number(path, otherwise), access.number(limit, otherwise));
+  private double rate(String name, double otherwise, String limit) {
+    double value = Math.min(access.number(name, otherwise), access.number(limit, otherwise));
     return Math.max(LEAST_RATE, value);
   }
 
   private OrientationControl orientation() {
-    return switch (access.constant(ORI_TYPE, "VAR")) {
+    return switch (access.constant("$ORI_TYPE", "VAR")) {
       case "CONSTANT" -> OrientationControl.CONSTANT;
       case "JOINT" -> OrientationControl.JOINT;
       default -> OrientationControl.VAR;
@@ -245,20 +228,20 @@ final class MotionResolver {
   private ApproximationZone axisApproximation(Set<Statement.Approximation> asked) {
     return asked.isEmpty()
         ? new ApproximationZone.Exact()
-        : new ApproximationZone.AxisDistance(within(access.number(APO_CPTP, 0), 100));
+        : new ApproximationZone.AxisDistance(within(access.number("$APO.CPTP", 0), 100));
   }
 
   private ApproximationZone pathApproximation(Set<Statement.Approximation> asked) {
     if (asked.contains(Statement.Approximation.C_VEL)) {
-      return new ApproximationZone.Speed(within(access.number(APO_CVEL, 100), 100));
+      return new ApproximationZone.Speed(within(access.number("$APO.CVEL", 100), 100));
     }
     if (asked.contains(Statement.Approximation.C_ORI)) {
       return new ApproximationZone.Orientation(
-          within(access.number(APO_CORI, 0), Double.MAX_VALUE));
+          within(access.number("$APO.CORI", 0), Double.MAX_VALUE));
     }
     return asked.isEmpty()
         ? new ApproximationZone.Exact()
-        : new ApproximationZone.Distance(within(access.number(APO_CDIS, 0), Double.MAX_VALUE));
+        : new ApproximationZone.Distance(within(access.number("$APO.CDIS", 0), Double.MAX_VALUE));
   }
 
   private static double within(double value, double most) {

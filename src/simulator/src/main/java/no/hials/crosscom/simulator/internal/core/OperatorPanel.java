@@ -1,24 +1,38 @@
 package no.hials.crosscom.simulator.internal.core;
 
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.simulator.Message;
-import no.hials.crosscom.simulator.internal.data.VariablePath;
 
 /** The key switch, the emergency stop and the message window of the pendant. */
 final class OperatorPanel {
-  private static final VariablePath OV_PRO = SystemVariableAccess.path("$OV_PRO");
-  private static final VariablePath T2_OV_REDUCE = SystemVariableAccess.path("$T2_OV_REDUCE");
+  // the numbers are this simulation's own, as are those of the interpreter and of motions: KSS's
+  // are not known
+
+  /** The operating mode was changed while a program ran. */
+  static final int MODE_CHANGED = 9104;
+
+  /** The emergency stop was pressed. */
+  static final int EMERGENCY_STOP = 9105;
+
+  /** The simulation itself has failed. */
+  static final int FAILED = 9107;
+
+  private static final int KEPT_MESSAGES = 1000;
 
   /** The override after a change to T2 (docs/reference/system-variables.md#override-and-speed). */
   private static final int OVERRIDE_IN_T2 = 10;
 
   private final SystemVariableAccess access;
   private final LongSupplier time;
-  private final MessageWindow messages = new MessageWindow();
+  private final Deque<Message> messages = new ArrayDeque<>();
+  private int unconfirmed;
   private OperatingMode mode = OperatingMode.T1;
   private boolean emergency;
 
@@ -43,12 +57,13 @@ final class OperatorPanel {
     if (stopRobot.getAsBoolean()) {
       show(
           Message.Kind.NOTIFICATION,
-          MessageWindow.MODE_CHANGED,
+          MODE_CHANGED,
           "the operating mode was changed from " + mode + " to " + newMode);
     }
     mode = newMode;
-    if (mode == OperatingMode.T2 && access.bool(T2_OV_REDUCE, false)) {
-      access.write(OV_PRO, new KrlInt((int) Math.min(OVERRIDE_IN_T2, access.number(OV_PRO, 100))));
+    if (mode == OperatingMode.T2 && access.bool("$T2_OV_REDUCE", false)) {
+      access.write(
+          "$OV_PRO", new KrlInt((int) Math.min(OVERRIDE_IN_T2, access.number("$OV_PRO", 100))));
     }
   }
 
@@ -64,25 +79,32 @@ final class OperatorPanel {
   void emergencyStop(boolean pressed, BooleanSupplier stopRobot) {
     if (pressed && !emergency) {
       boolean unused = stopRobot.getAsBoolean();
-      show(Message.Kind.ACKNOWLEDGEMENT, MessageWindow.EMERGENCY_STOP, "emergency stop");
+      show(Message.Kind.ACKNOWLEDGEMENT, EMERGENCY_STOP, "emergency stop");
     }
     emergency = pressed;
   }
 
   void show(Message.Kind kind, int number, String text) {
-    messages.add(kind, number, text, time.getAsLong());
+    if (messages.size() == KEPT_MESSAGES) {
+      messages.removeFirst();
+    }
+    messages.addLast(new Message(kind, number, text, Duration.ofMillis(time.getAsLong())));
+    unconfirmed += kind == Message.Kind.ACKNOWLEDGEMENT ? 1 : 0;
   }
 
+  /** Returns whether a message has to be confirmed. */
   boolean stopMessage() {
-    return messages.stop();
+    return unconfirmed > 0;
   }
 
   List<Message> messages() {
-    return messages.list();
+    return List.copyOf(messages);
   }
 
   int confirmAll() {
-    return messages.confirm();
+    int confirmed = unconfirmed;
+    unconfirmed = 0;
+    return confirmed;
   }
 
   /** Checks that the start key, or else the higher-level controller, works in this mode. */
@@ -100,7 +122,7 @@ final class OperatorPanel {
     if (emergency) {
       throw new IllegalStateException(action + ": the emergency stop is pressed");
     }
-    if (messages.stop()) {
+    if (stopMessage()) {
       throw new IllegalStateException(action + ": a message has to be confirmed first");
     }
   }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.simulator.internal.core;
 
 import no.hials.crosscom.protocol.code.OperatingMode;
-import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.motion.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
 
@@ -11,12 +10,6 @@ import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
  */
 final class SpeedReduction {
   private static final double PERCENT = 100;
-  private static final VariablePath OV_PRO = SystemVariableAccess.path("$OV_PRO");
-  private static final VariablePath OV_JOG = SystemVariableAccess.path("$OV_JOG");
-  private static final VariablePath RED_T1 = SystemVariableAccess.path("$RED_T1");
-  private static final VariablePath VEL_CP_T1 = SystemVariableAccess.path("$VEL_CP_T1");
-  private static final VariablePath VEL_LIMIT_T1 =
-      SystemVariableAccess.path("$SPEED_LIMIT_TEACH_MODE");
 
   private final SystemVariableAccess access;
   private final AdvanceRun motions;
@@ -33,12 +26,12 @@ final class SpeedReduction {
 
   /** Returns the part of the programmed speed, 0 to 1. */
   double override() {
-    double override = part(manual.jogging() ? OV_JOG : OV_PRO);
+    double override = part(manual.jogging() ? "$OV_JOG" : "$OV_PRO");
     boolean reduced = panel.mode() == OperatingMode.T1 && isPointToPoint();
-    return reduced ? override * Math.min(1, access.number(RED_T1, PERCENT) / PERCENT) : override;
+    return reduced ? override * Math.min(1, access.number("$RED_T1", PERCENT) / PERCENT) : override;
   }
 
-  private double part(VariablePath percentage) {
+  private double part(String percentage) {
     return Math.max(0, Math.min(1, access.number(percentage, PERCENT) / PERCENT));
   }
 
@@ -51,11 +44,11 @@ final class SpeedReduction {
     if (panel.mode() != OperatingMode.T1) {
       return SpeedLimit.NONE;
     }
-    double limit = access.number(VEL_LIMIT_T1, Double.POSITIVE_INFINITY);
+    double limit = access.number("$SPEED_LIMIT_TEACH_MODE", Double.POSITIVE_INFINITY);
     if (isPointToPoint()) {
       return new SpeedLimit(limit, SpeedLimit.NONE.axes());
     }
     return new SpeedLimit(
-        Math.min(limit, access.number(VEL_CP_T1, limit)), access.axes("$VEL_CPT1_MA", PERCENT));
+        Math.min(limit, access.number("$VEL_CP_T1", limit)), access.axes("$VEL_CPT1_MA", PERCENT));
   }
 }

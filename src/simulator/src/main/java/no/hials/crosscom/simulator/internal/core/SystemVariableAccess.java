@@ -1,5 +1,7 @@
 package no.hials.crosscom.simulator.internal.core;
 
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.protocol.value.KrlBool;
@@ -23,20 +25,22 @@ final class SystemVariableAccess {
 
   private final Scope globals;
 
+  /** The paths of the names that were read. */
+  private final Map<String, VariablePath> paths = new ConcurrentHashMap<>();
+
   SystemVariableAccess(Scope globals) {
     this.globals = globals;
   }
 
-  static VariablePath path(String name) {
-    try {
-      return VariablePath.parse(name);
-    } catch (RefusedException e) {
-      throw new IllegalArgumentException(e.getMessage(), e);
-    }
+  private VariablePath path(String name) throws RefusedException {
+    VariablePath known = paths.get(name);
+    return known == null ? VariablePath.parse(name) : known;
   }
 
-  private @Nullable KrlValue read(VariablePath path) {
+  private @Nullable KrlValue read(String name) {
     try {
+      VariablePath path = path(name);
+      paths.putIfAbsent(name, path);
       return globals.read(path);
     } catch (RefusedException e) {
       return null;
@@ -54,8 +58,8 @@ final class SystemVariableAccess {
     }
   }
 
-  double number(VariablePath path, double otherwise) {
-    KrlValue value = read(path);
+  double number(String name, double otherwise) {
+    KrlValue value = read(name);
     try {
       return value == null ? otherwise : PositionValues.number(value);
     } catch (IllegalArgumentException e) {
@@ -63,16 +67,16 @@ final class SystemVariableAccess {
     }
   }
 
-  boolean bool(VariablePath path, boolean otherwise) {
-    return read(path) instanceof KrlBool value ? value.value() : otherwise;
+  boolean bool(String name, boolean otherwise) {
+    return read(name) instanceof KrlBool value ? value.value() : otherwise;
   }
 
-  String constant(VariablePath path, String otherwise) {
-    return read(path) instanceof KrlEnum value ? value.name() : otherwise;
+  String constant(String name, String otherwise) {
+    return read(name) instanceof KrlEnum value ? value.name() : otherwise;
   }
 
-  Frame frame(VariablePath path) {
-    return read(path) instanceof KrlStruct struct
+  Frame frame(String name) {
+    return read(name) instanceof KrlStruct struct
         ? PositionValues.toFrame(struct, Frame.IDENTITY)
         : Frame.IDENTITY;
   }
@@ -81,25 +85,25 @@ final class SystemVariableAccess {
   Axes axes(String array, double otherwise) {
     double[] numbers = new double[PositionValues.ROBOT_AXES];
     for (int i = 0; i < numbers.length; i++) {
-      numbers[i] = number(VariablePath.element(array, i + 1), otherwise);
+      numbers[i] = number(array + "[" + (i + 1) + "]", otherwise);
     }
     return Axes.of(numbers);
   }
 
   /** Reads the aggregate of an axis position. */
-  Axes position(VariablePath path, Axes otherwise) {
-    return read(path) instanceof KrlStruct struct
+  Axes position(String name, Axes otherwise) {
+    return read(name) instanceof KrlStruct struct
         ? PositionValues.toAxes(struct, otherwise)
         : otherwise;
   }
 
   /** Writes a value, and returns whether that was possible. */
-  boolean write(VariablePath path, KrlValue value) {
+  boolean write(String name, KrlValue value) {
     try {
-      globals.write(path, value, Scope.Writer.SYSTEM);
+      globals.write(path(name), value, Scope.Writer.SYSTEM);
       return true;
     } catch (RefusedException e) {
-      log.trace("{} cannot be set: {}", path.first().name(), e.getMessage());
+      log.trace("{} cannot be set: {}", name, e.getMessage());
       return false;
     }
   }

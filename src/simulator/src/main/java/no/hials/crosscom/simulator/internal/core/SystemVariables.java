@@ -22,7 +22,6 @@ import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.data.Scope;
-import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import org.jspecify.annotations.Nullable;
 
@@ -61,20 +60,6 @@ final class SystemVariables {
 
   /** The brakes of A1 to A6, open (docs/reference/system-variables.md#position-and-motion). */
   private static final int BRAKES_OPEN = 63;
-
-  private static final VariablePath ROB_STOPPED = SystemVariableAccess.path("$ROB_STOPPED");
-  private static final VariablePath PRO_ACT = SystemVariableAccess.path("$PRO_ACT");
-  private static final VariablePath PRO_MOVE = SystemVariableAccess.path("$PRO_MOVE");
-  private static final VariablePath STOPMESS = SystemVariableAccess.path("$STOPMESS");
-  private static final VariablePath ALARM_STOP = SystemVariableAccess.path("$ALARM_STOP");
-  private static final VariablePath PERI_RDY = SystemVariableAccess.path("$PERI_RDY");
-  private static final VariablePath IN_HOME = SystemVariableAccess.path("$IN_HOME");
-  private static final VariablePath T1 = SystemVariableAccess.path("$T1");
-  private static final VariablePath T2 = SystemVariableAccess.path("$T2");
-  private static final VariablePath AUT = SystemVariableAccess.path("$AUT");
-  private static final VariablePath EXT = SystemVariableAccess.path("$EXT");
-  private static final VariablePath H_POS = SystemVariableAccess.path("$H_POS");
-  private static final VariablePath H_POS_TOL = SystemVariableAccess.path("$H_POS_TOL");
 
   private static final double PERCENT = 100;
   private static final int SHOWN_LEVELS = 10;
@@ -116,9 +101,6 @@ final class SystemVariables {
   private final RobotModel robot;
   private final KrlInterpreter robotInterpreter;
   private final KrlInterpreter submitInterpreter;
-  private final VariablePath base = SystemVariableAccess.path("$BASE");
-  private final VariablePath tool = SystemVariableAccess.path("$TOOL");
-  private final VariablePath robroot = SystemVariableAccess.path("$ROBROOT");
 
   private volatile State state;
   private volatile Pointer robotPointer = NO_POINTER;
@@ -172,7 +154,7 @@ final class SystemVariables {
    * @param begin the first value of $DATE
    */
   void bind(LongSupplier time, LocalDateTime begin) {
-    long counted = (long) access.number(SystemVariableAccess.path("$ROB_TIMER"), 0);
+    long counted = (long) access.number("$ROB_TIMER", 0);
     bindPositions();
     bind("$VEL_ACT", () -> KrlReal.of(state.pathVelocity()));
     bind("$VEL_AXIS_ACT", this::axisVelocity);
@@ -201,7 +183,7 @@ final class SystemVariables {
     bind("$POS_FOR", () -> position(target));
     bind("$POS_BACK", () -> position(origin));
     bind("$POS_INT", () -> position(interrupted));
-    bind("$BASE_C", () -> PositionValues.frame(access.frame(robroot).times(baseOfMainRun())));
+    bind("$BASE_C", () -> PositionValues.frame(access.frame("$ROBROOT").times(baseOfMainRun())));
     bind("$TOOL_C", () -> PositionValues.frame(toolOfMainRun()));
     bind("$POS_RET", () -> position(left));
   }
@@ -231,12 +213,12 @@ final class SystemVariables {
   /** In the robot's root. Without a motion, the base of the advance run (assumed). */
   private Frame baseOfMainRun() {
     Frame of = mainBase;
-    return of == null ? access.frame(robroot).inverse().times(access.frame(base)) : of;
+    return of == null ? access.frame("$ROBROOT").inverse().times(access.frame("$BASE")) : of;
   }
 
   private Frame toolOfMainRun() {
     Frame of = mainTool;
-    return of == null ? access.frame(tool) : of;
+    return of == null ? access.frame("$TOOL") : of;
   }
 
   /** In % of the highest speed. */
@@ -331,7 +313,7 @@ final class SystemVariables {
     String module = levels.isEmpty() ? " " : moduleName(levels.get(0));
     String routine = levels.isEmpty() ? " " : levels.get(0).routine();
     access.write(
-        SystemVariableAccess.path("$ERR"),
+        "$ERR",
         new KrlStruct(
             null,
             List.of(
@@ -357,17 +339,17 @@ final class SystemVariables {
     }
     inInterrupt = interrupt;
     boolean active = robotPointer.state() == ProgramState.ACTIVE;
-    signal(ROB_STOPPED, newState.standing());
-    signal(PRO_ACT, active);
-    signal(PRO_MOVE, !newState.idle() && active);
-    signal(STOPMESS, newState.stopMessage());
-    signal(ALARM_STOP, !newState.emergency());
-    signal(PERI_RDY, drivesOn());
-    signal(IN_HOME, atHome(newState.axes()));
-    signal(T1, newState.mode() == OperatingMode.T1);
-    signal(T2, newState.mode() == OperatingMode.T2);
-    signal(AUT, newState.mode() == OperatingMode.AUT);
-    signal(EXT, newState.mode() == OperatingMode.EXT);
+    signal("$ROB_STOPPED", newState.standing());
+    signal("$PRO_ACT", active);
+    signal("$PRO_MOVE", !newState.idle() && active);
+    signal("$STOPMESS", newState.stopMessage());
+    signal("$ALARM_STOP", !newState.emergency());
+    signal("$PERI_RDY", drivesOn());
+    signal("$IN_HOME", atHome(newState.axes()));
+    signal("$T1", newState.mode() == OperatingMode.T1);
+    signal("$T2", newState.mode() == OperatingMode.T2);
+    signal("$AUT", newState.mode() == OperatingMode.AUT);
+    signal("$EXT", newState.mode() == OperatingMode.EXT);
   }
 
   private static Pointer pointer(KrlInterpreter interpreter, Pointer old) {
@@ -379,17 +361,17 @@ final class SystemVariables {
     return new Pointer(interpreter.state(), program, levels);
   }
 
-  private void signal(VariablePath path, boolean value) {
+  private void signal(String name, boolean value) {
     // compared each time: a data list or Java code may have changed the output
-    if (access.bool(path, !value) != value) {
-      access.write(path, new KrlBool(value));
+    if (access.bool(name, !value) != value) {
+      access.write(name, new KrlBool(value));
     }
   }
 
   /** Within $H_POS_TOL of every axis of the home position. */
   private boolean atHome(Axes axes) {
-    Axes tolerance = access.position(H_POS_TOL, Axes.ZERO);
-    Axes away = access.position(H_POS, robot.home()).minus(axes);
+    Axes tolerance = access.position("$H_POS_TOL", Axes.ZERO);
+    Axes away = access.position("$H_POS", robot.home()).minus(axes);
     for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       if (Math.abs(away.get(i)) > tolerance.get(i)) {
         return false;

@@ -7,7 +7,6 @@ import java.util.List;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.simulator.internal.data.Storage;
-import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /** Counts the timers up and ends the pulses of outputs, in simulated time. */
@@ -20,9 +19,9 @@ final class Timers {
   private record Pulse(int output, boolean level, long end) {}
 
   private final SystemVariableAccess access;
-  private final List<VariablePath> timers = new ArrayList<>();
-  private final List<VariablePath> stops = new ArrayList<>();
-  private final List<VariablePath> flags = new ArrayList<>();
+  private final List<String> timers = new ArrayList<>();
+  private final List<String> stops = new ArrayList<>();
+  private final List<String> flags = new ArrayList<>();
   private final List<Pulse> pulses = new ArrayList<>();
 
   /** Whether any timer is counting. */
@@ -34,9 +33,9 @@ final class Timers {
   Timers(SystemVariableAccess access) {
     this.access = access;
     for (int i = 1; i <= COUNT; i++) {
-      timers.add(VariablePath.element("$TIMER", i));
-      stops.add(VariablePath.element("$TIMER_STOP", i));
-      flags.add(VariablePath.element("$TIMER_FLAG", i));
+      timers.add("$TIMER[" + i + "]");
+      stops.add("$TIMER_STOP[" + i + "]");
+      flags.add("$TIMER_FLAG[" + i + "]");
     }
   }
 
@@ -51,7 +50,7 @@ final class Timers {
       Pulse pulse = it.next();
       if (pulse.end() <= now) {
         it.remove();
-        access.write(VariablePath.element("$OUT", pulse.output()), new KrlBool(!pulse.level()));
+        access.write("$OUT[" + pulse.output() + "]", new KrlBool(!pulse.level()));
       }
     }
   }
@@ -89,7 +88,7 @@ final class Timers {
   boolean pulse(int output, boolean level, long end) {
     // a new pulse replaces an old one at the same output (assumed)
     pulses.removeIf(pulse -> pulse.output() == output);
-    boolean there = access.write(VariablePath.element("$OUT", output), new KrlBool(level));
+    boolean there = access.write("$OUT[" + output + "]", new KrlBool(level));
     if (there) {
       pulses.add(new Pulse(output, level, end));
     }

@@ -2,12 +2,24 @@ package no.hials.crosscom.lang;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 
 /** A statement of several lines whose end has not yet been read. */
 final class Block {
+  /** The type of the token that ends a block, by the type of the token that opens it. */
+  static final Map<Integer, Integer> ENDS =
+      Map.of(
+          KrlGrammarParser.IF, KrlGrammarParser.ENDIF,
+          KrlGrammarParser.SWITCH, KrlGrammarParser.ENDSWITCH,
+          KrlGrammarParser.FOR, KrlGrammarParser.ENDFOR,
+          KrlGrammarParser.WHILE, KrlGrammarParser.ENDWHILE,
+          KrlGrammarParser.REPEAT, KrlGrammarParser.UNTIL,
+          KrlGrammarParser.LOOP, KrlGrammarParser.ENDLOOP);
+
   /** Creates the statement when its end has been read. */
   interface Finish {
     /**
@@ -47,14 +59,7 @@ final class Block {
 
   /** Returns the type of the token that ends the block. */
   int end() {
-    return switch (opener.getType()) {
-      case KrlGrammarParser.IF -> KrlGrammarParser.ENDIF;
-      case KrlGrammarParser.SWITCH -> KrlGrammarParser.ENDSWITCH;
-      case KrlGrammarParser.FOR -> KrlGrammarParser.ENDFOR;
-      case KrlGrammarParser.WHILE -> KrlGrammarParser.ENDWHILE;
-      case KrlGrammarParser.REPEAT -> KrlGrammarParser.UNTIL;
-      default -> KrlGrammarParser.ENDLOOP;
-    };
+    return Objects.requireNonNull(ENDS.get(opener.getType()));
   }
 
   boolean isLoop() {

@@ -5,6 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import no.hials.crosscom.lang.Expression.BinaryOperator;
+import no.hials.crosscom.lang.Expression.UnaryOperator;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Token;
@@ -12,60 +17,17 @@ import org.antlr.v4.runtime.misc.IntervalSet;
 
 /** Describes in KRL's words what the parser expected and what it found. */
 final class ErrorWords {
-  /** The binary operators; {@code +} and {@code -} are also signs. */
+  /** The operators, whose tokens have their names; {@code +} and {@code -} are also signs. */
   static final Set<Integer> OPERATORS =
-      Set.of(
-          KrlGrammarParser.COLON,
-          KrlGrammarParser.TIMES,
-          KrlGrammarParser.DIVIDED,
-          KrlGrammarParser.PLUS,
-          KrlGrammarParser.MINUS,
-          KrlGrammarParser.B_AND,
-          KrlGrammarParser.B_EXOR,
-          KrlGrammarParser.B_OR,
-          KrlGrammarParser.EQUAL,
-          KrlGrammarParser.UNEQUAL,
-          KrlGrammarParser.LESS,
-          KrlGrammarParser.AT_MOST,
-          KrlGrammarParser.GREATER,
-          KrlGrammarParser.AT_LEAST,
-          KrlGrammarParser.AND,
-          KrlGrammarParser.EXOR,
-          KrlGrammarParser.OR,
-          KrlGrammarParser.NOT,
-          KrlGrammarParser.B_NOT);
+      IntStream.rangeClosed(1, KrlGrammarParser.VOCABULARY.getMaxTokenType())
+          .filter(type -> type == KrlGrammarParser.COLON || isOperator(tokenName(type)))
+          .boxed()
+          .collect(Collectors.toSet());
 
-  private static final Set<Integer> NAMES =
-      Set.of(
-          KrlGrammarParser.NAME,
-          KrlGrammarParser.CA,
-          KrlGrammarParser.DELAY,
-          KrlGrammarParser.DISABLE,
-          KrlGrammarParser.DISTANCE,
-          KrlGrammarParser.ENABLE,
-          KrlGrammarParser.F,
-          KrlGrammarParser.IN,
-          KrlGrammarParser.IS,
-          KrlGrammarParser.OFF,
-          KrlGrammarParser.ON,
-          KrlGrammarParser.OUT,
-          KrlGrammarParser.PATH,
-          KrlGrammarParser.PRIO,
-          KrlGrammarParser.PUBLIC,
-          KrlGrammarParser.SEC,
-          KrlGrammarParser.STEP);
+  private static final Set<Integer> NAMES = firstTokens(KrlGrammarParser.RULE_name);
 
-  private static final Set<Integer> LITERALS =
-      Set.of(
-          KrlGrammarParser.INT,
-          KrlGrammarParser.REAL,
-          KrlGrammarParser.BITS,
-          KrlGrammarParser.TEXT,
-          KrlGrammarParser.TRUE,
-          KrlGrammarParser.FALSE,
-          KrlGrammarParser.ENUM_VALUE,
-          KrlGrammarParser.LEFT_BRACE,
-          KrlGrammarParser.LEFT_PARENTHESIS);
+  /** The tokens that can begin a value. */
+  private static final Set<Integer> VALUES = firstTokens(KrlGrammarParser.RULE_primary);
 
   /** The tokens that can follow any name. */
   private static final Set<Integer> CONTINUATIONS =
@@ -75,6 +37,21 @@ final class ErrorWords {
   private static final int MAX_LENGTH = 40;
 
   private ErrorWords() {}
+
+  private static boolean isOperator(String name) {
+    return Stream.of(BinaryOperator.values(), UnaryOperator.values())
+        .flatMap(Stream::of)
+        .anyMatch(operator -> operator.name().equals(name));
+  }
+
+  private static Set<Integer> firstTokens(int rule) {
+    return KrlGrammarParser._ATN.nextTokens(KrlGrammarParser._ATN.ruleToStartState[rule]).toSet();
+  }
+
+  /** Returns the name of a token in the grammar. */
+  static String tokenName(int type) {
+    return KrlGrammarParser.VOCABULARY.getSymbolicName(type);
+  }
 
   /** Reports the error that ended the parse of a line. */
   static void report(RecognitionException e, Line line, Errors errors) {
@@ -128,6 +105,10 @@ final class ErrorWords {
     };
   }
 
+  static String upper(Token token) {
+    return token.getText().toUpperCase(Locale.ROOT);
+  }
+
   /** Shortens text from the file, to keep messages readable. */
   static String shorten(String text) {
     return text.length() > MAX_LENGTH ? text.substring(0, MAX_LENGTH) + "..." : text;
@@ -150,9 +131,8 @@ final class ErrorWords {
     }
     if (left.contains(KrlGrammarParser.INT)) {
       words.add("a value");
-      left.removeAll(LITERALS);
+      left.removeAll(VALUES);
       left.removeAll(OPERATORS);
-      left.removeAll(NAMES);
     } else if (left.contains(KrlGrammarParser.TIMES)) {
       left.removeAll(OPERATORS);
     }

@@ -64,36 +64,14 @@ final class ExpressionBuilder {
         && operand.getText().equals(Long.toString(MIN_MAGNITUDE))) {
       return new Expression.IntLiteral(position, Integer.MIN_VALUE);
     }
-    UnaryOperator which =
-        switch (operator.getType()) {
-          case KrlGrammarParser.PLUS -> UnaryOperator.PLUS;
-          case KrlGrammarParser.MINUS -> UnaryOperator.MINUS;
-          case KrlGrammarParser.NOT -> UnaryOperator.NOT;
-          default -> UnaryOperator.B_NOT;
-        };
+    UnaryOperator which = UnaryOperator.valueOf(ErrorWords.tokenName(operator.getType()));
     return new Expression.Unary(position, which, build(operand));
   }
 
   private static BinaryOperator binary(Token operator) {
-    return switch (operator.getType()) {
-      case KrlGrammarParser.COLON -> BinaryOperator.GEOMETRIC;
-      case KrlGrammarParser.TIMES -> BinaryOperator.TIMES;
-      case KrlGrammarParser.DIVIDED -> BinaryOperator.DIVIDED;
-      case KrlGrammarParser.PLUS -> BinaryOperator.PLUS;
-      case KrlGrammarParser.MINUS -> BinaryOperator.MINUS;
-      case KrlGrammarParser.B_AND -> BinaryOperator.B_AND;
-      case KrlGrammarParser.B_EXOR -> BinaryOperator.B_EXOR;
-      case KrlGrammarParser.B_OR -> BinaryOperator.B_OR;
-      case KrlGrammarParser.EQUAL -> BinaryOperator.EQUAL;
-      case KrlGrammarParser.UNEQUAL -> BinaryOperator.UNEQUAL;
-      case KrlGrammarParser.LESS -> BinaryOperator.LESS;
-      case KrlGrammarParser.AT_MOST -> BinaryOperator.AT_MOST;
-      case KrlGrammarParser.GREATER -> BinaryOperator.GREATER;
-      case KrlGrammarParser.AT_LEAST -> BinaryOperator.AT_LEAST;
-      case KrlGrammarParser.AND -> BinaryOperator.AND;
-      case KrlGrammarParser.EXOR -> BinaryOperator.EXOR;
-      default -> BinaryOperator.OR;
-    };
+    return operator.getType() == KrlGrammarParser.COLON
+        ? BinaryOperator.GEOMETRIC
+        : BinaryOperator.valueOf(ErrorWords.tokenName(operator.getType()));
   }
 
   private Expression primary(PrimaryContext context) {

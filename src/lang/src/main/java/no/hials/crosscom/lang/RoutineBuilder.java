@@ -2,6 +2,9 @@ package no.hials.crosscom.lang;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Collectors;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockMiddleContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BracketsContext;
@@ -15,6 +18,11 @@ import org.jspecify.annotations.Nullable;
 final class RoutineBuilder {
   /** Deeper than any real program; code that walks the tree is recursive. */
   static final int MAX_BLOCKS = 100;
+
+  /** The type of the token that opens a block, by the type of the token that ends it. */
+  private static final Map<Integer, Integer> OPENERS =
+      Block.ENDS.entrySet().stream()
+          .collect(Collectors.toMap(Map.Entry::getValue, Map.Entry::getKey));
 
   private final Errors errors;
   private final ExpressionBuilder expressions;
@@ -208,7 +216,7 @@ final class RoutineBuilder {
   }
 
   private void end(Token found, @Nullable Expression until) {
-    if (!closeUpTo(found, opener(found.getType()))) {
+    if (!closeUpTo(found, Objects.requireNonNull(OPENERS.get(found.getType())))) {
       return;
     }
     awaitCase(found);
@@ -236,7 +244,7 @@ final class RoutineBuilder {
       }
     } else if (unknownLines > 0) {
       // A mistyped first line has one end, perhaps after an ELSE or several CASEs.
-      unknownLines -= isEnd(found) ? 1 : 0;
+      unknownLines -= OPENERS.containsKey(found.getType()) ? 1 : 0;
     } else if (open.isEmpty()) {
       errors.add(found, found.getText() + " without " + ErrorWords.keyword(opener));
     } else {
@@ -244,13 +252,6 @@ final class RoutineBuilder {
       innermost().suspect();
     }
     return isOpen;
-  }
-
-  private static boolean isEnd(Token found) {
-    int type = found.getType();
-    return type != KrlGrammarParser.ELSE
-        && type != KrlGrammarParser.CASE
-        && type != KrlGrammarParser.DEFAULT;
   }
 
   private void reportMissingEnd(Token found) {
@@ -269,42 +270,20 @@ final class RoutineBuilder {
     }
   }
 
-  private static int opener(int end) {
-    return switch (end) {
-      case KrlGrammarParser.ENDIF -> KrlGrammarParser.IF;
-      case KrlGrammarParser.ENDSWITCH -> KrlGrammarParser.SWITCH;
-      case KrlGrammarParser.ENDFOR -> KrlGrammarParser.FOR;
-      case KrlGrammarParser.ENDWHILE -> KrlGrammarParser.WHILE;
-      case KrlGrammarParser.UNTIL -> KrlGrammarParser.REPEAT;
-      default -> KrlGrammarParser.LOOP;
-    };
-  }
-
   /** Recovers from a line with an error the block or label that later lines need. */
   private void recover(Line line) {
-    switch (line.first().getType()) {
-      case KrlGrammarParser.IF,
-          KrlGrammarParser.SWITCH,
-          KrlGrammarParser.FOR,
-          KrlGrammarParser.WHILE,
-          KrlGrammarParser.REPEAT,
-          KrlGrammarParser.LOOP ->
-          begin(line, null);
-      case KrlGrammarParser.ELSE, KrlGrammarParser.CASE, KrlGrammarParser.DEFAULT ->
-          middle(line, null);
-      case KrlGrammarParser.ENDIF,
-          KrlGrammarParser.ENDSWITCH,
-          KrlGrammarParser.ENDFOR,
-          KrlGrammarParser.ENDWHILE,
-          KrlGrammarParser.ENDLOOP,
-          KrlGrammarParser.UNTIL ->
-          end(line.first(), null);
-      default -> {
-        if (line.second().getType() == KrlGrammarParser.COLON) {
-          Position place = errors.at(line.first());
-          jumps.label(new Statement.Label(place, line.first().getText()), around());
-        }
-      }
+    int type = line.first().getType();
+    if (Block.ENDS.containsKey(type)) {
+      begin(line, null);
+    } else if (OPENERS.containsKey(type)) {
+      end(line.first(), null);
+    } else if (type == KrlGrammarParser.ELSE
+        || type == KrlGrammarParser.CASE
+        || type == KrlGrammarParser.DEFAULT) {
+      middle(line, null);
+    } else if (line.second().getType() == KrlGrammarParser.COLON) {
+      Position place = errors.at(line.first());
+      jumps.label(new Statement.Label(place, line.first().getText()), around());
     }
   }
 

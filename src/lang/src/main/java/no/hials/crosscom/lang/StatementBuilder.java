@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Set;
 import no.hials.crosscom.lang.Statement.Approximation;
@@ -112,7 +111,7 @@ final class StatementBuilder {
     Token command = ((TerminalNode) context.getChild(1)).getSymbol();
     return new Statement.Interrupt(
         expressions.at(context),
-        InterruptCommand.valueOf(upper(command)),
+        InterruptCommand.valueOf(ErrorWords.upper(command)),
         expressions.buildOptional(context.expression(0)));
   }
 
@@ -153,7 +152,7 @@ final class StatementBuilder {
     boolean circle = points.size() > 1;
     return new Statement.Motion(
         expressions.at(context),
-        MotionKind.valueOf(upper(context.getStart())),
+        MotionKind.valueOf(ErrorWords.upper(context.getStart())),
         circle ? expressions.build(points.get(0)) : null,
         expressions.build(points.get(circle ? 1 : 0)),
         expressions.buildOptional(points.size() > 2 ? points.get(2) : null),
@@ -167,7 +166,7 @@ final class StatementBuilder {
     written.addAll(context.pathApproximation());
     for (ParserRuleContext approximation : written) {
       // KSS itself writes LIN P1 C_DIS C_DIS: the second is for the orientation (assumed)
-      approximations.add(Approximation.valueOf(upper(approximation.getStart())));
+      approximations.add(Approximation.valueOf(ErrorWords.upper(approximation.getStart())));
     }
     return Collections.unmodifiableSet(approximations);
   }
@@ -177,7 +176,7 @@ final class StatementBuilder {
     if (written == null) {
       return null;
     }
-    String name = upper(written.getSymbol());
+    String name = ErrorWords.upper(written.getSymbol());
     if (!name.equals("#BASE") && !name.equals("#TOOL")) {
       errors.add(written.getSymbol(), "expected #BASE or #TOOL, found " + written.getText());
     }
@@ -231,9 +230,5 @@ final class StatementBuilder {
       }
     }
     return List.copyOf(cases);
-  }
-
-  private static String upper(Token token) {
-    return token.getText().toUpperCase(Locale.ROOT);
   }
 }

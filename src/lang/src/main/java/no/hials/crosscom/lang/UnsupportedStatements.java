@@ -1,9 +1,7 @@
 package no.hials.crosscom.lang;
 
-import java.util.Locale;
 import java.util.Set;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
-import org.antlr.v4.runtime.Token;
 
 /**
  * The KRL statements that are not supported, as distinct from unknown statements
@@ -41,7 +39,7 @@ final class UnsupportedStatements {
 
   /** Returns whether a line is an unsupported statement. */
   static boolean contain(Line line) {
-    return WORDS.contains(upper(line.keyword())) && !isName(line);
+    return WORDS.contains(ErrorWords.upper(line.keyword())) && !isName(line);
   }
 
   /** Returns whether the keyword is the name of a variable, subprogram or label here. */
@@ -54,19 +52,16 @@ final class UnsupportedStatements {
 
   /** Returns whether a line starts a spline block. */
   static boolean beginSpline(Line line) {
-    return upper(line.first()).equals("SPLINE") || upper(line.first()).equals("PTP_SPLINE");
+    return ErrorWords.upper(line.first()).equals("SPLINE")
+        || ErrorWords.upper(line.first()).equals("PTP_SPLINE");
   }
 
   /** Returns whether a line ends a spline block. */
   static boolean endSpline(Line line) {
-    return upper(line.first()).equals("ENDSPLINE");
+    return ErrorWords.upper(line.first()).equals("ENDSPLINE");
   }
 
   static void report(Line line, Errors errors) {
-    errors.add(line.keyword(), upper(line.keyword()) + " is not supported");
-  }
-
-  private static String upper(Token token) {
-    return token.getText().toUpperCase(Locale.ROOT);
+    errors.add(line.keyword(), ErrorWords.upper(line.keyword()) + " is not supported");
   }
 }

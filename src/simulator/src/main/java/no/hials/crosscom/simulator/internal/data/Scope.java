@@ -171,7 +171,7 @@ public final class Scope {
 
   /** Returns whether a variable is declared here or around. The name has no index. */
   public synchronized boolean knows(String name) {
-    return contains(name) || (parent != null && parent.knows(name));
+    return lookup(key(name)) != null;
   }
 
   /** Returns a copy of the variables of this scope, in any order. */
@@ -360,12 +360,10 @@ public final class Scope {
       return;
     }
     String key = path.first().name();
-    if (writer == Writer.CLIENT) {
-      if (contents.read(path) instanceof ArrayStorage) {
-        // before KSS 8 no array can be set as a whole (docs/reference/krl-values.md#arrays);
-        // assumed for later versions
-        throw new RefusedException(Refusal.WHOLE_ARRAY, "an array is written by element");
-      }
+    if (writer == Writer.CLIENT && contents.read(path) instanceof ArrayStorage) {
+      // before KSS 8 no array can be set as a whole (docs/reference/krl-values.md#arrays);
+      // assumed for later versions
+      throw new RefusedException(Refusal.WHOLE_ARRAY, "an array is written by element");
     }
     if (writer != Writer.SYSTEM) {
       Index index = path.first().index();
@@ -397,12 +395,7 @@ public final class Scope {
    * @return empty if the variable is not a SIGNAL or not wired
    */
   public synchronized Optional<String> wiredArray(String name) {
-    VariableEntry variable = variables.get(key(name));
-    if (variable == null) {
-      return parent == null ? Optional.empty() : parent.wiredArray(name);
-    }
-    SignalWiring signal = variable.signal();
-    return signal == null ? Optional.empty() : Optional.ofNullable(signal.array());
+    return Optional.ofNullable(wiring(name)).map(SignalWiring::array);
   }
 
   /**
@@ -412,14 +405,15 @@ public final class Scope {
    * @return empty if the variable is not a SIGNAL, is not wired or is wired to several
    */
   public synchronized OptionalInt wiredElement(String name) {
-    VariableEntry variable = variables.get(key(name));
-    if (variable == null) {
-      return parent == null ? OptionalInt.empty() : parent.wiredElement(name);
-    }
-    SignalWiring signal = variable.signal();
+    SignalWiring signal = wiring(name);
     return signal == null || signal.array() == null || !signal.isSingle()
         ? OptionalInt.empty()
         : OptionalInt.of(signal.first());
+  }
+
+  private @Nullable SignalWiring wiring(String name) {
+    VariableEntry variable = lookup(key(name));
+    return variable == null ? null : variable.signal();
   }
 
   private synchronized void assignWired(SignalWiring signal, KrlValue value, Writer writer)

@@ -52,58 +52,45 @@ sealed interface Type {
      * client wrote {@code 50.0} to {@code $OV_PRO}, and its README shows that a controller accepted
      * it. Other REALs are refused, not rounded (assumed).
      */
-    INT {
-      @Override
-      public KrlValue convert(KrlValue value) throws RefusedException {
-        if (value instanceof KrlInt) {
-          return value;
-        }
-        if (value instanceof KrlReal number && number.value() == (int) number.value()) {
-          return new KrlInt((int) number.value());
-        }
-        throw wrongType(this, value);
-      }
-    },
+    INT,
     /**
      * A 32-bit float; the text of an INT is accepted
      * (docs/reference/krl-values.md#what-a-write-accepts).
      */
-    REAL {
-      @Override
-      public KrlValue convert(KrlValue value) throws RefusedException {
-        if (value instanceof KrlInt number) {
-          return KrlReal.of(number.value());
-        }
-        if (value instanceof KrlReal) {
-          return value;
-        }
-        throw wrongType(this, value);
-      }
-    },
+    REAL,
     /** TRUE or FALSE. */
-    BOOL {
-      @Override
-      public KrlValue convert(KrlValue value) throws RefusedException {
-        if (value instanceof KrlBool) {
-          return value;
-        }
-        throw wrongType(this, value);
-      }
-    },
+    BOOL,
     /** One character; an array of it is a text. */
-    CHAR {
-      @Override
-      public KrlValue convert(KrlValue value) throws RefusedException {
-        if (value instanceof KrlString string) {
-          if (string.text().length() != 1) {
-            throw new RefusedException(
-                Refusal.OUT_OF_RANGE, "needs one character, was given " + value);
-          }
-          Storage.checkLatin1(string);
-          return value;
-        }
+    CHAR;
+
+    @Override
+    public KrlValue convert(KrlValue value) throws RefusedException {
+      if (this == INT
+          && value instanceof KrlReal number
+          && number.value() == (int) number.value()) {
+        return new KrlInt((int) number.value());
+      }
+      if (this == REAL && value instanceof KrlInt number) {
+        return KrlReal.of(number.value());
+      }
+      boolean fits =
+          switch (this) {
+            case INT -> value instanceof KrlInt;
+            case REAL -> value instanceof KrlReal;
+            case BOOL -> value instanceof KrlBool;
+            case CHAR -> value instanceof KrlString;
+          };
+      if (!fits) {
         throw wrongType(this, value);
       }
+      if (value instanceof KrlString string) {
+        if (string.text().length() != 1) {
+          throw new RefusedException(
+              Refusal.OUT_OF_RANGE, "needs one character, was given " + value);
+        }
+        Storage.checkLatin1(string);
+      }
+      return value;
     }
   }
 

@@ -7,7 +7,6 @@ import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.core.ControllerCore;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
-import no.hials.crosscom.simulator.internal.program.LinkException;
 
 /**
  * An interpreter of the simulated controller: selects a program and runs it. A call that the state
@@ -43,8 +42,6 @@ public final class ProgramControl {
   public void select(String name, List<KrlValue> arguments) throws KrlFileException {
     try {
       core.select(kind, name, arguments);
-    } catch (LinkException e) {
-      throw new KrlFileException(e.errors());
     } catch (KrlExecutionException e) {
       throw new IllegalArgumentException(name + ": " + e.getMessage(), e);
     }

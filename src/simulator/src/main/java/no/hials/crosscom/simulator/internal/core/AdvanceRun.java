@@ -10,6 +10,7 @@ import java.util.Set;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.motion.Interpolator;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand;
@@ -29,6 +30,17 @@ import org.slf4j.LoggerFactory;
 final class AdvanceRun {
   private static final Logger log = LoggerFactory.getLogger(AdvanceRun.class);
 
+  private static final TypeSwitch<AdvanceRun, MotionEvent, Void, RuntimeException> EVENTS =
+      TypeSwitch.create(
+          MotionEvent.class,
+          cases ->
+              cases
+                  .run(MotionEvent.Started.class, (run, event) -> run.started(event.motion()))
+                  .run(MotionEvent.Passed.class, (run, event) -> run.passed(event.motion()))
+                  .run(
+                      MotionEvent.Faulted.class,
+                      (run, event) -> run.faulted(event.motion(), event.problem())));
+
   /** Called when the robot moves. */
   interface Listener {
     /** Called when the robot cannot move as the program says. */
@@ -42,26 +54,22 @@ final class AdvanceRun {
   }
 
   /** A step that waits until the robot stands, in the order of the requests. */
-  private sealed interface Step {
+  private interface Step {
     /** Executes the step, and returns whether the next one may follow. */
     boolean execute(AdvanceRun run);
   }
 
-  private record PutAside() implements Step {
-    @Override
-    public boolean execute(AdvanceRun run) {
-      run.putAside();
-      return true;
-    }
-  }
+  private static final Step PUT_ASIDE =
+      run -> {
+        run.putAside();
+        return true;
+      };
 
-  private record Forget() implements Step {
-    @Override
-    public boolean execute(AdvanceRun run) {
-      run.resolver.startAt(run.interpolator.axes());
-      return true;
-    }
-  }
+  private static final Step FORGET =
+      run -> {
+        run.resolver.startAt(run.interpolator.axes());
+        return true;
+      };
 
   private record Begin(MotionOrder order) implements Step {
     @Override
@@ -91,7 +99,6 @@ final class AdvanceRun {
   private final Deque<Aside> aside = new ArrayDeque<>();
 
   private final Deque<Step> waiting = new ArrayDeque<>();
-  private final Events events = new Events();
   private long now;
 
   AdvanceRun(SystemVariableAccess access, RobotModel robot, Triggers triggers, Listener listener) {
@@ -195,7 +202,7 @@ final class AdvanceRun {
   }
 
   void hold(boolean maximum) {
-    waiting.add(new PutAside());
+    waiting.add(PUT_ASIDE);
     interpolator.brake(maximum);
   }
 
@@ -212,7 +219,7 @@ final class AdvanceRun {
   void discard(int holds) {
     dropMotionsLast();
     for (int i = 0; i < holds; i++) {
-      if (waiting.peekLast() instanceof PutAside) {
+      if (waiting.peekLast() == PUT_ASIDE) {
         waiting.removeLast();
         dropMotionsLast();
       } else {
@@ -220,8 +227,8 @@ final class AdvanceRun {
       }
     }
     // motions that an earlier interrupt is about to put aside stay, and the robot brakes anyway
-    if (waiting.stream().noneMatch(step -> step instanceof PutAside)) {
-      waiting.add(new Forget());
+    if (!waiting.contains(PUT_ASIDE)) {
+      waiting.add(FORGET);
       orders.clear();
       interpolator.cancel();
     }
@@ -248,7 +255,7 @@ final class AdvanceRun {
     waiting.clear();
     orders.clear();
     triggers.clear();
-    waiting.add(new Forget());
+    waiting.add(FORGET);
     interpolator.cancel();
     settle(false);
   }
@@ -296,7 +303,7 @@ final class AdvanceRun {
   /** Moves the robot for one cycle. */
   void cycle(long time, double override, boolean released, SpeedLimit speedLimit) {
     now = time;
-    interpolator.cycle(override, released, speedLimit).forEach(event -> event.accept(events));
+    interpolator.cycle(override, released, speedLimit).forEach(event -> EVENTS.run(this, event));
     if (idle()) {
       bases.clear();
     }
@@ -308,42 +315,37 @@ final class AdvanceRun {
         Interpolator.CYCLE);
   }
 
-  private final class Events implements MotionEvent.Visitor {
-    @Override
-    public void started(MotionCommand motion) {
-      listener.started(
-          interpolator.currentStart(),
-          interpolator.currentEnd(),
-          bases.getOrDefault(motion.id(), resolver.base()),
-          motion.tool());
-      triggers.started(motion, now);
-    }
+  private void started(MotionCommand motion) {
+    listener.started(
+        interpolator.currentStart(),
+        interpolator.currentEnd(),
+        bases.getOrDefault(motion.id(), resolver.base()),
+        motion.tool());
+    triggers.started(motion, now);
+  }
 
-    @Override
-    public void passed(MotionCommand motion) {
-      triggers.passed(motion, now);
-      orders.remove(motion.id());
-    }
+  private void passed(MotionCommand motion) {
+    triggers.passed(motion, now);
+    orders.remove(motion.id());
+  }
 
-    /**
-     * Discards the motion. The motions after it are planned again when the program continues, and a
-     * plan that an interrupt has put aside stays.
-     */
-    @Override
-    public void faulted(MotionCommand motion, MotionProblem problem) {
-      MotionOrder order = orders.get(motion.id());
-      String where = order == null ? "" : order.position() + ": ";
-      List<MotionOrder> following =
-          orders.entrySet().stream()
-              .filter(entry -> entry.getKey() > motion.id())
-              .sorted(Map.Entry.<Long, MotionOrder>comparingByKey().reversed())
-              .map(Map.Entry::getValue)
-              .toList();
-      following.forEach(next -> waiting.addFirst(new Begin(next)));
-      orders.clear();
-      triggers.retain(kept());
-      resolver.startAt(interpolator.axes());
-      listener.failed(problem.number(), where + problem.message());
-    }
+  /**
+   * Discards the motion. The motions after it are planned again when the program continues, and a
+   * plan that an interrupt has put aside stays.
+   */
+  private void faulted(MotionCommand motion, MotionProblem problem) {
+    MotionOrder order = orders.get(motion.id());
+    String where = order == null ? "" : order.position() + ": ";
+    List<MotionOrder> following =
+        orders.entrySet().stream()
+            .filter(entry -> entry.getKey() > motion.id())
+            .sorted(Map.Entry.<Long, MotionOrder>comparingByKey().reversed())
+            .map(Map.Entry::getValue)
+            .toList();
+    following.forEach(next -> waiting.addFirst(new Begin(next)));
+    orders.clear();
+    triggers.retain(kept());
+    resolver.startAt(interpolator.axes());
+    listener.failed(problem.number(), where + problem.message());
   }
 }

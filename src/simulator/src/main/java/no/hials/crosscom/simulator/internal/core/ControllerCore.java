@@ -19,11 +19,11 @@ import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
+import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.Message;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.motion.Interpolator;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
-import no.hials.crosscom.simulator.internal.program.LinkException;
 import no.hials.crosscom.simulator.internal.program.ProgramLibrary;
 import no.hials.crosscom.simulator.internal.program.TriggerOrder;
 import org.jspecify.annotations.Nullable;
@@ -124,11 +124,11 @@ public final class ControllerCore {
   /**
    * Selects a program.
    *
-   * @throws LinkException if the program does not exist or has errors
+   * @throws KrlFileException if the program does not exist or has errors
    * @throws KrlExecutionException if the arguments do not match its parameters
    */
   public void select(Interpreter kind, String name, List<KrlValue> arguments)
-      throws LinkException, KrlExecutionException {
+      throws KrlFileException, KrlExecutionException {
     lock.lock();
     try {
       KrlInterpreter interpreter = interpreter(kind);

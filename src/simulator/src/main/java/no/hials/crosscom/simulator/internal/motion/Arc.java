@@ -21,7 +21,7 @@ record Arc(Frame start, Frame end, Point centre, Point arm, Point square, double
    */
   static Arc through(
       Frame start, Frame auxiliary, Frame target, OptionalDouble angle, Frame orientation)
-      throws NoPointException {
+      throws MotionRefusedException {
     Point first = Point.of(start);
     Point toAuxiliary = Point.of(auxiliary).minus(first);
     Point toTarget = Point.of(target).minus(first);
@@ -45,9 +45,9 @@ record Arc(Frame start, Frame end, Point centre, Point arm, Point square, double
   }
 
   private static void requireACircle(double auxiliary, double target, double area)
-      throws NoPointException {
+      throws MotionRefusedException {
     if (auxiliary < SAME || target < SAME || area < ON_A_LINE * auxiliary * target) {
-      throw new NoPointException(new NotACircle());
+      throw new MotionRefusedException(new NotACircle());
     }
   }
 

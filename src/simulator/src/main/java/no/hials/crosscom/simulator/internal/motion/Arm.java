@@ -55,12 +55,12 @@ final class Arm {
   }
 
   /** Returns the axes nearest to others, inside the limits or not. */
-  Axes inverse(Frame tcp, Frame flangeInTool, Axes near) throws NoPointException {
+  Axes inverse(Frame tcp, Frame flangeInTool, Axes near) throws MotionRefusedException {
     boolean isFlange = flangeInTool.equals(Frame.IDENTITY);
     try {
       return unlimited.inverse(isFlange ? tcp : tcp.times(flangeInTool), near);
     } catch (UnreachableException e) {
-      throw new NoPointException(new OutOfReach(Objects.requireNonNull(e.getMessage())));
+      throw new MotionRefusedException(new OutOfReach(Objects.requireNonNull(e.getMessage())));
     }
   }
 

@@ -32,11 +32,11 @@ final class Blend {
   }
 
   /** Returns the axes at a cursor. */
-  Axes axes(PathCursor at) throws NoPointException {
+  Axes axes(PathCursor at) throws MotionRefusedException {
     return arm.clamped(unlimited(at));
   }
 
-  private Axes unlimited(PathCursor at) throws NoPointException {
+  private Axes unlimited(PathCursor at) throws MotionRefusedException {
     PathSegment segment = at.requireSegment();
     PathSegment next = at.next();
     if (next == null) {
@@ -123,12 +123,12 @@ final class Blend {
             && second.angle(corner) <= orientation.degrees();
       }
       throw new IllegalArgumentException("no distance to the corner: " + approximation);
-    } catch (NoPointException e) {
+    } catch (MotionRefusedException e) {
       return false;
     }
   }
 
-  private Frame tcp(PathSegment segment, double time, Frame tool) throws NoPointException {
+  private Frame tcp(PathSegment segment, double time, Frame tool) throws MotionRefusedException {
     return segment.path() instanceof JointPath.OfTcp path
             && path.byPose()
             && path.tool().equals(tool)
@@ -147,7 +147,7 @@ final class Blend {
         }
       }
       return true;
-    } catch (NoPointException e) {
+    } catch (MotionRefusedException e) {
       return false;
     }
   }

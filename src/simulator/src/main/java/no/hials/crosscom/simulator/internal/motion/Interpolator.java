@@ -336,7 +336,7 @@ public final class Interpolator {
       }
       rate = part;
       take(step, there, events);
-    } catch (NoPointException e) {
+    } catch (MotionRefusedException e) {
       events.add(new Faulted(segment.requireMotion(), e.problem(), now));
       forget();
     }
@@ -346,7 +346,7 @@ public final class Interpolator {
     return cursor.advance(part * CYCLE, returning == null ? planned : List.of());
   }
 
-  private Axes axes(PathCursor.Step step) throws NoPointException {
+  private Axes axes(PathCursor.Step step) throws MotionRefusedException {
     return step.ended() == null ? way.axes(step.cursor()) : step.ended().path().end();
   }
 

@@ -8,7 +8,7 @@ import no.hials.crosscom.kinematics.Frame;
  */
 sealed interface JointPath permits JointPath.OfAxes, JointPath.OfTcp {
   /** Returns the axes at a parameter. */
-  Axes at(double parameter) throws NoPointException;
+  Axes at(double parameter) throws MotionRefusedException;
 
   /** Returns axes near enough to those at a parameter to start an inverse from. */
   Axes near(double parameter);
@@ -51,7 +51,7 @@ sealed interface JointPath permits JointPath.OfAxes, JointPath.OfTcp {
       Axes accelerations)
       implements JointPath {
     @Override
-    public Axes at(double parameter) throws NoPointException {
+    public Axes at(double parameter) throws MotionRefusedException {
       return sampler.at(parameter);
     }
 

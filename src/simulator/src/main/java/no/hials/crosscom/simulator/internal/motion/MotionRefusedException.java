@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-/** Thrown when a motion cannot be added to the plan. */
+/** Thrown when a motion cannot be planned, or when no axes exist for a point of a path. */
 public final class MotionRefusedException extends Exception {
   private static final long serialVersionUID = 1;
 

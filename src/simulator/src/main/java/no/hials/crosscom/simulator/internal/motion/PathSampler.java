@@ -81,7 +81,7 @@ final class PathSampler {
   }
 
   /** Returns the axes between the first and the last point. */
-  Axes at(double parameter) throws NoPointException {
+  Axes at(double parameter) throws MotionRefusedException {
     return arm.clamped(solver.axes(parameter, near(parameter)));
   }
 
@@ -107,7 +107,7 @@ final class PathSampler {
         put(to, there);
         return null;
       }
-    } catch (NoPointException e) {
+    } catch (MotionRefusedException e) {
       inTheWay = e.problem();
     }
     if (to - from <= CLOSEST) {
@@ -144,7 +144,7 @@ final class PathSampler {
           furthest = new AxisLimit(limit.axis(), limit.limit(), value);
         }
       }
-    } catch (NoPointException e) {
+    } catch (MotionRefusedException e) {
       return furthest;
     }
     return furthest;

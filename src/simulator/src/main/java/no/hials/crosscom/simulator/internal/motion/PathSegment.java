@@ -32,7 +32,7 @@ record PathSegment(
     return profile.duration();
   }
 
-  Axes at(double time) throws NoPointException {
+  Axes at(double time) throws MotionRefusedException {
     return path.at(profile.position(time));
   }
 

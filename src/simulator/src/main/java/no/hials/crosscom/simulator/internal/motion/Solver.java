@@ -9,14 +9,14 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
   /**
    * Returns the axes nearest to others.
    *
-   * @throws NoPointException if none exist
+   * @throws MotionRefusedException if none exist
    */
-  Axes axes(double parameter, Axes near) throws NoPointException;
+  Axes axes(double parameter, Axes near) throws MotionRefusedException;
 
   /** Keeps the TCP and its orientation on the curve. */
   record ByPose(Arm arm, Curve curve, Frame flangeInTool) implements Solver {
     @Override
-    public Axes axes(double parameter, Axes near) throws NoPointException {
+    public Axes axes(double parameter, Axes near) throws MotionRefusedException {
       return arm.inverse(curve.at(parameter), flangeInTool, near);
     }
   }
@@ -38,7 +38,7 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
     private static final double LONGEST = 20;
 
     @Override
-    public Axes axes(double parameter, Axes near) throws NoPointException {
+    public Axes axes(double parameter, Axes near) throws MotionRefusedException {
       Point wanted = Point.of(curve.at(parameter));
       Axes wrist = start.plus(times(end.minus(start), parameter));
       Axes found = new Axes(near.a1(), near.a2(), near.a3(), wrist.a4(), wrist.a5(), wrist.a6());
@@ -54,7 +54,7 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
     }
 
     /** Solves for the small turns of A1 to A3 that move the TCP by the missing distance. */
-    private Axes step(Axes from, Point here, Point missing) throws NoPointException {
+    private Axes step(Axes from, Point here, Point missing) throws MotionRefusedException {
       Point[] columns = new Point[3];
       for (int axis = 0; axis < columns.length; axis++) {
         Point moved = position(from.with(axis, from.get(axis) + STEP));
@@ -79,8 +79,8 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
       return Point.of(arm.tcp(axes, tool));
     }
 
-    private static NoPointException unreachable(Point point) {
-      return new NoPointException(
+    private static MotionRefusedException unreachable(Point point) {
+      return new MotionRefusedException(
           new MotionProblem.OutOfReach(
               String.format(
                   Locale.ROOT,

@@ -40,16 +40,12 @@ final class TrajectoryPlanner {
 
   /** Plans a motion that starts at the end of the one before. */
   PathSegment plan(MotionCommand motion, Axes start) throws MotionRefusedException {
-    try {
-      if (motion instanceof PointToPoint ptp) {
-        return pointToPoint(ptp, start);
-      }
-      return motion instanceof Linear linear
-          ? linear(linear, start)
-          : circular((Circular) motion, start);
-    } catch (NoPointException e) {
-      throw new MotionRefusedException(e.problem());
+    if (motion instanceof PointToPoint ptp) {
+      return pointToPoint(ptp, start);
     }
+    return motion instanceof Linear linear
+        ? linear(linear, start)
+        : circular((Circular) motion, start);
   }
 
   /** Plans the return to where the robot left a path. */
@@ -58,10 +54,10 @@ final class TrajectoryPlanner {
     return segment(null, target, rates, start);
   }
 
-  private PathSegment pointToPoint(PointToPoint motion, Axes start) throws NoPointException {
+  private PathSegment pointToPoint(PointToPoint motion, Axes start) throws MotionRefusedException {
     Optional<AxisLimit> beyond = arm.beyondLimit(motion.target());
     if (beyond.isPresent()) {
-      throw new NoPointException(beyond.get());
+      throw new MotionRefusedException(beyond.get());
     }
     return segment(motion, arm.clamped(motion.target()), motion.rates(), start);
   }
@@ -91,7 +87,7 @@ final class TrajectoryPlanner {
     return along(motion, new Curve.Line(from, to), motion.rates(), motion.orientation(), start);
   }
 
-  private PathSegment circular(Circular motion, Axes start) throws NoPointException {
+  private PathSegment circular(Circular motion, Axes start) throws MotionRefusedException {
     Frame from = arm.tcp(start, motion.tool());
     Frame orientation =
         motion.orientation() == OrientationControl.CONSTANT ? from : motion.target();
@@ -132,7 +128,7 @@ final class TrajectoryPlanner {
     try {
       Axes end = arm.inverse(curve.at(1), flangeInTool, start);
       return new Solver.ByWrist(arm, curve, tool, start, end);
-    } catch (NoPointException e) {
+    } catch (MotionRefusedException e) {
       // out of reach: with this solver the robot moves as far as it can
       return byPose;
     }

@@ -45,7 +45,7 @@ final class MotionCompiler {
           double delay = machine.popNumber();
           double distance = machine.popNumber();
           Interruption interruption = new Interruption(priority, machine.frame(), action, true);
-          machine.trigger(new TriggerOrder(trigger.onPath(), distance, delay, interruption));
+          machine.trigger(TriggerOrder.of(trigger.onPath(), distance, delay, interruption));
         });
   }
 

@@ -15,6 +15,7 @@ import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.SourceFile;
+import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import org.jspecify.annotations.Nullable;
@@ -123,19 +124,19 @@ public final class ProgramLibrary {
   /**
    * Compiles a module and all modules it calls.
    *
-   * @throws LinkException if the module does not exist, or one of them contains an error
+   * @throws KrlFileException if the module does not exist, or one of them contains an error
    */
-  public Program program(String name) throws LinkException {
+  public Program program(String name) throws KrlFileException {
     Linker.Linked module = linked().get(Scope.key(name));
     if (module == null) {
-      throw new LinkException(List.of(unknown(name)));
+      throw new KrlFileException(List.of(unknown(name)));
     }
     List<KrlError> errors = new ArrayList<>();
     for (String used : used(Scope.key(name))) {
       errors.addAll(check(used));
     }
     if (!errors.isEmpty()) {
-      throw new LinkException(errors);
+      throw new KrlFileException(errors);
     }
     return new Program(module.main());
   }

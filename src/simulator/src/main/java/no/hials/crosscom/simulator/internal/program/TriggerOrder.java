@@ -5,26 +5,26 @@ import no.hials.crosscom.simulator.KrlExecutionException;
 /**
  * A {@code TRIGGER} with its values. The controller passes it to {@link KrlInterpreter#fire} when
  * the robot passes its point.
+ *
+ * @param onPath whether it is {@code PATH}: the distance is in mm from the end of the motion
+ * @param distance 0 for the start and 1 for the end of the motion; with {@code PATH} in mm from the
+ *     end, negative before it
+ * @param delayMillis negative for earlier
+ * @param interruption the action
  */
-public final class TriggerOrder {
+public record TriggerOrder(
+    boolean onPath, double distance, double delayMillis, Interruption interruption) {
   /** Assumed: the first priority that the system keeps for triggers. */
   private static final int AUTOMATIC = 40;
 
-  private final boolean onPath;
-  private final double distance;
-  private final double delayMillis;
-  private final Interruption interruption;
-
-  TriggerOrder(boolean onPath, double distance, double delayMillis, Interruption interruption)
+  static TriggerOrder of(
+      boolean onPath, double distance, double delayMillis, Interruption interruption)
       throws KrlExecutionException {
     if (!onPath && distance != 0 && distance != 1) {
       throw new KrlExecutionException(
           KrlExecutionException.OUT_OF_RANGE, "DISTANCE is 0 (start) or 1 (end), is " + distance);
     }
-    this.interruption = interruption;
-    this.onPath = onPath;
-    this.distance = distance;
-    this.delayMillis = delayMillis;
+    return new TriggerOrder(onPath, distance, delayMillis, interruption);
   }
 
   /**
@@ -41,27 +41,5 @@ public final class TriggerOrder {
     }
     Interrupts.checkPriority(given);
     return given;
-  }
-
-  Interruption interruption() {
-    return interruption;
-  }
-
-  /** Returns whether it is {@code PATH}: the distance is in mm from the end of the motion. */
-  public boolean onPath() {
-    return onPath;
-  }
-
-  /**
-   * Returns the distance: 0 for the start and 1 for the end of the motion; with {@code PATH} in mm
-   * from the end, negative before it.
-   */
-  public double distance() {
-    return distance;
-  }
-
-  /** Returns the delay in ms, negative for earlier. */
-  public double delayMillis() {
-    return delayMillis;
   }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.SourceFile;
+import no.hials.crosscom.simulator.KrlFileException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -141,14 +142,14 @@ class LinkTest {
   }
 
   @Test
-  void selectsNoModuleWithErrorsAndNoneThatCallsOne() throws LinkException {
+  void selectsNoModuleWithErrorsAndNoneThatCallsOne() throws KrlFileException {
     Rig rig = new Rig();
     rig.errorsOf("DEF BAD()\nNOBODY = 1\nEND\n");
     rig.load("DEF CALLER()\nMIDDLE()\nEND\n").load("DEF MIDDLE()\nBAD()\nEND\n");
     rig.load("DEF GOOD()\nEND\n");
 
     assertThatThrownBy(() -> rig.library.program("CALLER"))
-        .isInstanceOfSatisfying(LinkException.class, e -> assertThat(e.errors()).hasSize(1))
+        .isInstanceOfSatisfying(KrlFileException.class, e -> assertThat(e.errors()).hasSize(1))
         .hasMessage("test.src:2:1: no variable NOBODY is declared");
     assertThat(rig.library.check("CALLER")).isEmpty();
     assertThat(rig.library.program("good").name()).isEqualTo("GOOD");
@@ -175,7 +176,7 @@ class LinkTest {
   }
 
   @Test
-  void replacesAndRemovesModules() throws LinkException {
+  void replacesAndRemovesModules() throws KrlFileException {
     Rig rig = new Rig().load("DEF M()\nI = 1\nEND\n").load("DEF m()\nI = 2\nEND\n").select("M");
     assertThat(rig.library.names()).containsExactly("m");
 

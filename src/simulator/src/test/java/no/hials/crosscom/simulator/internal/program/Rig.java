@@ -14,6 +14,7 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
+import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.data.Scope;
@@ -135,7 +136,7 @@ final class Rig {
   Rig select(String module, KrlValue... arguments) {
     try {
       assertThat(interpreter.select(library.program(module), List.of(arguments))).isTrue();
-    } catch (LinkException | KrlExecutionException e) {
+    } catch (KrlFileException | KrlExecutionException e) {
       throw new AssertionError(e);
     }
     return this;

@@ -23,56 +23,45 @@ public final class C3Motion implements Motion {
 
   @Override
   public void ptp(KRLFrame target) throws CrossComException {
-    move(MotionType.PTP, text(target));
+    move(MotionType.PTP, target, target::isSet);
   }
 
   @Override
   public void ptp(KRLAxis target) throws CrossComException {
-    move(MotionType.PTP, text(target));
+    move(MotionType.PTP, target, target::isSet);
   }
 
   @Override
   public void lin(KRLFrame target) throws CrossComException {
-    move(MotionType.LIN, text(target));
+    move(MotionType.LIN, target, target::isSet);
   }
 
   @Override
   public void ptpRel(KRLFrame offset) throws CrossComException {
-    move(MotionType.PTP_REL, text(offset));
+    move(MotionType.PTP_REL, offset, offset::isSet);
   }
 
   @Override
   public void ptpRel(KRLAxis offset) throws CrossComException {
-    move(MotionType.PTP_REL, text(offset));
+    move(MotionType.PTP_REL, offset, offset::isSet);
   }
 
   @Override
   public void linRel(KRLFrame offset) throws CrossComException {
-    move(MotionType.LIN_REL, text(offset));
+    move(MotionType.LIN_REL, offset, offset::isSet);
   }
 
-  private void move(MotionType type, String position) throws CrossComException {
-    channel.ask(
-        new MotionRequest(0, Code.of(type), position),
-        ProgramResponse.class,
-        "motion " + type + " " + position);
-  }
-
-  private static String text(KRLFrame position) {
-    return text(position, position::isSet);
-  }
-
-  private static String text(KRLAxis position) {
-    return text(position, position::isSet);
-  }
-
-  private static String text(KRLStruct position, Predicate<String> isSet) {
-    String[] fields =
-        Arrays.stream(position.getNodes()).filter(isSet).toList().toArray(new String[0]);
+  private void move(MotionType type, KRLStruct position, Predicate<String> isSet)
+      throws CrossComException {
+    String[] fields = Arrays.stream(position.getNodes()).filter(isSet).toArray(String[]::new);
     if (fields.length == 0) {
       throw new IllegalArgumentException(
           position.getName() + " is no position: none of its fields was set or read");
     }
-    return position.getStringValueOf(fields);
+    String text = position.getStringValueOf(fields);
+    channel.ask(
+        new MotionRequest(0, Code.of(type), text),
+        ProgramResponse.class,
+        "motion " + type + " " + text);
   }
 }

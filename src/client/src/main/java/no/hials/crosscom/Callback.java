@@ -49,47 +49,27 @@ public final class Callback {
     this.readTime = readTime;
   }
 
-  /**
-   * Returns the variable's name.
-   *
-   * @return the name
-   */
+  /** Returns the variable's name. */
   public String getVariableName() {
     return variableName;
   }
 
-  /**
-   * Returns the number of the {@link Request}.
-   *
-   * @return any number
-   */
+  /** Returns the number of the {@link Request}. */
   public int getId() {
     return id;
   }
 
-  /**
-   * Returns whether the access was a read or a write.
-   *
-   * @return 0 for a read, 1 for a write
-   */
+  /** Returns 0 for a read, 1 for a write. */
   public int getOption() {
     return option;
   }
 
-  /**
-   * Returns the time from sending the request to having the answer.
-   *
-   * @return in ns
-   */
+  /** Returns the time from sending the request to having the answer, in ns. */
   public long getReadTime() {
     return readTime;
   }
 
-  /**
-   * Returns the value.
-   *
-   * @return KRL text
-   */
+  /** Returns the value as KRL text. */
   public String getStringValue() {
     return stringValue;
   }

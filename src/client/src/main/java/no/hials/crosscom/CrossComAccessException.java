@@ -50,29 +50,17 @@ public final class CrossComAccessException extends CrossComException {
     return operation.likelyCause;
   }
 
-  /**
-   * Returns the variable's name.
-   *
-   * @return the name as it was sent
-   */
+  /** Returns the variable's name as it was sent. */
   public String getVariable() {
     return variable;
   }
 
-  /**
-   * Returns whether a read or a write was refused.
-   *
-   * @return read or write
-   */
+  /** Returns whether a read or a write was refused. */
   public Operation getOperation() {
     return operation;
   }
 
-  /**
-   * Returns the code in the answer's tail. KUKAVARPROXY sends 1 for every failure.
-   *
-   * @return 0 to 65535
-   */
+  /** Returns the code in the answer's tail, 0 to 65535. KUKAVARPROXY sends 1 for every failure. */
   public int getCode() {
     return code;
   }

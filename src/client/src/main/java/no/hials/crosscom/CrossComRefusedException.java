@@ -40,29 +40,17 @@ public final class CrossComRefusedException extends CrossComException {
     };
   }
 
-  /**
-   * Returns the command that was refused.
-   *
-   * @return such as {@code selection of program /R1/MAIN}
-   */
+  /** Returns the command that was refused, such as {@code selection of program /R1/MAIN}. */
   public String getCommand() {
     return command;
   }
 
-  /**
-   * Returns the code in the answer's tail.
-   *
-   * @return 0 to 65535
-   */
+  /** Returns the code in the answer's tail, 0 to 65535. */
   public int getCode() {
     return code;
   }
 
-  /**
-   * Returns the name of the code.
-   *
-   * @return the name, or nothing if the code is unknown
-   */
+  /** Returns the name of the code; empty if the code is unknown. */
   public Optional<ErrorCode> getErrorCode() {
     return ErrorCode.from(code);
   }

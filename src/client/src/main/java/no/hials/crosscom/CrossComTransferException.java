@@ -19,20 +19,12 @@ public final class CrossComTransferException extends CrossComException {
     this.bytes = bytes;
   }
 
-  /**
-   * Returns the file on the controller.
-   *
-   * @return its name as it was sent
-   */
+  /** Returns the file's name on the controller as it was sent. */
   public String getFile() {
     return file;
   }
 
-  /**
-   * Returns how many bytes were transferred.
-   *
-   * @return how many bytes were transferred
-   */
+  /** Returns how many bytes were transferred. */
   public long getBytes() {
     return bytes;
   }

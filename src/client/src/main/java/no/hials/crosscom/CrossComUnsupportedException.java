@@ -34,30 +34,20 @@ public final class CrossComUnsupportedException extends CrossComException {
     this.server = server;
   }
 
-  /**
-   * Returns the message that the server does not know.
-   *
-   * @return its type
-   */
+  /** Returns the message that the server does not know. */
   public MessageType getNeededMessage() {
     return needed;
   }
 
   /**
-   * Returns the version that knows the message.
-   *
-   * @return the first version of C3 Bridge Interface with the message
-   *     (docs/reference/c3-messages.md#server-versions)
+   * Returns the first version of C3 Bridge Interface with the message
+   * (docs/reference/c3-messages.md#server-versions).
    */
   public Optional<Version> getNeededVersion() {
     return needed.since();
   }
 
-  /**
-   * Returns the type of the server.
-   *
-   * @return its type
-   */
+  /** Returns the type of the server. */
   public ServerType getServer() {
     return server;
   }

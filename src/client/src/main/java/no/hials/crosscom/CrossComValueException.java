@@ -18,20 +18,12 @@ public final class CrossComValueException extends CrossComException {
     this.text = text;
   }
 
-  /**
-   * Returns the variable's name.
-   *
-   * @return the name
-   */
+  /** Returns the variable's name. */
   public String getVariable() {
     return variable;
   }
 
-  /**
-   * Returns the value's text, as the server sent it or as it would have been sent.
-   *
-   * @return the whole text
-   */
+  /** Returns the value's whole text, as the server sent it or as it would have been sent. */
   public String getText() {
     return text;
   }

@@ -41,38 +41,22 @@ public final class Request {
     this.value = value;
   }
 
-  /**
-   * Returns the number of this request.
-   *
-   * @return any number
-   */
+  /** Returns the number of this request. */
   public int getId() {
     return id;
   }
 
-  /**
-   * Returns the variable's name.
-   *
-   * @return the name
-   */
+  /** Returns the variable's name. */
   public String getVariable() {
     return variable;
   }
 
-  /**
-   * Returns the value to write.
-   *
-   * @return KRL text, or null for a read
-   */
+  /** Returns the value to write as KRL text; null for a read. */
   public @Nullable String getValue() {
     return value;
   }
 
-  /**
-   * Returns the frame of this request.
-   *
-   * @return the bytes
-   */
+  /** Returns the frame of this request. */
   public Byte[] getCmd() {
     return BoxedFrame.of(
         value == null

@@ -56,11 +56,7 @@ public record Sample(
     return reading.orThrow();
   }
 
-  /**
-   * Returns whether readings failed before this sample.
-   *
-   * @return true if so
-   */
+  /** Returns whether readings failed before this sample. */
   public boolean hasGapBefore() {
     return failedPolls > 0;
   }

@@ -18,12 +18,7 @@ import org.jspecify.annotations.Nullable;
  */
 public record Server(ServerType type, @Nullable Version version, Features features) {
 
-  /**
-   * Returns whether the server knows a message.
-   *
-   * @param message any
-   * @return true if so
-   */
+  /** Returns whether the server knows a message. */
   public boolean knows(MessageType message) {
     return features.has(message);
   }

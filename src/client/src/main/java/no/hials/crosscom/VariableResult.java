@@ -11,11 +11,7 @@ import org.jspecify.annotations.Nullable;
  */
 public record VariableResult(KRLVariable variable, @Nullable CrossComException failure) {
 
-  /**
-   * Returns whether the variable was read or written.
-   *
-   * @return true if so
-   */
+  /** Returns whether the variable was read or written. */
   public boolean isOk() {
     return failure == null;
   }

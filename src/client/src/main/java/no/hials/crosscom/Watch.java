@@ -106,38 +106,22 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     publisher.subscribe(subscriber);
   }
 
-  /**
-   * Counts the readings.
-   *
-   * @return how many were begun
-   */
+  /** Returns how many readings were started. */
   public long polls() {
     return polls.get();
   }
 
-  /**
-   * Counts the periods that were left out because a reading took too long.
-   *
-   * @return how many
-   */
+  /** Returns how many periods were left out because a reading took too long. */
   public long missedPeriods() {
     return missed.get();
   }
 
-  /**
-   * Counts the readings that failed as a whole.
-   *
-   * @return how many
-   */
+  /** Returns how many readings failed as a whole. */
   public long failedPolls() {
     return failed.get();
   }
 
-  /**
-   * Counts the samples that slow listeners and subscribers did not get, each for itself.
-   *
-   * @return how many
-   */
+  /** Returns how many samples slow listeners and subscribers did not get, each for itself. */
   public long droppedSamples() {
     return dropped.get();
   }

@@ -33,11 +33,7 @@ public abstract class KRLArray extends KRLVariable {
     return declaredLength;
   }
 
-  /**
-   * Returns the number of elements.
-   *
-   * @return 0 if the array was neither set nor read
-   */
+  /** Returns the number of elements; 0 if the array was neither set nor read. */
   public int length() {
     return length;
   }

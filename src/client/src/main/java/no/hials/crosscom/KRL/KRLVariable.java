@@ -62,20 +62,12 @@ public abstract class KRLVariable {
     return id;
   }
 
-  /**
-   * Returns the name on the controller.
-   *
-   * @return the name
-   */
+  /** Returns the name on the controller. */
   public String getName() {
     return name;
   }
 
-  /**
-   * Returns the name of the variable's class.
-   *
-   * @return such as {@code KRLReal}
-   */
+  /** Returns the name of the variable's class, such as {@code KRLReal}. */
   public String getType() {
     return getClass().getSimpleName();
   }
@@ -147,11 +139,7 @@ public abstract class KRLVariable {
     return false;
   }
 
-  /**
-   * Creates the exception for a variable without a value.
-   *
-   * @return the exception to throw
-   */
+  /** Returns the exception to throw for a variable without a value. */
   protected IllegalStateException noValue() {
     return new IllegalStateException(name + " has no value: it was neither set nor read");
   }
@@ -165,20 +153,12 @@ public abstract class KRLVariable {
     return readTime;
   }
 
-  /**
-   * Returns the time of the last read or write.
-   *
-   * @return in whole ms; 0 before the first access
-   */
+  /** Returns the time of the last read or write in whole ms; 0 before the first access. */
   public long getReadTimeMillis() {
     return readTime / 1_000_000;
   }
 
-  /**
-   * Returns the time of the last read or write.
-   *
-   * @return in s
-   */
+  /** Returns the time of the last read or write in s. */
   public double getReadTimeSec() {
     return readTime / 1e9;
   }
@@ -224,38 +204,22 @@ public abstract class KRLVariable {
     return BoxedFrame.of(new WriteRequest(id & 0xFFFF, name, getStringValue()));
   }
 
-  /**
-   * Creates a variable for the jog override.
-   *
-   * @return {@code $OV_JOG}, in %
-   */
+  /** Returns a new variable for the jog override {@code $OV_JOG}, in %. */
   public static KRLReal OV_JOG() {
     return new KRLReal("$OV_JOG");
   }
 
-  /**
-   * Creates a variable for the program override.
-   *
-   * @return {@code $OV_PRO}, in %
-   */
+  /** Returns a new variable for the program override {@code $OV_PRO}, in %. */
   public static KRLReal OV_PRO() {
     return new KRLReal("$OV_PRO");
   }
 
-  /**
-   * Creates a variable for the axis angles.
-   *
-   * @return {@code $AXIS_ACT}, in degrees or mm
-   */
+  /** Returns a new variable for the axis positions {@code $AXIS_ACT}, in degrees or mm. */
   public static KRLE6Axis AXIS_ACT() {
     return new KRLE6Axis("$AXIS_ACT");
   }
 
-  /**
-   * Creates a variable for the position of the tool.
-   *
-   * @return {@code $POS_ACT}, in mm and degrees
-   */
+  /** Returns a new variable for the position of the tool {@code $POS_ACT}, in mm and degrees. */
   public static KRLE6Pos POS_ACT() {
     return new KRLE6Pos("$POS_ACT");
   }

@@ -24,9 +24,8 @@ public record FileEntry(
     String info) {
 
   /**
-   * Returns whether it is known to be a directory, real or virtual.
-   *
-   * @return true if so; false if the server did not send the type
+   * Returns whether it is known to be a directory, real or virtual; false if the server did not
+   * send the type.
    */
   public boolean isDirectory() {
     return type.filter(FileInfo::isDirectory).isPresent();

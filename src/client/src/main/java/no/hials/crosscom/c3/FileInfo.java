@@ -34,11 +34,7 @@ public record FileInfo(
     return type.is(ItemType.DIRECTORY) || type.is(ItemType.VIRTUAL_DIRECTORY);
   }
 
-  /**
-   * Returns whether it is a directory, real or virtual.
-   *
-   * @return true if so
-   */
+  /** Returns whether it is a directory, real or virtual. */
   public boolean isDirectory() {
     return isDirectory(type);
   }

@@ -14,11 +14,7 @@ public final class PressedKey implements AutoCloseable {
     this.key = key;
   }
 
-  /**
-   * Returns the key.
-   *
-   * @return the key
-   */
+  /** Returns the key. */
   public KeyAction key() {
     return key;
   }

@@ -20,20 +20,12 @@ public class StructNode<E> {
     this.value = value;
   }
 
-  /**
-   * Returns the name.
-   *
-   * @return the field's name
-   */
+  /** Returns the field's name. */
   public String getName() {
     return name;
   }
 
-  /**
-   * Returns the value.
-   *
-   * @return the field's value
-   */
+  /** Returns the field's value. */
   public E getValue() {
     return value;
   }

@@ -41,47 +41,27 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
     this.readTime = readTime;
   }
 
-  /**
-   * Returns the name.
-   *
-   * @return the variable's name
-   */
+  /** Returns the variable's name. */
   public String getName() {
     return name;
   }
 
-  /**
-   * Returns the type's name.
-   *
-   * @return such as {@code Int}
-   */
+  /** Returns the type's name, such as {@code Int}. */
   public String getDataType() {
     return dataType;
   }
 
-  /**
-   * Returns the time of the access.
-   *
-   * @return in ns
-   */
+  /** Returns the time of the access, in ns. */
   public long getReadTime() {
     return readTime;
   }
 
-  /**
-   * Returns the number of the request.
-   *
-   * @return any number
-   */
+  /** Returns the number of the request. */
   public int getId() {
     return id;
   }
 
-  /**
-   * Returns the value.
-   *
-   * @return the value
-   */
+  /** Returns the value. */
   public E getValue() {
     return value;
   }

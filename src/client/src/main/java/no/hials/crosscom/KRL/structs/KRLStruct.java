@@ -38,11 +38,7 @@ public abstract class KRLStruct extends KRLVariable {
     this(name, nodes.toArray(new String[0]));
   }
 
-  /**
-   * Returns the values of the fields.
-   *
-   * @return a modifiable map in the order of the fields
-   */
+  /** Returns the values of the fields in a modifiable map, in the order of the fields. */
   @Override
   public abstract HashMap<String, ?> getValue();
 
@@ -54,11 +50,7 @@ public abstract class KRLStruct extends KRLVariable {
    */
   public abstract void setValue(String str, String obj);
 
-  /**
-   * Returns the names of the fields.
-   *
-   * @return a new array
-   */
+  /** Returns the names of the fields in a new array. */
   public String[] getNodes() {
     return nodes.clone();
   }

@@ -2,7 +2,6 @@ package no.hials.crosscom.cli;
 
 import java.util.Arrays;
 import java.util.List;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.bridge.ConfirmCommand;
 import no.hials.crosscom.cli.bridge.DiscoverCommand;
@@ -31,7 +30,7 @@ import picocli.CommandLine.Model.UsageMessageSpec;
  * The commands by what they are for, in the order of the help. A command is added in two places
  * here: its name to a group, and to {@link #make}.
  */
-public enum Commands {
+enum Commands {
   VARIABLES("Variables:", "read", "write", "vars", "shell", "run"),
   PROGRAMS("Programs and files:", "info", "discover", "program", "file", "confirm"),
   CONTROL("Control:", "drive"),
@@ -53,25 +52,25 @@ public enum Commands {
    *
    * @return a {@link ConsoleCommand}, or a {@link CommandLine} with subcommands of its own
    */
-  private static Object make(String name, Console console) {
+  private static Object make(String name) {
     return switch (name) {
-      case "read" -> new ReadCommand(console);
-      case "write" -> new WriteCommand(console);
-      case "watch" -> new WatchCommand(console);
-      case "record" -> new RecordCommand(console);
-      case "plot" -> new PlotCommand(console);
-      case "bench" -> new BenchCommand(console);
-      case "drive" -> new DriveCommand(console);
-      case "info" -> new InfoCommand(console);
-      case "discover" -> new DiscoverCommand(console);
-      case "program" -> ProgramCommands.commandLine(console);
-      case "file" -> FileCommand.commandLine(console);
-      case "confirm" -> new ConfirmCommand(console);
-      case "vars" -> new VarsCommand(console);
-      case "shell" -> new ShellCommand(console);
-      case "run" -> new RunCommand(console);
-      case "mock" -> new MockCommand(console);
-      case "experiment" -> new ExperimentCommand(console);
+      case "read" -> new ReadCommand();
+      case "write" -> new WriteCommand();
+      case "watch" -> new WatchCommand();
+      case "record" -> new RecordCommand();
+      case "plot" -> new PlotCommand();
+      case "bench" -> new BenchCommand();
+      case "drive" -> new DriveCommand();
+      case "info" -> new InfoCommand();
+      case "discover" -> new DiscoverCommand();
+      case "program" -> ProgramCommands.commandLine();
+      case "file" -> FileCommand.commandLine();
+      case "confirm" -> new ConfirmCommand();
+      case "vars" -> new VarsCommand();
+      case "shell" -> new ShellCommand();
+      case "run" -> new RunCommand();
+      case "mock" -> new MockCommand();
+      case "experiment" -> new ExperimentCommand();
       default -> throw new IllegalArgumentException("there is no command " + name);
     };
   }
@@ -82,17 +81,21 @@ public enum Commands {
   }
 
   /** Returns the names of the group. */
-  public List<String> names() {
+  List<String> names() {
     return names;
   }
 
+  /** Returns the names of all groups. */
+  static List<String> all() {
+    return Arrays.stream(values()).flatMap(group -> group.names.stream()).toList();
+  }
+
   /** Adds the command that the arguments begin with; all of them if they begin with no command. */
-  static void addTo(CommandLine main, Console console, String... args) {
-    List<String> all = Arrays.stream(values()).flatMap(group -> group.names.stream()).toList();
-    if (args.length > 0 && all.contains(args[0])) {
-      main.addSubcommand(args[0], make(args[0], console));
+  static void addTo(CommandLine main, String... args) {
+    if (args.length > 0 && all().contains(args[0])) {
+      main.addSubcommand(args[0], make(args[0]));
     } else {
-      all.forEach(name -> main.addSubcommand(name, make(name, console)));
+      all().forEach(name -> main.addSubcommand(name, make(name)));
       main.getHelpSectionMap().put(UsageMessageSpec.SECTION_KEY_COMMAND_LIST, Commands::list);
     }
   }
@@ -114,7 +117,7 @@ public enum Commands {
           String[] description = command.commandSpec().usageMessage().description();
           table.addRowValues(
               help.colorScheme().commandText(name),
-              help.colorScheme().text(firstSentence(description)));
+              help.colorScheme().text(ConsoleCommand.firstSentence(description)));
         }
       }
       if (table.rowCount() > 0) {
@@ -125,11 +128,5 @@ public enum Commands {
       }
     }
     return list.toString();
-  }
-
-  public static String firstSentence(String... description) {
-    String text = String.join(" ", description);
-    int end = text.indexOf(". ");
-    return end < 0 ? text : text.substring(0, end + 1);
   }
 }

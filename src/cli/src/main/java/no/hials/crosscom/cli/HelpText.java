@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import no.hials.crosscom.cli.base.ConsoleCommand;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
@@ -107,9 +108,7 @@ final class HelpText {
 
   /** Returns the first sentence of a description. */
   static String firstSentence(String... description) {
-    String text = String.join(" ", lines(description));
-    int end = text.indexOf(". ");
-    return end < 0 ? text : text.substring(0, end + 1);
+    return ConsoleCommand.firstSentence(lines(description).toArray(String[]::new));
   }
 
   /** Returns a description as one paragraph. */

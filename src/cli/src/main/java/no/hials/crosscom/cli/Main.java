@@ -8,7 +8,6 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.OutputException;
-import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cli.base.CannotListenException;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
@@ -62,8 +61,8 @@ public final class Main {
 
   /** Creates the tree of commands: all of it, or only what the arguments need. */
   public static CommandLine commandLine(Console console, String... args) {
-    CommandLine main = new CommandLine(new MainCommand());
-    Commands.addTo(main, console, args);
+    CommandLine main = new CommandLine(new MainCommand(console));
+    Commands.addTo(main, args);
     Handlers handlers = new Handlers(console);
     return main
         // an argument @NAME is not a file with arguments
@@ -90,7 +89,7 @@ public final class Main {
   }
 
   private static ExitCode usageError(Console console, ParameterException e) {
-    console.error(message(e));
+    console.error(ConsoleCommand.message(e));
     if (e instanceof MissingParameterException missing
         && missing.getMissing().stream().anyMatch(ArgSpec::isPositional)) {
       console.hint("in a shell, names with $ need single quotes: '$OV_PRO'");
@@ -102,17 +101,6 @@ public final class Main {
     String command = e.getCommandLine().getCommandSpec().qualifiedName();
     console.hint("try '" + command + " --help'");
     return ExitCode.USAGE;
-  }
-
-  /** Returns a message about wrong arguments. */
-  public static String message(ParameterException e) {
-    if (e instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
-      String argument = "'" + unmatched.getUnmatched().get(0) + "'";
-      return e.getCommandLine().getSubcommands().isEmpty()
-          ? "there is an argument too many, " + argument + "; one with blanks needs quotes"
-          : "unknown command: " + argument;
-    }
-    return Printable.lowerFirst(String.valueOf(e.getMessage()));
   }
 
   private static ExitCode failure(Console console, Exception e, boolean verbose) {

@@ -1,9 +1,14 @@
 package no.hials.crosscom.cli;
 
+import java.util.List;
+import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Program;
 import no.hials.crosscom.cli.base.VersionProvider;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 
-/** The program without a command, which only has help. */
+/** The program, which has only help of its own. */
 @Command(
     name = "jopenshowvar",
     mixinStandardHelpOptions = true,
@@ -43,4 +48,30 @@ import picocli.CommandLine.Command;
       "",
       "'jopenshowvar COMMAND --help' tells more, and the exit codes."
     })
-final class MainCommand {}
+final class MainCommand implements Program {
+  private final Console console;
+
+  MainCommand(Console console) {
+    this.console = console;
+  }
+
+  @Override
+  public Console console() {
+    return console;
+  }
+
+  @Override
+  public List<String> commands() {
+    return Commands.all();
+  }
+
+  @Override
+  public CommandLine commandLine(Console other, String... args) {
+    return Main.commandLine(other, args);
+  }
+
+  @Override
+  public ExitCode run(Console other, String... args) {
+    return ExitCode.of(Main.run(args, other));
+  }
+}

@@ -2,6 +2,7 @@ package no.hials.crosscom.architecture;
 
 import static com.tngtech.archunit.lang.SimpleConditionEvent.violated;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static java.util.stream.Collectors.counting;
 import static java.util.stream.Collectors.groupingBy;
@@ -86,6 +87,18 @@ class ArchitectureTest {
   @Test
   void internalPackagesHaveNoCycles() {
     slices().assignedFrom(internalPackages()).should().beFreeOfCycles().check(CLASSES);
+  }
+
+  @Test
+  void packagesOfTheCommandLineHaveNoCycles() {
+    slices().matching(ROOT + ".(cli.*)").should().beFreeOfCycles().check(CLASSES);
+    noClasses()
+        .that()
+        .resideInAPackage(ROOT + ".cli.*")
+        .should()
+        .dependOnClassesThat()
+        .resideInAPackage(ROOT + ".cli")
+        .check(CLASSES);
   }
 
   private static SliceAssignment internalPackages() {

@@ -2,11 +2,13 @@ package no.hials.crosscom.cli.base;
 
 import java.io.IOException;
 import java.util.concurrent.Callable;
+import no.hials.crosscom.cell.Printable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** What every command has: the standard options, the exit codes, and a console. */
 @Command(
@@ -25,9 +27,9 @@ import picocli.CommandLine.Spec;
       "74:stdout or a file could not be written"
     })
 public abstract class ConsoleCommand implements Callable<Integer> {
-  private final Console console;
-
-  @Spec private CommandSpec spec;
+  @SuppressWarnings("NullAway.Init") // picocli sets it
+  @Spec
+  private CommandSpec spec;
 
   @Option(
       names = {"-v", "--verbose"},
@@ -38,11 +40,6 @@ public abstract class ConsoleCommand implements Callable<Integer> {
       })
   private boolean[] verbose = {};
 
-  @SuppressWarnings("NullAway.Init") // picocli sets the spec
-  public ConsoleCommand(Console console) {
-    this.console = console;
-  }
-
   /** Does the work. */
   public abstract ExitCode run() throws IOException;
 
@@ -52,12 +49,34 @@ public abstract class ConsoleCommand implements Callable<Integer> {
     return run().code();
   }
 
+  protected final Program program() {
+    return (Program) spec.root().userObject();
+  }
+
   public final Console console() {
-    return console;
+    return program().console();
   }
 
   public final boolean isVerbose() {
     return verbose.length > 0;
+  }
+
+  /** Returns a message about wrong arguments. */
+  public static String message(ParameterException e) {
+    if (e instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
+      String argument = "'" + unmatched.getUnmatched().get(0) + "'";
+      return e.getCommandLine().getSubcommands().isEmpty()
+          ? "there is an argument too many, " + argument + "; one with blanks needs quotes"
+          : "unknown command: " + argument;
+    }
+    return Printable.lowerFirst(String.valueOf(e.getMessage()));
+  }
+
+  /** Returns the first sentence of a description. */
+  public static String firstSentence(String... description) {
+    String text = String.join(" ", description);
+    int end = text.indexOf(". ");
+    return end < 0 ? text : text.substring(0, end + 1);
   }
 
   /** Creates an exception for what only shows when options are seen together. */

@@ -9,9 +9,7 @@ import java.util.Comparator;
 import java.util.stream.Stream;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Printable;
-import no.hials.crosscom.cli.bridge.BridgeCommand;
 import org.jspecify.annotations.Nullable;
 
 /** The files of this computer that {@code file put} and {@code file get} work with. */
@@ -89,26 +87,5 @@ public final class LocalFiles {
     } catch (IOException e) {
       throw FileException.cannot(verb, file, e);
     }
-  }
-
-  /** Prints what was transferred. */
-  public static void print(BridgeCommand command, String name, Path local, String remote)
-      throws IOException {
-    long size = Files.size(local);
-    boolean up = name.equals("put");
-    String from = up ? local.toString() : Printable.of(remote);
-    String to = up ? Printable.of(remote) : local.toString();
-    command
-        .console()
-        .print(
-            command.isJson()
-                ? JsonLine.object(
-                    json -> {
-                      json.writeStringField("command", name);
-                      json.writeStringField("local", local.toString());
-                      json.writeStringField("name", remote);
-                      json.writeNumberField("size", size);
-                    })
-                : from + " -> " + to + ", " + Printable.count(size, "byte"));
   }
 }

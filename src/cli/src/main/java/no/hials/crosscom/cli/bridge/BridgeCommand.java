@@ -6,7 +6,6 @@ import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.WritePermission;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ControllerOptions;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -26,10 +25,6 @@ public abstract class BridgeCommand extends ConsoleCommand {
   private boolean json;
 
   @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
-  BridgeCommand(Console console) {
-    super(console);
-  }
 
   public final boolean isJson() {
     return json;

@@ -5,7 +5,6 @@ import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
@@ -31,10 +30,6 @@ public final class ConfirmCommand extends BridgeCommand {
   private static final String WHAT = "confirm all messages";
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();
-
-  public ConfirmCommand(Console console) {
-    super(console);
-  }
 
   @Override
   public ExitCode run() throws IOException {

@@ -16,7 +16,6 @@ import no.hials.crosscom.c3.DiscoveryConfig;
 import no.hials.crosscom.c3.FoundServer;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cli.base.CannotListenException;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -98,10 +97,6 @@ public final class DiscoverCommand extends ConsoleCommand {
 
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")
   private boolean json;
-
-  public DiscoverCommand(Console console) {
-    super(console);
-  }
 
   @Override
   public ExitCode run() throws IOException {

@@ -1,6 +1,5 @@
 package no.hials.crosscom.cli.bridge;
 
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.VersionProvider;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -32,14 +31,14 @@ public final class FileCommand {
   private FileCommand() {}
 
   /** Creates the command with its subcommands. */
-  public static CommandLine commandLine(Console console) {
+  public static CommandLine commandLine() {
     return new CommandLine(new FileCommand())
-        .addSubcommand(new FileLs(console))
-        .addSubcommand(new FileStat(console))
-        .addSubcommand(new FileGet(console))
-        .addSubcommand(new FilePut(console))
-        .addSubcommand(new FileCopy.Cp(console))
-        .addSubcommand(new FileCopy.Mv(console))
-        .addSubcommand(new FileRm(console));
+        .addSubcommand(new FileLs())
+        .addSubcommand(new FileStat())
+        .addSubcommand(new FileGet())
+        .addSubcommand(new FilePut())
+        .addSubcommand(new FileCopy.Cp())
+        .addSubcommand(new FileCopy.Mv())
+        .addSubcommand(new FileRm());
   }
 }

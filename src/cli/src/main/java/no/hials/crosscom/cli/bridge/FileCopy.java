@@ -7,7 +7,6 @@ import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.RemoteName;
 import no.hials.crosscom.cli.base.Robots;
@@ -45,8 +44,7 @@ abstract class FileCopy extends FileSubcommand {
   private final String command;
   private final String verb;
 
-  FileCopy(Console console, String command, String verb) {
-    super(console);
+  FileCopy(String command, String verb) {
     this.command = command;
     this.verb = verb;
   }
@@ -96,8 +94,8 @@ abstract class FileCopy extends FileSubcommand {
       name = "cp",
       description = {"Copies a file on the controller."})
   static final class Cp extends FileCopy {
-    Cp(Console console) {
-      super(console, "cp", "copy");
+    Cp() {
+      super("cp", "copy");
     }
 
     @Override
@@ -111,8 +109,8 @@ abstract class FileCopy extends FileSubcommand {
       name = "mv",
       description = {"Moves or renames a file on the controller."})
   static final class Mv extends FileCopy {
-    Mv(Console console) {
-      super(console, "mv", "move");
+    Mv() {
+      super("mv", "move");
     }
 
     @Override

@@ -15,7 +15,6 @@ import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.WritePermission;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.cli.base.Progress;
@@ -66,10 +65,6 @@ final class FileGet extends FileSubcommand {
       order = 5,
       description = "Overwrite files of this computer without asking.")
   private boolean yes;
-
-  FileGet(Console console) {
-    super(console);
-  }
 
   /**
    * A download to be done.
@@ -153,6 +148,6 @@ final class FileGet extends FileSubcommand {
       LocalFiles.transfer(
           "write", job.local(), () -> files.download(job.name(), job.local(), config));
     }
-    LocalFiles.print(this, "get", job.local(), job.name());
+    print("get", job.local(), job.name());
   }
 }

@@ -14,7 +14,6 @@ import no.hials.crosscom.c3.FileInfo;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.RemoteName;
 import no.hials.crosscom.cli.base.Robots;
@@ -63,10 +62,6 @@ final class FileLs extends FileSubcommand {
       order = 4,
       description = "With the time of the last change; this takes one more question an item.")
   private boolean detailed;
-
-  FileLs(Console console) {
-    super(console);
-  }
 
   /** An item of the list, and what was asked for besides. */
   private record Item(FileEntry entry, String path, @Nullable FileInfo info) {

@@ -14,7 +14,6 @@ import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.c3.Verification;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.cli.base.Progress;
@@ -83,10 +82,6 @@ final class FilePut extends FileSubcommand {
   private boolean select;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();
-
-  FilePut(Console console) {
-    super(console);
-  }
 
   /**
    * A file to be uploaded.
@@ -198,7 +193,7 @@ final class FilePut extends FileSubcommand {
                   cfg.overwrite(job.there()).verification(Verification.CONTENT).progress(progress));
       LocalFiles.transfer("read", job.local(), () -> files.upload(job.local(), job.name(), config));
     }
-    LocalFiles.print(this, "put", job.local(), job.name());
+    print("put", job.local(), job.name());
   }
 
   private ExitCode select(RobotConnection controller, Job job) throws IOException {

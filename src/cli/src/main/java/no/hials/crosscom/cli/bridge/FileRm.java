@@ -11,7 +11,6 @@ import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
@@ -51,10 +50,6 @@ final class FileRm extends FileSubcommand {
   private boolean force;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();
-
-  FileRm(Console console) {
-    super(console);
-  }
 
   @Override
   ExitCode work() throws IOException {

@@ -11,7 +11,6 @@ import no.hials.crosscom.c3.FileInfo;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.Table;
@@ -44,10 +43,6 @@ import picocli.CommandLine.Parameters;
 final class FileStat extends FileSubcommand {
   @Parameters(arity = "1..*", paramLabel = "NAME", description = "A file or folder.")
   private List<String> names = List.of();
-
-  FileStat(Console console) {
-    super(console);
-  }
 
   /** What is known about one. */
   private record Details(FileInfo info, @Nullable String path, @Nullable String krcName) {}

@@ -1,6 +1,8 @@
 package no.hials.crosscom.cli.bridge;
 
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
@@ -13,7 +15,8 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.c3.ControllerFiles;
-import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cell.JsonLine;
+import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Progress;
 import no.hials.crosscom.cli.base.RemoteName;
@@ -31,10 +34,6 @@ import no.hials.crosscom.protocol.code.WireCode;
 abstract class FileSubcommand extends BridgeCommand {
   private static final DateTimeFormatter TIME =
       DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss", Locale.ROOT);
-
-  FileSubcommand(Console console) {
-    super(console);
-  }
 
   /** Does the work; what the controller refuses is reported by the caller. */
   abstract ExitCode work() throws IOException;
@@ -111,6 +110,25 @@ abstract class FileSubcommand extends BridgeCommand {
   /** Creates the line that shows how far a transfer has come. */
   final Progress progress(String name, StopSignal stop) {
     return new Progress(console(), name, !isVerbose() && Terminal.showsProgress(), stop);
+  }
+
+  /** Prints what was transferred. */
+  final void print(String command, Path local, String remote) throws IOException {
+    long size = Files.size(local);
+    boolean up = command.equals("put");
+    String from = up ? local.toString() : Printable.of(remote);
+    String to = up ? Printable.of(remote) : local.toString();
+    console()
+        .print(
+            isJson()
+                ? JsonLine.object(
+                    json -> {
+                      json.writeStringField("command", command);
+                      json.writeStringField("local", local.toString());
+                      json.writeStringField("name", remote);
+                      json.writeNumberField("size", size);
+                    })
+                : from + " -> " + to + ", " + Printable.count(size, "byte"));
   }
 
   /** Prints what was left, if anything. */

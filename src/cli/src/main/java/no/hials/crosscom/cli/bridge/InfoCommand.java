@@ -12,7 +12,6 @@ import no.hials.crosscom.c3.BridgeInfo;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.Table;
@@ -44,10 +43,6 @@ import picocli.CommandLine.Command;
       "  jopenshowvar info --mock --json | jq .version"
     })
 public final class InfoCommand extends BridgeCommand {
-  public InfoCommand(Console console) {
-    super(console);
-  }
-
   /** A line of the table, and a field of the object. */
   private record Item(String name, @Nullable String value) {}
 

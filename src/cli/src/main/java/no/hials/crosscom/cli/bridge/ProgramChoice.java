@@ -5,7 +5,6 @@ import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.c3.Programs;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
@@ -64,8 +63,7 @@ abstract class ProgramChoice extends BridgeCommand {
 
   private final String verb;
 
-  ProgramChoice(Console console, String verb) {
-    super(console);
+  ProgramChoice(String verb) {
     this.verb = verb;
   }
 
@@ -96,8 +94,8 @@ abstract class ProgramChoice extends BridgeCommand {
       name = "select",
       description = {"Selects a program of the robot interpreter. It does not start it."})
   static final class Select extends ProgramChoice {
-    Select(Console console) {
-      super(console, "select");
+    Select() {
+      super("select");
     }
 
     @Override
@@ -111,8 +109,8 @@ abstract class ProgramChoice extends BridgeCommand {
       name = "run",
       description = {"Selects a program of the robot interpreter and starts it. The robot moves."})
   static final class Run extends ProgramChoice {
-    Run(Console console) {
-      super(console, "run");
+    Run() {
+      super("run");
     }
 
     @Override

@@ -1,6 +1,5 @@
 package no.hials.crosscom.cli.bridge;
 
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.VersionProvider;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -27,13 +26,13 @@ public final class ProgramCommands {
   private ProgramCommands() {}
 
   /** Creates the command with its subcommands. */
-  public static CommandLine commandLine(Console console) {
+  public static CommandLine commandLine() {
     return new CommandLine(new ProgramCommands())
-        .addSubcommand(new ProgramChoice.Select(console))
-        .addSubcommand(new ProgramOrder.Start(console))
-        .addSubcommand(new ProgramOrder.Stop(console))
-        .addSubcommand(new ProgramOrder.Reset(console))
-        .addSubcommand(new ProgramOrder.Cancel(console))
-        .addSubcommand(new ProgramChoice.Run(console));
+        .addSubcommand(new ProgramChoice.Select())
+        .addSubcommand(new ProgramOrder.Start())
+        .addSubcommand(new ProgramOrder.Stop())
+        .addSubcommand(new ProgramOrder.Reset())
+        .addSubcommand(new ProgramOrder.Cancel())
+        .addSubcommand(new ProgramChoice.Run());
   }
 }

@@ -5,7 +5,6 @@ import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.c3.Programs;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
@@ -45,8 +44,7 @@ abstract class ProgramOrder extends BridgeCommand {
 
   private final String verb;
 
-  ProgramOrder(Console console, String verb) {
-    super(console);
+  ProgramOrder(String verb) {
     this.verb = verb;
   }
 
@@ -84,8 +82,8 @@ abstract class ProgramOrder extends BridgeCommand {
         "Starts the selected program, or goes on with one that was stopped. The robot moves."
       })
   static final class Start extends ProgramOrder {
-    Start(Console console) {
-      super(console, "start");
+    Start() {
+      super("start");
     }
 
     @Override
@@ -103,8 +101,8 @@ abstract class ProgramOrder extends BridgeCommand {
             + " takes a working network."
       })
   static final class Stop extends ProgramOrder {
-    Stop(Console console) {
-      super(console, "stop");
+    Stop() {
+      super("stop");
     }
 
     @Override
@@ -123,8 +121,8 @@ abstract class ProgramOrder extends BridgeCommand {
       name = "reset",
       description = {"Resets the selected program, so that a start runs it from the beginning."})
   static final class Reset extends ProgramOrder {
-    Reset(Console console) {
-      super(console, "reset");
+    Reset() {
+      super("reset");
     }
 
     @Override
@@ -138,8 +136,8 @@ abstract class ProgramOrder extends BridgeCommand {
       name = "cancel",
       description = {"Cancels the selection of the program."})
   static final class Cancel extends ProgramOrder {
-    Cancel(Console console) {
-      super(console, "cancel");
+    Cancel() {
+      super("cancel");
     }
 
     @Override

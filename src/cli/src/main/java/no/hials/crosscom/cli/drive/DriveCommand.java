@@ -13,7 +13,6 @@ import java.util.concurrent.TimeoutException;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ControllerOptions;
 import no.hials.crosscom.cli.base.Converters;
@@ -186,10 +185,6 @@ public final class DriveCommand extends ConsoleCommand {
   @Mixin private WriteOptions writeOptions = new WriteOptions();
 
   @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
-  public DriveCommand(Console console) {
-    super(console);
-  }
 
   @Override
   public ExitCode run() throws IOException {

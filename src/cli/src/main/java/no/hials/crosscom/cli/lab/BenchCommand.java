@@ -17,7 +17,6 @@ import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ControllerOptions;
 import no.hials.crosscom.cli.base.Converters;
@@ -173,10 +172,6 @@ public final class BenchCommand extends ConsoleCommand {
   @Mixin private WriteOptions writeOptions = new WriteOptions();
 
   @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
-  public BenchCommand(Console console) {
-    super(console);
-  }
 
   @Override
   public ExitCode run() throws IOException {

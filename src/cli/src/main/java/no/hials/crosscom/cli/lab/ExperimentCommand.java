@@ -14,7 +14,6 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Stream;
 import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -147,10 +146,6 @@ public final class ExperimentCommand extends ConsoleCommand {
             + " not given, krc4 for endurance."
       })
   private @Nullable String latency;
-
-  public ExperimentCommand(Console console) {
-    super(console);
-  }
 
   /** What may be named. */
   static final class Names implements Iterable<String> {

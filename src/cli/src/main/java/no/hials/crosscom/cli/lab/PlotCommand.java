@@ -11,7 +11,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.lab.plot.Axis;
@@ -108,10 +107,6 @@ public final class PlotCommand extends ConsoleCommand {
       order = 3,
       description = "Write over the picture if it is there already.")
   private boolean yes;
-
-  public PlotCommand(Console console) {
-    super(console);
-  }
 
   @Override
   public ExitCode run() throws IOException {

@@ -16,7 +16,6 @@ import java.util.function.Supplier;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cli.base.CannotListenException;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -198,10 +197,6 @@ public final class MockCommand extends ConsoleCommand {
       converter = Converters.Seed.class,
       description = "Seed of the chance in latency and faults; 1 if not given.")
   private long seed = 1;
-
-  public MockCommand(Console console) {
-    super(console);
-  }
 
   @Override
   public ExitCode run() throws IOException {

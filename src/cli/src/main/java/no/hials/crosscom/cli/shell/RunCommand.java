@@ -10,7 +10,6 @@ import java.util.List;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ControllerOptions;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -63,10 +62,6 @@ public final class RunCommand extends ConsoleCommand {
   /** A line of the file that does something. */
   private record Step(String place, ShellLine line) {}
 
-  public RunCommand(Console console) {
-    super(console);
-  }
-
   @Override
   public ExitCode run() throws IOException {
     List<Step> steps = new ArrayList<>();
@@ -85,7 +80,8 @@ public final class RunCommand extends ConsoleCommand {
     }
     try (RobotConnection controller = Robots.open(target, Robot.LASTING)) {
       ShellSymbols symbols = new ShellSymbols(controller);
-      return run(steps, new ShellSession(console(), controller, writeOptions, symbols));
+      ShellCommands commands = new ShellCommands(program());
+      return run(steps, new ShellSession(console(), controller, writeOptions, symbols, commands));
     }
   }
 
@@ -116,13 +112,14 @@ public final class RunCommand extends ConsoleCommand {
 
   /** Prints all errors, and returns whether there are none. */
   private boolean parse(List<String> lines, List<Step> steps) {
+    ShellCommands commands = new ShellCommands(program());
     boolean right = true;
     for (int i = 0; i < lines.size(); i++) {
       String place = (file.equals(STDIN) ? "stdin" : file) + ":" + (i + 1) + ": ";
       try {
-        ShellLine line = ShellLine.parse(lines.get(i));
+        ShellLine line = ShellLine.parse(lines.get(i), commands.names());
         if (line instanceof ShellLine.Command command) {
-          ShellCommands.check(console(), command.words());
+          commands.check(command.words());
         }
         if (!(line instanceof ShellLine.Nothing)) {
           steps.add(new Step(place, line));

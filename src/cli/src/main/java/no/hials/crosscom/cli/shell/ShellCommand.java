@@ -49,10 +49,6 @@ public final class ShellCommand extends ConsoleCommand {
 
   @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
 
-  public ShellCommand(Console console) {
-    super(console);
-  }
-
   @Override
   public ExitCode run() throws IOException {
     Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
@@ -61,9 +57,14 @@ public final class ShellCommand extends ConsoleCommand {
       if (console().isInteractive()) {
         return converse(controller, symbols);
       }
-      ShellSession session = new ShellSession(console(), controller, writeOptions, symbols);
+      ShellSession session = session(console(), controller, symbols);
       return runLines(session, new BufferedReader(console().in()));
     }
+  }
+
+  private ShellSession session(Console console, RobotConnection controller, ShellSymbols symbols) {
+    return new ShellSession(
+        console, controller, writeOptions, symbols, new ShellCommands(program()));
   }
 
   private ExitCode runLines(ShellSession session, BufferedReader lines) throws IOException {
@@ -73,7 +74,7 @@ public final class ShellCommand extends ConsoleCommand {
       String place = "line " + number + ": ";
       ShellLine line;
       try {
-        line = ShellLine.parse(text);
+        line = session.parse(text);
       } catch (ShellSyntaxException e) {
         console().error(place + e.getMessage());
         return ExitCode.USAGE;
@@ -91,7 +92,8 @@ public final class ShellCommand extends ConsoleCommand {
 
   private ShellTerminal terminal(ShellSymbols symbols) throws IOException {
     try {
-      return new ShellTerminal(console(), symbols);
+      return new ShellTerminal(
+          console(), new ShellCompleter(new ShellCommands(program()), symbols));
     } catch (IOException | IllegalStateException e) {
       if (StopSignal.isShuttingDown()) { // then JLine gives no terminal, or closes it
         throw new StoppedException();
@@ -104,7 +106,7 @@ public final class ShellCommand extends ConsoleCommand {
     symbols.preload();
     try (ShellTerminal terminal = terminal(symbols)) {
       Console asking = console().asking(terminal::ask);
-      ShellSession session = new ShellSession(asking, controller, writeOptions, symbols);
+      ShellSession session = session(asking, controller, symbols);
       ShellPrompt prompt = new ShellPrompt(controller);
       String text = terminal.readLine(prompt);
       while (text != null && runTyped(text, asking, session, prompt)) {
@@ -120,7 +122,7 @@ public final class ShellCommand extends ConsoleCommand {
   private boolean runTyped(String text, Console asking, ShellSession session, ShellPrompt prompt) {
     for (String typed : text.lines().toList()) {
       try {
-        ShellLine line = ShellLine.parse(typed);
+        ShellLine line = session.parse(typed);
         if (line instanceof ShellLine.Exit) {
           return false;
         }

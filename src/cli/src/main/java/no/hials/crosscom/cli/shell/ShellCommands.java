@@ -2,19 +2,19 @@ package no.hials.crosscom.cli.shell;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.Commands;
-import no.hials.crosscom.cli.Main;
 import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ControllerOptions;
 import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.Program;
 import no.hials.crosscom.cli.base.WriteOptions;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
@@ -33,18 +33,28 @@ final class ShellCommands {
   /** The options that choose a controller. */
   private static final Pattern CONTROLLER = Pattern.compile("--(host|port|mock|robot)(=.*)?");
 
-  private ShellCommands() {}
+  private final Program program;
+  private final SortedSet<String> names;
+
+  ShellCommands(Program program) {
+    this.program = program;
+    this.names = new TreeSet<>(program.commands());
+    names.removeAll(LEFT_OUT);
+  }
 
   /** Returns the names of the commands, sorted. */
-  static SortedSet<String> names() {
-    SortedSet<String> names = new TreeSet<>();
-    Arrays.stream(Commands.values()).forEach(group -> names.addAll(group.names()));
-    names.removeAll(LEFT_OUT);
+  SortedSet<String> names() {
     return names;
   }
 
-  static boolean isCommand(String word) {
-    return names().contains(word);
+  /** Creates a command. */
+  CommandLine commandLine(String name) {
+    CommandLine main = program.commandLine(program.console(), name);
+    return Objects.requireNonNull(main.getSubcommands().get(name));
+  }
+
+  void printHelp(Console console, String name) {
+    program.run(console, name, "--help");
   }
 
   /**
@@ -52,13 +62,13 @@ final class ShellCommands {
    *
    * @throws ShellSyntaxException if they are wrong usage
    */
-  static void check(Console console, List<String> words) throws ShellSyntaxException {
+  void check(List<String> words) throws ShellSyntaxException {
     checkController(words);
     String[] args = ControllerOptions.withNamesAsOptions(words.toArray(String[]::new));
     try {
-      Main.commandLine(console, args).parseArgs(args);
+      program.commandLine(program.console(), args).parseArgs(args);
     } catch (ParameterException e) {
-      throw new ShellSyntaxException(Main.message(e));
+      throw new ShellSyntaxException(ConsoleCommand.message(e));
     }
   }
 
@@ -69,12 +79,12 @@ final class ShellCommands {
    * @return how it ended
    * @throws ShellSyntaxException if it names another controller
    */
-  static ExitCode run(
+  ExitCode run(
       Console console, List<String> words, RobotConnection controller, WriteOptions writeOptions)
       throws ShellSyntaxException {
     checkController(words);
     String[] args = words.toArray(String[]::new);
-    CommandLine command = Main.commandLine(console, args);
+    CommandLine command = program.commandLine(console, args);
     int place = 0;
     while (place < args.length && command.getSubcommands().containsKey(args[place])) {
       command = command.getSubcommands().get(args[place]);
@@ -82,7 +92,7 @@ final class ShellCommands {
     }
     List<String> all = new ArrayList<>(words);
     all.addAll(place, options(console, command.getCommandSpec(), controller, writeOptions));
-    return ExitCode.of(Main.run(all.toArray(String[]::new), console));
+    return program.run(console, all.toArray(String[]::new));
   }
 
   private static void checkController(List<String> words) throws ShellSyntaxException {

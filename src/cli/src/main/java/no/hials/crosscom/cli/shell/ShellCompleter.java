@@ -4,14 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
-import no.hials.crosscom.cli.Commands;
-import no.hials.crosscom.cli.Main;
-import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.ConsoleCommand;
 import org.jline.reader.Candidate;
 import org.jline.reader.Completer;
 import org.jline.reader.LineReader;
@@ -38,11 +35,11 @@ final class ShellCompleter implements Completer {
   /** So many indices are listed; who wants the 500th knows it. */
   private static final int MAX_INDICES = 64;
 
-  private final Console console;
+  private final ShellCommands commands;
   private final ShellSymbols symbols;
 
-  ShellCompleter(Console console, ShellSymbols symbols) {
-    this.console = console;
+  ShellCompleter(ShellCommands commands, ShellSymbols symbols) {
+    this.commands = commands;
     this.symbols = symbols;
   }
 
@@ -66,7 +63,7 @@ final class ShellCompleter implements Completer {
     if (ShellLine.OWN.containsKey(first) || ShellWords.isSet(first) || first.equals("read")) {
       return behindOwn(first, before, word);
     }
-    if (ShellCommands.isCommand(first)) {
+    if (commands.names().contains(first)) {
       return behindCommand(first, before, word);
     }
     return values(before.get(0));
@@ -84,8 +81,8 @@ final class ShellCompleter implements Completer {
   }
 
   private List<Candidate> behindCommand(String first, List<String> before, String word) {
-    CommandLine command = Main.commandLine(console, first);
-    for (String step : before) {
+    CommandLine command = commands.commandLine(first);
+    for (String step : before.subList(1, before.size())) {
       CommandLine next = command.getSubcommands().get(step);
       command = next == null ? command : next;
     }
@@ -111,15 +108,14 @@ final class ShellCompleter implements Completer {
     List<Candidate> all = new ArrayList<>();
     new TreeMap<>(ShellLine.OWN)
         .forEach((name, help) -> all.add(candidate(name, help.substring(21), true)));
-    for (String name : ShellCommands.names()) {
-      CommandLine command = Main.commandLine(console, name).getSubcommands().get(name);
-      all.add(candidate(name, description(Objects.requireNonNull(command)), true));
+    for (String name : commands.names()) {
+      all.add(candidate(name, description(commands.commandLine(name)), true));
     }
     return all;
   }
 
   private static String description(CommandLine command) {
-    return Commands.firstSentence(command.getCommandSpec().usageMessage().description());
+    return ConsoleCommand.firstSentence(command.getCommandSpec().usageMessage().description());
   }
 
   /** Returns the paths that a path which was begun may become. */

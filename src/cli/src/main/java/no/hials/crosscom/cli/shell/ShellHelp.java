@@ -3,6 +3,7 @@ package no.hials.crosscom.cli.shell;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.stream.Collectors;
 import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
@@ -13,13 +14,13 @@ final class ShellHelp {
   private ShellHelp() {}
 
   /** Returns the help text of the language. */
-  static List<String> language() {
+  static List<String> language(Set<String> commands) {
     List<String> lines = new ArrayList<>();
     lines.add("$OV_PRO              reads a variable, a field, an element or a whole array");
     lines.add("$OV_PRO = 50         writes it, also without the sign; the value is KRL");
     lines.addAll(new java.util.TreeMap<>(ShellLine.OWN).values());
     lines.add("; or #               begins a comment, # only at the beginning of a line");
-    lines.add("commands as outside: " + String.join(", ", ShellCommands.names()));
+    lines.add("commands as outside: " + String.join(", ", commands));
     return lines;
   }
 

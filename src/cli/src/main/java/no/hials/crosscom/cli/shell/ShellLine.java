@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -97,9 +98,10 @@ sealed interface ShellLine {
   /**
    * Understands a line.
    *
+   * @param commands the names of the commands of the command line
    * @throws ShellSyntaxException if the line is not in the language
    */
-  static ShellLine parse(String line) throws ShellSyntaxException {
+  static ShellLine parse(String line, Set<String> commands) throws ShellSyntaxException {
     // a file may begin with a byte order mark, and files put together have one further down
     List<String> words = ShellWords.split(line.startsWith("\ufeff") ? line.substring(1) : line);
     if (words.isEmpty()) {
@@ -116,7 +118,7 @@ sealed interface ShellLine {
         nothingBehind(first, rest);
         yield new Exit();
       }
-      default -> ShellCommands.isCommand(first) ? command(first, rest) : variable(words);
+      default -> commands.contains(first) ? command(first, rest) : variable(words);
     };
   }
 

@@ -8,7 +8,6 @@ import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.Main;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.WriteOptions;
@@ -19,16 +18,23 @@ final class ShellSession {
   private final RobotConnection controller;
   private final WriteOptions writeOptions;
   private final ShellSymbols symbols;
+  private final ShellCommands commands;
 
   ShellSession(
       Console console,
       RobotConnection controller,
       WriteOptions writeOptions,
-      ShellSymbols symbols) {
+      ShellSymbols symbols,
+      ShellCommands commands) {
     this.console = console;
     this.controller = controller;
     this.writeOptions = writeOptions;
     this.symbols = symbols;
+    this.commands = commands;
+  }
+
+  ShellLine parse(String line) throws ShellSyntaxException {
+    return ShellLine.parse(line, commands.names());
   }
 
   private ExitCode run(ShellLine line) throws IOException {
@@ -42,7 +48,7 @@ final class ShellSession {
       } else if (line instanceof ShellLine.Help help) {
         help(help.topic());
       } else if (line instanceof ShellLine.Command other) {
-        return ShellCommands.run(console, other.words(), controller, writeOptions);
+        return commands.run(console, other.words(), controller, writeOptions);
       }
     } catch (IllegalArgumentException e) {
       // a name or a text that cannot be sent
@@ -105,11 +111,11 @@ final class ShellSession {
   private void help(String topic) throws ShellSyntaxException {
     String lower = topic.toLowerCase(Locale.ROOT);
     if (topic.isEmpty()) {
-      ShellHelp.language().forEach(console::print);
+      ShellHelp.language(commands.names()).forEach(console::print);
     } else if (ShellLine.OWN.containsKey(lower)) {
       console.print(String.valueOf(ShellLine.OWN.get(lower)));
-    } else if (ShellCommands.isCommand(lower)) {
-      Main.run(new String[] {lower, "--help"}, console);
+    } else if (commands.names().contains(lower)) {
+      commands.printHelp(console, lower);
     } else {
       Optional<CatalogueEntry> symbol = symbols.find(topic);
       if (symbol.isEmpty()) {

@@ -34,7 +34,7 @@ final class ShellTerminal implements Closeable {
   /** What Ctrl-C did before. */
   private final @Nullable Object interruptBefore;
 
-  ShellTerminal(Console console, ShellSymbols symbols) throws IOException {
+  ShellTerminal(Console console, ShellCompleter completer) throws IOException {
     coloured = console.environment("NO_COLOR") == null;
     // else JLine makes a signal of a Ctrl-C that is typed into a line as well, and where that is
     // quicker than the key, the key takes back the line after it
@@ -57,7 +57,7 @@ final class ShellTerminal implements Closeable {
             .terminal(terminal)
             .appName("jopenshowvar")
             .parser(new ShellParser())
-            .completer(new ShellCompleter(console, symbols))
+            .completer(completer)
             .variable(LineReader.HISTORY_SIZE, MAX_HISTORY)
             .variable(LineReader.ERRORS, 0)
             .option(LineReader.Option.CASE_INSENSITIVE, true)

@@ -76,10 +76,6 @@ public final class ReadCommand extends ConsoleCommand {
 
   @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
 
-  public ReadCommand(Console console) {
-    super(console);
-  }
-
   @Override
   public ExitCode run() throws IOException {
     for (String name : names) {

@@ -119,10 +119,6 @@ public final class RecordCommand extends ConsoleCommand {
 
   @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
 
-  public RecordCommand(Console console) {
-    super(console);
-  }
-
   @Override
   public ExitCode run() throws IOException {
     Format chosen = format();

@@ -10,7 +10,6 @@ import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.cell.DeclarationRows;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.JsonLine;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Table;
@@ -66,10 +65,6 @@ public final class VarsCommand extends ConsoleCommand {
 
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")
   private boolean json;
-
-  public VarsCommand(Console console) {
-    super(console);
-  }
 
   @Override
   public ExitCode run() throws IOException {

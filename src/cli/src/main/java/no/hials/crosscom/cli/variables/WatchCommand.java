@@ -12,7 +12,6 @@ import no.hials.crosscom.cell.SampleJson;
 import no.hials.crosscom.cell.SampledRobot;
 import no.hials.crosscom.cell.Sampling;
 import no.hials.crosscom.cell.Times;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ControllerOptions;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -70,10 +69,6 @@ public final class WatchCommand extends ConsoleCommand {
   private boolean json;
 
   @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
-  public WatchCommand(Console console) {
-    super(console);
-  }
 
   @Override
   public ExitCode run() throws IOException {

@@ -5,7 +5,6 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ControllerOptions;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -77,10 +76,6 @@ public final class WriteCommand extends ConsoleCommand {
   @Mixin private WriteOptions writeOptions = new WriteOptions();
 
   @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
-  public WriteCommand(Console console) {
-    super(console);
-  }
 
   @Override
   public ExitCode run() throws IOException {

@@ -8,7 +8,9 @@ import java.util.List;
 import java.util.Map;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.Main;
 import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.Program;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
@@ -42,8 +44,9 @@ class ShellCompleterTest {
         new Robot("", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
     controller = Robots.open(target, Robot.LASTING);
     symbols = new ShellSymbols(controller);
-    completer =
-        new ShellCompleter(new Console(new StringWriter(), new StringWriter(), Map.of()), symbols);
+    Console console = new Console(new StringWriter(), new StringWriter(), Map.of());
+    Program program = Main.commandLine(console).getCommand();
+    completer = new ShellCompleter(new ShellCommands(program), symbols);
   }
 
   @AfterEach

@@ -5,12 +5,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ShellLineTest {
+  private static ShellLine parse(String line) throws ShellSyntaxException {
+    return ShellLine.parse(line, Set.of("vars"));
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -23,7 +28,7 @@ class ShellLineTest {
         "myPos"
       })
   void aNameAloneReads(String name) throws Exception {
-    assertThat(ShellLine.parse("  " + name + " ")).isEqualTo(new ShellLine.Read(List.of(name)));
+    assertThat(parse("  " + name + " ")).isEqualTo(new ShellLine.Read(List.of(name)));
   }
 
   @ParameterizedTest
@@ -49,27 +54,27 @@ class ShellLineTest {
         "set set 5                    | set          | 5",
       })
   void aNameWithAValueWrites(String line, String name, String value) throws Exception {
-    assertThat(ShellLine.parse(line)).isEqualTo(new ShellLine.Write(name, value));
+    assertThat(parse(line)).isEqualTo(new ShellLine.Write(name, value));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"", "   ", "; $OV_PRO = 0", "# $OV_PRO = 0", "  # x"})
   void blankLinesAndCommentsDoNothing(String line) throws Exception {
-    assertThat(ShellLine.parse(line)).isEqualTo(new ShellLine.Nothing());
+    assertThat(parse(line)).isEqualTo(new ShellLine.Nothing());
   }
 
   @Test
   void wordsOfTheLanguageAreTakenInUpperOrLowerCase() throws Exception {
-    assertThat(ShellLine.parse("Get $A $B")).isEqualTo(new ShellLine.Read(List.of("$A", "$B")));
-    assertThat(ShellLine.parse("WAIT 1.5s")).isEqualTo(new ShellLine.Wait(Duration.ofMillis(1500)));
-    assertThat(ShellLine.parse("help")).isEqualTo(new ShellLine.Help(""));
-    assertThat(ShellLine.parse("help $OV_PRO")).isEqualTo(new ShellLine.Help("$OV_PRO"));
-    assertThat(ShellLine.parse("QUIT")).isEqualTo(new ShellLine.Exit());
+    assertThat(parse("Get $A $B")).isEqualTo(new ShellLine.Read(List.of("$A", "$B")));
+    assertThat(parse("WAIT 1.5s")).isEqualTo(new ShellLine.Wait(Duration.ofMillis(1500)));
+    assertThat(parse("help")).isEqualTo(new ShellLine.Help(""));
+    assertThat(parse("help $OV_PRO")).isEqualTo(new ShellLine.Help("$OV_PRO"));
+    assertThat(parse("QUIT")).isEqualTo(new ShellLine.Exit());
   }
 
   @Test
   void commandsOfTheCommandLineAreTakenWithTheirArguments() throws Exception {
-    assertThat(ShellLine.parse("vars --declared \"my file.dat\" x=1"))
+    assertThat(parse("vars --declared \"my file.dat\" x=1"))
         .isEqualTo(new ShellLine.Command(List.of("vars", "--declared", "my file.dat", "x=1")));
   }
 
@@ -94,7 +99,7 @@ class ShellLineTest {
         "mock --port 0    | there is no command mock",
       })
   void saysWhatIsWrong(String line, String message) {
-    assertThatThrownBy(() -> ShellLine.parse(line))
+    assertThatThrownBy(() -> parse(line))
         .isInstanceOf(ShellSyntaxException.class)
         .hasMessageContaining(message);
   }

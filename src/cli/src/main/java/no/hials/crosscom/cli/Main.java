@@ -4,6 +4,7 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
+import java.time.Duration;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.NotSentException;
@@ -11,10 +12,12 @@ import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cli.base.CannotListenException;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ControllerCommand;
+import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.cli.base.StoppedException;
+import no.hials.crosscom.protocol.ServerType;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -53,7 +56,7 @@ public final class Main {
 
   public static int run(String[] args, Console console) {
     try {
-      return commandLine(console, args).execute(ControllerOptions.withNamesAsOptions(args));
+      return commandLine(console, args).execute(ControllerCommand.withNamesAsOptions(args));
     } catch (Error e) {
       return internalError(console, e, true).code();
     }
@@ -64,7 +67,8 @@ public final class Main {
     CommandLine main = new CommandLine(new MainCommand(console));
     Commands.addTo(main, args);
     Handlers handlers = new Handlers(console);
-    return main
+    return main.registerConverter(Duration.class, new Converters.Time())
+        .registerConverter(ServerType.class, new Converters.Server())
         // an argument @NAME is not a file with arguments
         .setExpandAtFiles(false)
         .setOut(console.out())

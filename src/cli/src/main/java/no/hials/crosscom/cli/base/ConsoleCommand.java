@@ -2,6 +2,7 @@ package no.hials.crosscom.cli.base;
 
 import java.io.IOException;
 import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import no.hials.crosscom.cell.Printable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -12,7 +13,6 @@ import picocli.CommandLine.UnmatchedArgumentException;
 
 /** What every command has: the standard options, the exit codes, and a console. */
 @Command(
-    mixinStandardHelpOptions = true,
     versionProvider = VersionProvider.class,
     sortOptions = false,
     exitCodeListHeading = "%nExit codes:%n",
@@ -30,6 +30,21 @@ public abstract class ConsoleCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // picocli sets it
   @Spec
   private CommandSpec spec;
+
+  // not picocli's own, which would come after the options of subclasses
+  @Option(
+      names = {"-h", "--help"},
+      usageHelp = true,
+      description = "Show this help message and exit.")
+  @SuppressWarnings("unused") // by picocli only
+  private boolean help;
+
+  @Option(
+      names = {"-V", "--version"},
+      versionHelp = true,
+      description = "Print version information and exit.")
+  @SuppressWarnings("unused")
+  private boolean version;
 
   @Option(
       names = {"-v", "--verbose"},
@@ -77,6 +92,15 @@ public abstract class ConsoleCommand implements Callable<Integer> {
     String text = String.join(" ", description);
     int end = text.indexOf(". ");
     return end < 0 ? text : text.substring(0, end + 1);
+  }
+
+  /** Parses the argument of an option as picocli does, after all options are known. */
+  protected final <T> T argument(String option, Supplier<T> parsing) {
+    try {
+      return parsing.get();
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage("invalid value for option '" + option + "': " + e.getMessage());
+    }
   }
 
   /** Creates an exception for what only shows when options are seen together. */

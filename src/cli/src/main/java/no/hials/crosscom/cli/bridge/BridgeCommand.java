@@ -2,36 +2,31 @@ package no.hials.crosscom.cli.bridge;
 
 import java.io.IOException;
 import no.hials.crosscom.CrossComRefusedException;
-import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.WritePermission;
-import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.WriteOptions;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** What the commands have in common that need C3 Bridge, or tell which server there is. */
-public abstract class BridgeCommand extends ConsoleCommand {
+public abstract class BridgeCommand extends ControllerCommand {
   /** More than any name on a controller has; two of them fit into a message. */
   private static final int MAX_LENGTH = 10_000;
 
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")
   private boolean json;
 
-  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
   public final boolean isJson() {
     return json;
   }
 
-  final Robot target() throws FileException {
-    return controllerOptions.target(this, ServerType.C3_BRIDGE);
+  @Override
+  protected final ServerType simulated() {
+    return ServerType.C3_BRIDGE;
   }
 
   /**

@@ -52,16 +52,13 @@ import picocli.CommandLine.Option;
 public final class DiscoverCommand extends ConsoleCommand {
   @Option(
       names = "--timeout",
-      order = 1,
       paramLabel = "TIME",
-      converter = Converters.Time.class,
       description =
           "How long to wait for answers, all of which is waited: 500ms, 3s; 1s if not given.")
   private Duration timeout = Duration.ofSeconds(1);
 
   @Option(
       names = "--address",
-      order = 1,
       paramLabel = "HOST",
       description =
           "Ask this IPv4 address, of a host or for broadcast. It may stand there several times.")
@@ -69,7 +66,6 @@ public final class DiscoverCommand extends ConsoleCommand {
 
   @Option(
       names = "--interface",
-      order = 1,
       paramLabel = "NAME",
       description = {
         "Ask all hosts that this network interface reaches by broadcast, such as eth0. It may stand"
@@ -79,7 +75,6 @@ public final class DiscoverCommand extends ConsoleCommand {
 
   @Option(
       names = "--legacy",
-      order = 2,
       negatable = true,
       fallbackValue = "true",
       description = "Insist on the legacy mode, or with --no-legacy ask in standard mode only.")
@@ -87,7 +82,6 @@ public final class DiscoverCommand extends ConsoleCommand {
 
   @Option(
       names = "--ports",
-      order = 2,
       paramLabel = "STANDARD,LEGACY,REPLY",
       split = ",",
       hideParamSyntax = true,
@@ -95,7 +89,7 @@ public final class DiscoverCommand extends ConsoleCommand {
       description = "Other UDP ports than 7000,6999,7000.")
   private List<Integer> ports = List.of(7000, 6999, 7000);
 
-  @Option(names = "--json", order = 5, description = "Print JSON, see below.")
+  @Option(names = "--json", description = "Print JSON, see below.")
   private boolean json;
 
   @Override

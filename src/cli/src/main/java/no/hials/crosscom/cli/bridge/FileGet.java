@@ -55,7 +55,6 @@ final class FileGet extends FileSubcommand {
 
   @Option(
       names = "--with-dat",
-      order = 4,
       description =
           "With each .src and .sub, also the .dat of the same name next to it, if it exists.")
   private boolean withDat;

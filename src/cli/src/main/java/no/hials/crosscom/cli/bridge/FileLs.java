@@ -59,7 +59,6 @@ final class FileLs extends FileSubcommand {
 
   @Option(
       names = {"-l", "--long"},
-      order = 4,
       description = "With the time of the last change; this takes one more question an item.")
   private boolean detailed;
 

@@ -70,15 +70,11 @@ final class FilePut extends FileSubcommand {
 
   @Option(
       names = "--with-dat",
-      order = 4,
       description =
           "With each .src and .sub, also the .dat of the same name next to it, if it exists.")
   private boolean withDat;
 
-  @Option(
-      names = "--select",
-      order = 4,
-      description = "Select the .src that was uploaded. It is not started.")
+  @Option(names = "--select", description = "Select the .src that was uploaded. It is not started.")
   private boolean select;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();

@@ -42,11 +42,10 @@ final class FileRm extends FileSubcommand {
 
   @Option(
       names = {"-r", "--recursive"},
-      order = 4,
       description = "Folders too, with all that is in them, read-only or not.")
   private boolean recursive;
 
-  @Option(names = "--force", order = 4, description = "Although it is read-only.")
+  @Option(names = "--force", description = "Although it is read-only.")
   private boolean force;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();

@@ -46,14 +46,12 @@ abstract class ProgramChoice extends BridgeCommand {
 
   @Option(
       names = "--parameters",
-      order = 4,
       paramLabel = "TEXT",
       description = "What the program is called with, as KRL values with commas between them.")
   private String parameters = "";
 
   @Option(
       names = "--force",
-      order = 4,
       description =
           "Select it even if another program is active (assumed: what a controller does"
               + " then is not documented).")

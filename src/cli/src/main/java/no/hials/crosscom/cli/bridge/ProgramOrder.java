@@ -36,7 +36,6 @@ abstract class ProgramOrder extends BridgeCommand {
 
   @Option(
       names = "--submit",
-      order = 4,
       description = "The program of the submit interpreter, not the robot's.")
   private boolean submit;
 

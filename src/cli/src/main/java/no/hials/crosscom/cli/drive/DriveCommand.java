@@ -13,9 +13,7 @@ import java.util.concurrent.TimeoutException;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
-import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LiveLine;
 import no.hials.crosscom.cli.base.Logging;
@@ -33,7 +31,6 @@ import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Trace;
 import no.hials.crosscom.lab.experiment.KrlPrograms;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -78,7 +75,7 @@ import picocli.CommandLine.Option;
       "  jopenshowvar drive --host 172.31.1.147 --speed 10",
       "  jopenshowvar drive --mock --frame joints --device udp:7070 --record run.csv"
     })
-public final class DriveCommand extends ConsoleCommand {
+public final class DriveCommand extends ControllerCommand {
   private static final long TICK_MILLIS = 50;
   private static final int RECORDED_CYCLES = 200_000;
   private static final double MAX_TURN = 60;
@@ -88,7 +85,6 @@ public final class DriveCommand extends ConsoleCommand {
 
   @Option(
       names = "--device",
-      order = 3,
       paramLabel = "DEVICE",
       converter = DriveDevice.Converter.class,
       description = {
@@ -100,7 +96,6 @@ public final class DriveCommand extends ConsoleCommand {
 
   @Option(
       names = "--frame",
-      order = 3,
       paramLabel = "FRAME",
       description = {
         "What the device moves: base (if not given) for the tool along $BASE, tool for the tool"
@@ -110,7 +105,6 @@ public final class DriveCommand extends ConsoleCommand {
 
   @Option(
       names = "--speed",
-      order = 3,
       paramLabel = "SPEED",
       description = {
         "What full deflection gives: mm/s, at most 250, 25 if not given; with joints degrees/s, at"
@@ -120,14 +114,12 @@ public final class DriveCommand extends ConsoleCommand {
 
   @Option(
       names = "--turn",
-      order = 3,
       paramLabel = "SPEED",
       description = "The same for rotations of the tool, degrees/s, at most 60; 5 if not given.")
   private @Nullable Double turn;
 
   @Option(
       names = "--dead-zone",
-      order = 3,
       paramLabel = "PART",
       description = {
         "How far from the centre a stick is still at rest, 0 to less than 1; if not given, 0.15 for"
@@ -137,34 +129,24 @@ public final class DriveCommand extends ConsoleCommand {
 
   @Option(
       names = "--period",
-      order = 4,
       paramLabel = "TIME",
-      converter = Converters.Time.class,
       description = "From one command to the next, 4ms to 100ms; 20ms if not given.")
   private Duration period = Duration.ofMillis(20);
 
   @Option(
       names = "--max-delay",
-      order = 4,
       paramLabel = "TIME",
-      converter = Converters.Time.class,
       description = {
         "How long the controller may take to say where the robot is, at most 2s; 100ms if not"
             + " given. A longer one ends it, when it has answered or --timeout is over."
       })
   private Duration maxDelay = Duration.ofMillis(100);
 
-  @Option(
-      names = "--for",
-      order = 4,
-      paramLabel = "TIME",
-      converter = Converters.Time.class,
-      description = "End after this time.")
+  @Option(names = "--for", paramLabel = "TIME", description = "End after this time.")
   private @Nullable Duration length;
 
   @Option(
       names = "--record",
-      order = 4,
       paramLabel = "FILE",
       description = {
         "Write a CSV file at the end: when each cycle was, how long the accesses took, where the"
@@ -184,8 +166,6 @@ public final class DriveCommand extends ConsoleCommand {
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();
 
-  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
   @Override
   public ExitCode run() throws IOException {
     DriveSpace space = space();
@@ -198,7 +178,7 @@ public final class DriveCommand extends ConsoleCommand {
     if (record != null) {
       NewFile.check(record, writeOptions.isYes());
     }
-    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    Robot target = target();
     String what = "drive the robot by " + space.variable;
     writeOptions.permission(console()).checkAllowed(target, what);
     try (StopSignal stop = new StopSignal();

@@ -17,9 +17,7 @@ import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
-import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.NewFile;
 import no.hials.crosscom.cli.base.Robots;
@@ -68,7 +66,7 @@ import picocli.CommandLine.Parameters;
       "  jopenshowvar bench --clients 5 --for 30s --mock --latency krc4",
       "  jopenshowvar bench --write MYINT --write MYPOS --mock"
     })
-public final class BenchCommand extends ConsoleCommand {
+public final class BenchCommand extends ControllerCommand {
   /** Each type once; every controller has them. */
   private static final List<String> USUAL =
       List.of(
@@ -102,7 +100,6 @@ public final class BenchCommand extends ConsoleCommand {
 
   @Option(
       names = "--write",
-      order = 4,
       paramLabel = "NAME",
       description = {
         "Read this variable, and write back what was read. It may stand there several times."
@@ -111,7 +108,6 @@ public final class BenchCommand extends ConsoleCommand {
 
   @Option(
       names = "--clients",
-      order = 4,
       paramLabel = "NUMBER",
       description = {
         "How many clients ask at the same time, each on a connection of its own; 1 if not given."
@@ -120,48 +116,38 @@ public final class BenchCommand extends ConsoleCommand {
 
   @Option(
       names = "--count",
-      order = 4,
       paramLabel = "NUMBER",
       description = "How often each client does each access; 1000 if not given.")
   private @Nullable Long count;
 
   @Option(
       names = "--for",
-      order = 4,
       paramLabel = "TIME",
-      converter = Converters.Time.class,
       description = "How long to measure, instead of --count.")
   private @Nullable Duration length;
 
   @Option(
       names = "--warm-up",
-      order = 4,
       paramLabel = "NUMBER",
       description = "How often each client does each access before; 100 if not given.")
   private int warmUp = 100;
 
   @Option(
       names = "--latency",
-      order = 3,
       paramLabel = "LATENCY",
       description = "How long a request takes the simulated controller, as in 'mock --latency'.")
   private @Nullable String latency;
 
-  @Option(names = "--histogram", order = 4, description = "Print a histogram for each access, too.")
+  @Option(names = "--histogram", description = "Print a histogram for each access, too.")
   private boolean histogram;
 
   @Option(
       names = {"-o", "--out"},
-      order = 4,
       paramLabel = "FILE.csv",
       description = "Write each access into a file.")
   private @Nullable Path out;
 
-  @Option(
-      names = "--plot",
-      order = 4,
-      paramLabel = "FILE",
-      description = "Draw the histograms, .png or .svg.")
+  @Option(names = "--plot", paramLabel = "FILE", description = "Draw the histograms, .png or .svg.")
   private @Nullable Path plot;
 
   @Mixin private PictureOptions pictureOptions = new PictureOptions();
@@ -171,12 +157,10 @@ public final class BenchCommand extends ConsoleCommand {
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();
 
-  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
   @Override
   public ExitCode run() throws IOException {
     checkOptions();
-    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    Robot target = target();
     if (!written.isEmpty()) {
       writeOptions
           .permission(console())
@@ -190,7 +174,7 @@ public final class BenchCommand extends ConsoleCommand {
     if (target.host() != null) {
       throw wrongUsage("--latency goes with --mock");
     }
-    Latency times = latencyOf(latency);
+    Latency times = argument("--latency", () -> Latency.parse(latency, 1));
     try (RobotConnection controller =
         Robots.open(target, Robot.ONE_SHOT, cfg -> cfg.latency(times))) {
       return measure(controller);
@@ -204,11 +188,7 @@ public final class BenchCommand extends ConsoleCommand {
     checkRange("--clients", clients, 1, MAX_CLIENTS);
     checkRange("--count", count == null ? 1 : count, 1, Long.MAX_VALUE);
     checkRange("--warm-up", warmUp, 0, MAX_WARM_UP);
-    for (String name : wanted()) {
-      if (name.isBlank()) {
-        throw wrongUsage("a name is blank; in a shell, names with $ need single quotes: '$OV_PRO'");
-      }
-    }
+    checkNames(wanted());
     if (out != null) {
       NewFile.check(out, writeOptions.isYes());
     }
@@ -221,14 +201,6 @@ public final class BenchCommand extends ConsoleCommand {
     if (value < min || value > max) {
       String limit = max == Long.MAX_VALUE ? "at least " + min : min + " to " + max;
       throw wrongUsage(option + " must be " + limit + ", is " + value);
-    }
-  }
-
-  private Latency latencyOf(String text) {
-    try {
-      return Latency.parse(text, 1);
-    } catch (IllegalArgumentException e) {
-      throw wrongUsage("invalid value for option '--latency': " + e.getMessage());
     }
   }
 

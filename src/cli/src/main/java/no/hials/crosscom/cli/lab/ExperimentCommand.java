@@ -15,7 +15,6 @@ import java.util.Set;
 import java.util.stream.Stream;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.NewFile;
 import no.hials.crosscom.cli.base.Table;
@@ -78,25 +77,22 @@ public final class ExperimentCommand extends ConsoleCommand {
 
   @Option(
       names = {"-o", "--out"},
-      order = 2,
       paramLabel = "FOLDER",
       description = "Where the files go; here if not given. It is made if it is not there.")
   private Path folder = Path.of("");
 
   @Option(
       names = "--format",
-      order = 2,
       paramLabel = "FORMAT",
       completionCandidates = Formats.class,
       description = "The form of the picture, png or svg; png if not given.")
   private String format = "png";
 
-  @Option(names = "--csv", order = 2, description = "Write CSV files next to the picture.")
+  @Option(names = "--csv", description = "Write CSV files next to the picture.")
   private boolean csv;
 
   @Option(
       names = {"-y", "--yes"},
-      order = 3,
       description = "Write over files that are there already.")
   private boolean yes;
 
@@ -104,33 +100,25 @@ public final class ExperimentCommand extends ConsoleCommand {
 
   @Option(
       names = "--for",
-      order = 4,
       paramLabel = "TIME",
-      converter = Converters.Time.class,
       description = "How long to run; 10s if not given, 10m for endurance.")
   private @Nullable Duration length;
 
   @Option(
       names = "--lap",
-      order = 4,
       paramLabel = "TIME",
-      converter = Converters.Time.class,
       description = "How long the robot has for the figure once; 10s if not given.")
   private @Nullable Duration lap;
 
   @Option(
       names = "--period",
-      order = 4,
       paramLabel = "TIME",
-      converter = Converters.Time.class,
       description = "Period of the loop, 4ms to 1s; 20ms if not given, 12ms for endurance.")
   private @Nullable Duration period;
 
   @Option(
       names = "--step",
-      order = 4,
       paramLabel = "TIME",
-      converter = Converters.Time.class,
       description = {
         "How long the robot's program is taken to need for one increment, 4ms to 1s; 12ms if not"
             + " given. It makes the increments of velocities larger."
@@ -139,7 +127,6 @@ public final class ExperimentCommand extends ConsoleCommand {
 
   @Option(
       names = "--latency",
-      order = 4,
       paramLabel = "LATENCY",
       description = {
         "How long a request takes the simulated controller, as in 'mock --latency'; krc4-2014 if"
@@ -226,11 +213,7 @@ public final class ExperimentCommand extends ConsoleCommand {
     checkCycle("--period", period);
     checkCycle("--step", step);
     if (latency != null) {
-      try {
-        Latency.parse(latency, 1);
-      } catch (IllegalArgumentException e) {
-        throw wrongUsage("invalid value for option '--latency': " + e.getMessage());
-      }
+      argument("--latency", () -> Latency.parse(latency, 1));
     }
   }
 

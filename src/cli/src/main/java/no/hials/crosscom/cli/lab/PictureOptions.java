@@ -20,7 +20,6 @@ import picocli.CommandLine.TypeConversionException;
 final class PictureOptions {
   @Option(
       names = "--size",
-      order = 3,
       paramLabel = "WxH",
       converter = SizeConverter.class,
       description = {

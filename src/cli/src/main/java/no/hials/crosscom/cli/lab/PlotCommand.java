@@ -72,14 +72,12 @@ public final class PlotCommand extends ConsoleCommand {
 
   @Option(
       names = "--xy",
-      order = 1,
       paramLabel = "NAME,NAME",
       description = "Draw the second column over the first one, instead of both over time.")
   private @Nullable String xy;
 
   @Option(
       names = "--xyz",
-      order = 1,
       description = {
         "Draw where a position went: from above, from two sides, and isometric. NAME says which"
             + " structures with X, Y and Z."
@@ -88,23 +86,20 @@ public final class PlotCommand extends ConsoleCommand {
 
   @Option(
       names = "--title",
-      order = 2,
       paramLabel = "TEXT",
       description = "What stands at the top; the file's name and time if not given.")
   private @Nullable String title;
 
-  @Mixin private PictureOptions picture = new PictureOptions();
-
   @Option(
       names = {"-o", "--out"},
-      order = 2,
       paramLabel = "FILE",
       description = "The picture, .png or .svg; if not given, FILE.csv with .png in place of .csv.")
   private @Nullable Path out;
 
+  @Mixin private PictureOptions picture = new PictureOptions();
+
   @Option(
       names = {"-y", "--yes"},
-      order = 3,
       description = "Write over the picture if it is there already.")
   private boolean yes;
 

@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cli.base.CannotListenException;
@@ -71,7 +70,6 @@ public final class MockCommand extends ConsoleCommand {
 
   @Option(
       names = "--host",
-      order = 1,
       paramLabel = "ADDRESS",
       description = {
         "Local address to listen on. If not given, the loopback address, which only this machine"
@@ -81,7 +79,6 @@ public final class MockCommand extends ConsoleCommand {
 
   @Option(
       names = "--port",
-      order = 2,
       paramLabel = "PORT",
       converter = Converters.ListeningPort.class,
       description = "TCP port to listen on, 0 for a free one; 7000 if not given.")
@@ -89,7 +86,6 @@ public final class MockCommand extends ConsoleCommand {
 
   @Option(
       names = "--discovery",
-      order = 3,
       paramLabel = "PORT",
       converter = Converters.ListeningPort.class,
       description = {
@@ -100,7 +96,6 @@ public final class MockCommand extends ConsoleCommand {
 
   @Option(
       names = "--standard-discovery",
-      order = 3,
       paramLabel = "PORT",
       converter = Converters.ListeningPort.class,
       description = {
@@ -109,20 +104,17 @@ public final class MockCommand extends ConsoleCommand {
       })
   private @Nullable Integer standardDiscovery;
 
-  @Option(names = "--no-discovery", order = 3, description = "Do not answer WHEREAREYOU?.")
+  @Option(names = "--no-discovery", description = "Do not answer WHEREAREYOU?.")
   private boolean noDiscovery;
 
   @Option(
       names = "--server",
-      order = 3,
       paramLabel = "SERVER",
-      converter = Converters.Server.class,
       description = "Which server it has: kukavarproxy (if not given), or c3 for C3 Bridge.")
   private ServerType serverType = ServerType.KUKAVARPROXY;
 
   @Option(
       names = "--files",
-      order = 3,
       paramLabel = "FOLDER",
       description = {
         "Use this folder as KRC:\\ of C3 Bridge: what clients do happens to its files, and what is"
@@ -132,7 +124,6 @@ public final class MockCommand extends ConsoleCommand {
 
   @Option(
       names = "--config",
-      order = 3,
       paramLabel = "FILE.dat",
       description = {
         "Load a data list, such as your own $CONFIG.DAT or $MACHINE.DAT. It may stand there several"
@@ -142,7 +133,6 @@ public final class MockCommand extends ConsoleCommand {
 
   @Option(
       names = "--program",
-      order = 3,
       paramLabel = "FILE.src",
       description = {
         "Load a program (.src, or .sub for the submit interpreter), with the data list of the same"
@@ -151,12 +141,11 @@ public final class MockCommand extends ConsoleCommand {
       })
   private List<Path> programs = new ArrayList<>();
 
-  @Option(names = "--start", order = 3, description = "Start the programs that are selected.")
+  @Option(names = "--start", description = "Start the programs that are selected.")
   private boolean start;
 
   @Option(
       names = "--mode",
-      order = 3,
       paramLabel = "MODE",
       converter = Converters.Mode.class,
       description = "Operating mode: T1 (slow; if not given), T2, AUT or EXT.")
@@ -164,7 +153,6 @@ public final class MockCommand extends ConsoleCommand {
 
   @Option(
       names = "--speed",
-      order = 3,
       paramLabel = "SPEED",
       converter = Converters.Speed.class,
       description = {
@@ -175,7 +163,6 @@ public final class MockCommand extends ConsoleCommand {
 
   @Option(
       names = "--latency",
-      order = 4,
       paramLabel = "LATENCY",
       description = {
         "How long a request takes: none (if not given), a time such as 5ms, krc4 as measured at a"
@@ -185,14 +172,12 @@ public final class MockCommand extends ConsoleCommand {
 
   @Option(
       names = "--fault",
-      order = 4,
       paramLabel = "FAULT",
       description = "Let something go wrong; see below. It may stand there several times.")
   private List<String> faults = new ArrayList<>();
 
   @Option(
       names = "--seed",
-      order = 4,
       paramLabel = "NUMBER",
       converter = Converters.Seed.class,
       description = "Seed of the chance in latency and faults; 1 if not given.")
@@ -266,14 +251,6 @@ public final class MockCommand extends ConsoleCommand {
         : Optional.of(
             "warning: anyone who reaches this machine over the network can read and write the"
                 + " controller's variables, and needs no password");
-  }
-
-  private <T> T argument(String option, Supplier<T> parsing) {
-    try {
-      return parsing.get();
-    } catch (IllegalArgumentException e) {
-      throw wrongUsage("invalid value for option '" + option + "': " + e.getMessage());
-    }
   }
 
   private static String shown(String host) {

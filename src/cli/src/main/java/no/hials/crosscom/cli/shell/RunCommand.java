@@ -10,13 +10,11 @@ import java.util.List;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
-import no.hials.crosscom.protocol.ServerType;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -43,7 +41,7 @@ import picocli.CommandLine.Parameters;
       "  jopenshowvar run slow.jov --dry-run",
       "  printf '$OV_PRO = 10\\nwait 2s\\n$POS_ACT\\n' | jopenshowvar run - --mock --yes"
     })
-public final class RunCommand extends ConsoleCommand {
+public final class RunCommand extends ControllerCommand {
   private static final String STDIN = "-";
 
   @Parameters(index = "0", paramLabel = "FILE", description = "The file, in UTF-8; - for stdin.")
@@ -56,8 +54,6 @@ public final class RunCommand extends ConsoleCommand {
   private boolean dryRun;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();
-
-  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
 
   /** A line of the file that does something. */
   private record Step(String place, ShellLine line) {}
@@ -72,7 +68,7 @@ public final class RunCommand extends ConsoleCommand {
       steps.forEach(step -> console().print(step.place() + step.line()));
       return ExitCode.DONE;
     }
-    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    Robot target = target();
     for (Step step : steps) {
       if (step.line() instanceof ShellLine.Write) {
         writeOptions.permission(console()).checkAskable(target, step.line().toString());

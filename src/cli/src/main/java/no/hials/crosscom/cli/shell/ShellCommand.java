@@ -5,14 +5,12 @@ import java.io.IOException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.Console;
-import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.cli.base.StoppedException;
 import no.hials.crosscom.cli.base.WriteOptions;
-import no.hials.crosscom.protocol.ServerType;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -44,14 +42,12 @@ import picocli.CommandLine.Mixin;
       "  jopenshowvar shell --mock --server c3",
       "  echo 'get $POS_ACT $OV_PRO' | jopenshowvar shell --mock"
     })
-public final class ShellCommand extends ConsoleCommand {
+public final class ShellCommand extends ControllerCommand {
   @Mixin private WriteOptions writeOptions = new WriteOptions();
-
-  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
 
   @Override
   public ExitCode run() throws IOException {
-    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    Robot target = target();
     try (RobotConnection controller = Robots.open(target, Robot.LASTING)) {
       ShellSymbols symbols = new ShellSymbols(controller);
       if (console().isInteractive()) {

@@ -12,7 +12,7 @@ import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Program;
 import no.hials.crosscom.cli.base.WriteOptions;
@@ -64,7 +64,7 @@ final class ShellCommands {
    */
   void check(List<String> words) throws ShellSyntaxException {
     checkController(words);
-    String[] args = ControllerOptions.withNamesAsOptions(words.toArray(String[]::new));
+    String[] args = ControllerCommand.withNamesAsOptions(words.toArray(String[]::new));
     try {
       program.commandLine(program.console(), args).parseArgs(args);
     } catch (ParameterException e) {
@@ -97,7 +97,7 @@ final class ShellCommands {
 
   private static void checkController(List<String> words) throws ShellSyntaxException {
     for (String word : words) {
-      String option = ControllerOptions.withNamesAsOptions(word)[0];
+      String option = ControllerCommand.withNamesAsOptions(word)[0];
       if (CONTROLLER.matcher(option).matches()) {
         throw new ShellSyntaxException(
             word

@@ -17,13 +17,10 @@ import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.Console;
-import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
-import no.hials.crosscom.protocol.ServerType;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -62,7 +59,7 @@ import picocli.CommandLine.Parameters;
       "  jopenshowvar read '$POS_ACT' --json --mock | jq .value.X",
       "  jopenshowvar read @cell1 @cell2 '$POS_ACT'"
     })
-public final class ReadCommand extends ConsoleCommand {
+public final class ReadCommand extends ControllerCommand {
   @Parameters(
       arity = "1..*",
       paramLabel = "NAME",
@@ -74,16 +71,10 @@ public final class ReadCommand extends ConsoleCommand {
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")
   private boolean json;
 
-  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
   @Override
   public ExitCode run() throws IOException {
-    for (String name : names) {
-      if (name.isBlank()) {
-        throw wrongUsage("a name is blank; in a shell, names with $ need single quotes: '$OV_PRO'");
-      }
-    }
-    List<Robot> targets = controllerOptions.targets(this, ServerType.KUKAVARPROXY);
+    checkNames(names);
+    List<Robot> targets = targets();
     return targets.size() == 1 ? readAll(targets.get(0)) : readFromEach(targets);
   }
 

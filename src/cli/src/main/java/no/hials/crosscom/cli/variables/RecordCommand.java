@@ -23,8 +23,6 @@ import no.hials.crosscom.cell.SampledRobot;
 import no.hials.crosscom.cell.Sampling;
 import no.hials.crosscom.cell.Times;
 import no.hials.crosscom.cli.base.Console;
-import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LiveLine;
 import no.hials.crosscom.cli.base.LocalFiles;
@@ -33,7 +31,6 @@ import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.cli.base.Terminal;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code record}. */
@@ -85,7 +82,7 @@ import picocli.CommandLine.Option;
       "  jopenshowvar record '$AXIS_ACT' --period 20ms --for 1m --out axes.csv --mock",
       "  jopenshowvar record '$TORQUE_AXIS_ACT[]' --count 100 --out - --mock | head"
     })
-public final class RecordCommand extends ConsoleCommand {
+public final class RecordCommand extends SamplingCommand {
   private static final String STDOUT = "-";
 
   /** How the samples are written. */
@@ -94,19 +91,15 @@ public final class RecordCommand extends ConsoleCommand {
     JSONL
   }
 
-  @Mixin private SamplingOptions samplingOptions = new SamplingOptions();
-
   @Option(
       names = {"-o", "--out"},
       required = true,
-      order = 4,
       paramLabel = "FILE",
       description = "The file to write; - for stdout. One that is there already needs --yes.")
   private String out = "";
 
   @Option(
       names = "--format",
-      order = 4,
       paramLabel = "FORMAT",
       description = "csv or jsonl; if not given, jsonl for a FILE.jsonl, else csv.")
   private @Nullable String format;
@@ -117,8 +110,6 @@ public final class RecordCommand extends ConsoleCommand {
       description = "Overwrite FILE.")
   private boolean yes;
 
-  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
   @Override
   public ExitCode run() throws IOException {
     Format chosen = format();
@@ -126,16 +117,15 @@ public final class RecordCommand extends ConsoleCommand {
       NewFile.check(LocalFiles.path(this, out), yes);
     }
     try (StopSignal stop = new StopSignal();
-        Sampling sampling = samplingOptions.open(this, controllerOptions)) {
-      ExitCode first = SamplingOptions.readFirst(this, sampling);
+        Sampling sampling = open()) {
+      ExitCode first = readFirst(sampling);
       if (first != ExitCode.DONE) {
         return first;
       }
       try (Recording recording = open(chosen, sampling);
           LiveLine line = new LiveLine(console().err(), !isVerbose() && Terminal.showsProgress())) {
         recording.begin();
-        ExitCode result =
-            SamplingOptions.run(sampling, false, stop, new Recorder(sampling, recording, line));
+        ExitCode result = run(sampling, false, stop, new Recorder(sampling, recording, line));
         recording.end(sampling);
         line.clear();
         console().hint(summary(sampling));

@@ -58,12 +58,11 @@ public final class VarsCommand extends ConsoleCommand {
 
   @Option(
       names = "--declared",
-      order = 1,
       paramLabel = "FILE",
       description = "Search what this data list declares instead.")
   private @Nullable Path declared;
 
-  @Option(names = "--json", order = 5, description = "Print JSON, see below.")
+  @Option(names = "--json", description = "Print JSON, see below.")
   private boolean json;
 
   @Override

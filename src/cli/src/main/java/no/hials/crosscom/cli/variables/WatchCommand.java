@@ -12,15 +12,12 @@ import no.hials.crosscom.cell.SampleJson;
 import no.hials.crosscom.cell.SampledRobot;
 import no.hials.crosscom.cell.Sampling;
 import no.hials.crosscom.cell.Times;
-import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Screen;
 import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.cli.base.Terminal;
 import no.hials.crosscom.protocol.value.KrlValue;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code watch}. */
@@ -56,32 +53,27 @@ import picocli.CommandLine.Option;
       "  jopenshowvar watch '$IN[1]' '$MODE_OP' --changes --mock | tee changes.txt",
       "  jopenshowvar watch '$AXIS_ACT' --period 20ms --count 50 --json --mock"
     })
-public final class WatchCommand extends ConsoleCommand {
-  @Mixin private SamplingOptions samplingOptions = new SamplingOptions();
-
+public final class WatchCommand extends SamplingCommand {
   @Option(
       names = "--changes",
-      order = 4,
       description = "Take only samples in which something changed, and print only what did.")
   private boolean changes;
 
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")
   private boolean json;
 
-  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
   @Override
   public ExitCode run() throws IOException {
     try (StopSignal stop = new StopSignal();
-        Sampling sampling = samplingOptions.open(this, controllerOptions)) {
-      ExitCode first = SamplingOptions.readFirst(this, sampling);
+        Sampling sampling = open()) {
+      ExitCode first = readFirst(sampling);
       if (first != ExitCode.DONE) {
         return first;
       }
       boolean table = !json && !isVerbose() && Terminal.isInteractive() && Terminal.isForeground();
       Screen screen = table ? Screen.open(console()) : null;
       return screen == null
-          ? SamplingOptions.run(sampling, changes, stop, json ? new Json(sampling) : new Lines())
+          ? run(sampling, changes, stop, json ? new Json(sampling) : new Lines())
           : show(screen, sampling, stop);
     }
   }
@@ -90,7 +82,7 @@ public final class WatchCommand extends ConsoleCommand {
     WatchTable table = new WatchTable(sampling.robots());
     ExitCode result;
     try (screen) {
-      result = SamplingOptions.run(sampling, changes, stop, new OnScreen(table, screen));
+      result = run(sampling, changes, stop, new OnScreen(table, screen));
     }
     // the screen is as it was before; what it showed last stays
     table.text().forEach(console()::print);

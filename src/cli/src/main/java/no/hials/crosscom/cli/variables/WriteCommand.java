@@ -5,12 +5,10 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
+import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
-import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import picocli.CommandLine.Command;
@@ -55,7 +53,7 @@ import picocli.CommandLine.Parameters;
       "  jopenshowvar write 'MYSTRING[]' '\"hello\"' --mock",
       "  jopenshowvar write MYPOS '{X 100.0,Z -20.5}' --mock"
     })
-public final class WriteCommand extends ConsoleCommand {
+public final class WriteCommand extends ControllerCommand {
   @Parameters(
       index = "0",
       paramLabel = "NAME",
@@ -75,8 +73,6 @@ public final class WriteCommand extends ConsoleCommand {
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();
 
-  @Mixin private ControllerOptions controllerOptions = new ControllerOptions();
-
   @Override
   public ExitCode run() throws IOException {
     if (name.isBlank()) {
@@ -86,7 +82,7 @@ public final class WriteCommand extends ConsoleCommand {
       throw wrongUsage("VALUE is blank; an empty text is '\"\"'");
     }
     String line = json ? JsonLine.of(name, parse()) : name + " = " + value;
-    Robot target = controllerOptions.target(this, ServerType.KUKAVARPROXY);
+    Robot target = target();
     writeOptions.permission(console()).checkAllowed(target, "write " + name);
     try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
       controller.client().checkText(name, value);

@@ -2,6 +2,7 @@ package no.hials.crosscom.cli.base;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.regex.Pattern;
 import no.hials.crosscom.ClientConfig;
@@ -12,57 +13,15 @@ import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** The options that say which controller a command talks to. */
-public final class ControllerOptions {
+/** A command that talks to a controller, and the options that say to which. */
+public abstract class ControllerCommand extends ConsoleCommand {
   private static final Pattern ROBOT = Pattern.compile("@\\w[\\w.-]*");
 
-  @Option(
-      names = "--host",
-      order = 1,
-      paramLabel = "HOST",
-      description = "Name or address of the controller.")
+  @Option(names = "--host", paramLabel = "HOST", description = "Name or address of the controller.")
   private @Nullable String host;
 
   @Option(
-      names = "--port",
-      order = 2,
-      paramLabel = "PORT",
-      converter = Converters.Port.class,
-      description = "TCP port of the server there; 7000 if not given.")
-  private @Nullable Integer port;
-
-  @Option(
-      names = "--mock",
-      order = 3,
-      description = {
-        "Talk to a simulated controller (KR 6 R900 sixx, KR C4) instead, which is started for this"
-            + " command and gone after it."
-      })
-  private boolean mock;
-
-  @Option(
-      names = "--timeout",
-      order = 4,
-      paramLabel = "TIME",
-      converter = Converters.Time.class,
-      description = {
-        "How long to wait at most for the connection, and for each answer: 500 or 500ms, 3s, 1m. If"
-            + " not given, 5s for the connection and 3s for an answer."
-      })
-  private @Nullable Duration timeout;
-
-  @Option(
-      names = "--server",
-      order = 3,
-      paramLabel = "SERVER",
-      converter = Converters.Server.class,
-      completionCandidates = Converters.Server.class,
-      description = "Which server the simulated controller has: kukavarproxy, or c3 for C3 Bridge.")
-  private @Nullable ServerType server;
-
-  @Option(
       names = "--robot",
-      order = 1,
       paramLabel = "NAME",
       description = {
         "A robot of the configuration file; @NAME is short for it. If no option names a controller,"
@@ -70,6 +29,38 @@ public final class ControllerOptions {
             + " --help'."
       })
   private List<String> robots = new ArrayList<>();
+
+  @Option(
+      names = "--port",
+      paramLabel = "PORT",
+      converter = Converters.Port.class,
+      description = "TCP port of the server there; 7000 if not given.")
+  private @Nullable Integer port;
+
+  @Option(
+      names = "--mock",
+      description = {
+        "Talk to a simulated controller (KR 6 R900 sixx, KR C4) instead, which is started for this"
+            + " command and gone after it."
+      })
+  private boolean mock;
+
+  @Option(
+      names = "--server",
+      paramLabel = "SERVER",
+      completionCandidates = Converters.Server.class,
+      description = "Which server the simulated controller has: kukavarproxy, or c3 for C3 Bridge.")
+  private @Nullable ServerType server;
+
+  @Option(
+      names = "--timeout",
+      order = 0,
+      paramLabel = "TIME",
+      description = {
+        "How long to wait at most for the connection, and for each answer: 500 or 500ms, 3s, 1m. If"
+            + " not given, 5s for the connection and 3s for an answer."
+      })
+  private @Nullable Duration timeout;
 
   /** Replaces each argument {@code @NAME} before {@code --} by {@code --robot=NAME}. */
   public static String[] withNamesAsOptions(String... args) {
@@ -87,19 +78,17 @@ public final class ControllerOptions {
    * environment, else the default robot of the configuration file. The file is read for a robot of
    * it only.
    *
-   * @param command has these options
-   * @param simulated the server that a simulated controller has if the user does not say
    * @throws FileException if the configuration file has an error, or not such a robot
    */
-  public List<Robot> targets(ConsoleCommand command, ServerType simulated) throws FileException {
-    EnvironmentSettings environment = EnvironmentSettings.of(command);
+  protected final List<Robot> targets() throws FileException {
+    EnvironmentSettings environment = EnvironmentSettings.of(this);
     boolean named = !robots.isEmpty();
     List<Robot> result = new ArrayList<>();
-    for (Robot target : chosen(command, environment, simulated)) {
+    for (Robot target : chosen(environment)) {
       Duration own = target.timeout();
       // the default robot is what is left where nothing else says anything
       Duration lesser = named ? or(own, environment.timeout()) : or(environment.timeout(), own);
-      result.add(withOptions(command, target, or(timeout, lesser), environment.readOnly()));
+      result.add(withOptions(target, or(timeout, lesser), environment.readOnly()));
     }
     return result;
   }
@@ -107,76 +96,82 @@ public final class ControllerOptions {
   /**
    * Returns the one controller that the user chose, as {@link #targets}; several are wrong usage.
    */
-  public Robot target(ConsoleCommand command, ServerType simulated) throws FileException {
-    List<Robot> targets = targets(command, simulated);
+  protected final Robot target() throws FileException {
+    List<Robot> targets = targets();
     if (targets.size() != 1) {
-      throw command.wrongUsage("one robot at a time, " + targets.size() + " are given");
+      throw wrongUsage("one robot at a time, " + targets.size() + " are given");
     }
     return targets.get(0);
   }
 
-  private List<Robot> chosen(
-      ConsoleCommand command, EnvironmentSettings environment, ServerType simulated)
-      throws FileException {
+  private List<Robot> chosen(EnvironmentSettings environment) throws FileException {
     if (host != null && mock) {
-      throw command.wrongUsage("--host and --mock exclude each other");
+      throw wrongUsage("--host and --mock exclude each other");
     }
     if (!robots.isEmpty()) {
       if (host != null || mock) {
         String other = mock ? "--mock" : "--host";
-        throw command.wrongUsage(other + " and @" + robots.get(0) + " exclude each other");
+        throw wrongUsage(other + " and @" + robots.get(0) + " exclude each other");
       }
-      return named(command, simulated);
+      return named();
     }
     if (mock) {
-      return List.of(new Robot("", null, 0, null, false, simulated));
+      return List.of(new Robot("", null, 0, null, false, simulated()));
     }
     if (host != null) {
       if (host.isBlank()) {
-        throw command.wrongUsage("--host must not be blank");
+        throw wrongUsage("--host must not be blank");
       }
-      return List.of(new Robot("", host, ClientConfig.DEFAULT_PORT, null, false, simulated));
+      return List.of(new Robot("", host, ClientConfig.DEFAULT_PORT, null, false, simulated()));
     }
     if (environment.host() != null) {
       int itsPort = environment.port() == null ? ClientConfig.DEFAULT_PORT : environment.port();
-      return List.of(new Robot("", environment.host(), itsPort, null, false, simulated));
+      return List.of(new Robot("", environment.host(), itsPort, null, false, simulated()));
     }
-    Profiles profiles = Profiles.read(command.console()::environment, simulated);
+    Profiles profiles = Profiles.read(console()::environment, simulated());
     if (profiles == null || profiles.defaultRobot() == null) {
-      throw command.wrongUsage(
+      throw wrongUsage(
           "which controller? give --host HOST, or --mock for a simulated one, or @NAME for one of "
-              + Profiles.path(command.console()::environment));
+              + Profiles.path(console()::environment));
     }
     return List.of(profiles.robot(profiles.defaultRobot()));
   }
 
-  private List<Robot> named(ConsoleCommand command, ServerType simulated) throws FileException {
-    Profiles profiles = Profiles.read(command.console()::environment, simulated);
+  private List<Robot> named() throws FileException {
+    Profiles profiles = Profiles.read(console()::environment, simulated());
     List<Robot> result = new ArrayList<>();
     for (String name : robots) {
       if (profiles == null) {
         throw new FileException(
-            "no robot is named "
-                + name
-                + ": there is no "
-                + Profiles.path(command.console()::environment));
+            "no robot is named " + name + ": there is no " + Profiles.path(console()::environment));
       }
       Robot robot = profiles.robot(name);
       if (result.contains(robot)) {
-        throw command.wrongUsage("@" + name + " is given twice");
+        throw wrongUsage("@" + name + " is given twice");
       }
       result.add(robot);
     }
     return result;
   }
 
-  private Robot withOptions(
-      ConsoleCommand command, Robot target, @Nullable Duration limit, boolean readOnly) {
+  /** Returns the server that a simulated controller has if the user does not say. */
+  protected ServerType simulated() {
+    return ServerType.KUKAVARPROXY;
+  }
+
+  /** Refuses blank names of variables. */
+  protected final void checkNames(Collection<String> names) {
+    if (names.stream().anyMatch(String::isBlank)) {
+      throw wrongUsage("a name is blank; in a shell, names with $ need single quotes: '$OV_PRO'");
+    }
+  }
+
+  private Robot withOptions(Robot target, @Nullable Duration limit, boolean readOnly) {
     if (target.host() == null && port != null) {
-      throw command.wrongUsage("--port goes with --host; a simulated controller takes a free port");
+      throw wrongUsage("--port goes with --host; a simulated controller takes a free port");
     }
     if (target.host() != null && server != null) {
-      throw command.wrongUsage("--server goes with --mock");
+      throw wrongUsage("--server goes with --mock");
     }
     return new Robot(
         target.name(),

@@ -4,19 +4,16 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import no.hials.crosscom.cell.Sampling;
-import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.ControllerOptions;
-import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.StopSignal;
-import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** What to read again and again, how often, and for how long. */
-final class SamplingOptions {
+/** A command that reads again and again: what, how often, and for how long. */
+abstract class SamplingCommand extends ControllerCommand {
   private static final Duration MAX_PERIOD = Duration.ofDays(1);
 
   @Parameters(
@@ -29,45 +26,40 @@ final class SamplingOptions {
 
   @Option(
       names = "--period",
-      order = 4,
       paramLabel = "TIME",
-      converter = Converters.Time.class,
       description = "From one reading to the next: 20ms, 1.5s, 1m; 100ms if not given.")
   private Duration period = Duration.ofMillis(100);
 
   @Option(
       names = "--for",
-      order = 4,
       paramLabel = "TIME",
-      converter = Converters.Time.class,
       description = "Stop after this time; if not given, with Ctrl-C.")
   private @Nullable Duration length;
 
   @Option(
       names = "--count",
-      order = 4,
       paramLabel = "NUMBER",
       description = "Stop after this many samples, of each robot if there are several.")
   private @Nullable Long count;
 
   /** Connects to all robots that the user chose. */
-  Sampling open(ConsoleCommand command, ControllerOptions controllerOptions) throws IOException {
-    check(command);
+  final Sampling open() throws IOException {
+    check();
     return Sampling.open(
         new Sampling.Plan(
             names.stream().distinct().toList(),
             period,
             length,
             count == null ? Long.MAX_VALUE : count),
-        controllerOptions.targets(command, ServerType.KUKAVARPROXY),
+        targets(),
         Robots::open);
   }
 
   /** Reads all variables once, prints the failures, and returns the worst of them. */
-  static ExitCode readFirst(ConsoleCommand command, Sampling sampling) {
+  final ExitCode readFirst(Sampling sampling) {
     ExitCode result = ExitCode.DONE;
     for (Sampling.Failure failure : sampling.failedToConnect()) {
-      command.console().failure(failure.label(), failure.cause(), command.isVerbose());
+      console().failure(failure.label(), failure.cause(), isVerbose());
       result = result.orWorse(ExitCode.ofFailedRead(failure.cause()));
     }
     List<Sampling.Failure> failures;
@@ -75,12 +67,12 @@ final class SamplingOptions {
       failures = sampling.readFirst();
     } catch (IllegalArgumentException e) {
       // a name that cannot be sent
-      throw command.wrongUsage(String.valueOf(e.getMessage()));
+      throw wrongUsage(String.valueOf(e.getMessage()));
     }
     for (Sampling.Failure failure : failures) {
       result = result.orWorse(ExitCode.ofFailedRead(failure.cause()));
     }
-    failures.stream().map(Sampling.Failure::message).distinct().forEach(command.console()::error);
+    failures.stream().map(Sampling.Failure::message).distinct().forEach(console()::error);
     return result;
   }
 
@@ -92,18 +84,13 @@ final class SamplingOptions {
   }
 
   /** Checks what picocli does not. */
-  private void check(ConsoleCommand command) {
-    for (String name : names) {
-      if (name.isBlank()) {
-        throw command.wrongUsage(
-            "a name is blank; in a shell, names with $ need single quotes: '$OV_PRO'");
-      }
-    }
+  private void check() {
+    checkNames(names);
     if (period.compareTo(MAX_PERIOD) > 0) {
-      throw command.wrongUsage("--period must be at most a day, is " + period.toHours() + " h");
+      throw wrongUsage("--period must be at most a day, is " + period.toHours() + " h");
     }
     if (count != null && count < 1) {
-      throw command.wrongUsage("--count must be 1 or more, is " + count);
+      throw wrongUsage("--count must be 1 or more, is " + count);
     }
   }
 }

@@ -23,11 +23,10 @@ public abstract class ControllerCommand extends ConsoleCommand {
   @Option(
       names = "--robot",
       paramLabel = "NAME",
-      description = {
-        "A robot of the configuration file; @NAME is short for it. If no option names a controller,"
-            + " it is JOPENSHOWVAR_HOST, else the default robot of the file: see 'jopenshowvar"
-            + " --help'."
-      })
+      description =
+          "A robot of the configuration file; @NAME is short for it. If no option names a controller,"
+              + " it is JOPENSHOWVAR_HOST, else the default robot of the file: see 'jopenshowvar"
+              + " --help'.")
   private List<String> robots = new ArrayList<>();
 
   @Option(
@@ -39,10 +38,9 @@ public abstract class ControllerCommand extends ConsoleCommand {
 
   @Option(
       names = "--mock",
-      description = {
-        "Talk to a simulated controller (KR 6 R900 sixx, KR C4) instead, which is started for this"
-            + " command and gone after it."
-      })
+      description =
+          "Talk to a simulated controller (KR 6 R900 sixx, KR C4) instead, which is started for this"
+              + " command and gone after it.")
   private boolean mock;
 
   @Option(
@@ -56,10 +54,9 @@ public abstract class ControllerCommand extends ConsoleCommand {
       names = "--timeout",
       order = 0,
       paramLabel = "TIME",
-      description = {
-        "How long to wait at most for the connection, and for each answer: 500 or 500ms, 3s, 1m. If"
-            + " not given, 5s for the connection and 3s for an answer."
-      })
+      description =
+          "How long to wait at most for the connection, and for each answer: 500 or 500ms, 3s, 1m. If"
+              + " not given, 5s for the connection and 3s for an answer.")
   private @Nullable Duration timeout;
 
   /** Replaces each argument {@code @NAME} before {@code --} by {@code --robot=NAME}. */

@@ -1,7 +1,9 @@
 package no.hials.crosscom.cli.bridge;
 
 import java.io.IOException;
+import java.util.Locale;
 import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.WritePermission;
 import no.hials.crosscom.cli.base.ControllerCommand;
@@ -10,6 +12,7 @@ import no.hials.crosscom.cli.base.WriteOptions;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** What the commands have in common that need C3 Bridge, or tell which server there is. */
@@ -38,6 +41,25 @@ public abstract class BridgeCommand extends ControllerCommand {
     if (controller.client().getServer().knows(needed)) {
       options.permission(console()).check(controller, what);
     }
+  }
+
+  /** Prints a line, or as JSON an object of fields and their values. */
+  final void print(String line, @Nullable String... fields) {
+    console()
+        .print(
+            json
+                ? JsonLine.object(
+                    object -> {
+                      for (int i = 0; i < fields.length; i += 2) {
+                        object.writeStringField(fields[i], fields[i + 1]);
+                      }
+                    })
+                : line);
+  }
+
+  /** Returns a constant such as {@code VIRTUAL_DIRECTORY} in words. */
+  static String words(String constant) {
+    return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
   /** Checks that a text can be a name, or is wrong usage. */

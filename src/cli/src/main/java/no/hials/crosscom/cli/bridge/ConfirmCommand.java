@@ -2,7 +2,6 @@ package no.hials.crosscom.cli.bridge;
 
 import java.io.IOException;
 import no.hials.crosscom.CrossComRefusedException;
-import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -15,10 +14,9 @@ import picocli.CommandLine.Mixin;
 /** {@code confirm}. */
 @Command(
     name = "confirm",
-    description = {
-      "Confirms all messages of the controller that can be confirmed, through C3 Bridge. A program"
-          + " that waits for that may go on."
-    },
+    description =
+        "Confirms all messages of the controller that can be confirmed, through C3 Bridge. A program"
+            + " that waits for that may go on.",
     footer = {
       "",
       "JSON: {\"command\":\"confirm\"}",
@@ -41,11 +39,7 @@ public final class ConfirmCommand extends BridgeCommand {
     } catch (CrossComRefusedException e) {
       return refused(e, "the server gives no reason");
     }
-    console()
-        .print(
-            isJson()
-                ? JsonLine.object(json -> json.writeStringField("command", "confirm"))
-                : "all messages confirmed");
+    print("all messages confirmed", "command", "confirm");
     return ExitCode.DONE;
   }
 }

@@ -29,10 +29,9 @@ import picocli.CommandLine.Option;
 /** {@code discover}. */
 @Command(
     name = "discover",
-    description = {
-      "Asks the network where controllers are, by UDP, and prints who answered: the robot's model and"
-          + " serial number, the server, its version, and its address. Exit code 3 if nobody did."
-    },
+    description =
+        "Asks the network where controllers are, by UDP, and prints who answered: the robot's model and"
+            + " serial number, the server, its version, and its address. Exit code 3 if nobody did.",
     footer = {
       "",
       "Two ways to ask: C3 Bridge answers on UDP port 7000 (standard mode); KUKAVARPROXY, and C3 Bridge"
@@ -67,10 +66,9 @@ public final class DiscoverCommand extends ConsoleCommand {
   @Option(
       names = "--interface",
       paramLabel = "NAME",
-      description = {
-        "Ask all hosts that this network interface reaches by broadcast, such as eth0. It may stand"
-            + " there several times. If neither this nor --address is given, all interfaces."
-      })
+      description =
+          "Ask all hosts that this network interface reaches by broadcast, such as eth0. It may stand"
+              + " there several times. If neither this nor --address is given, all interfaces.")
   private List<String> interfaces = new ArrayList<>();
 
   @Option(

@@ -1,5 +1,6 @@
 package no.hials.crosscom.cli.bridge;
 
+import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.cli.base.VersionProvider;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -10,9 +11,8 @@ import picocli.CommandLine.Command;
     mixinStandardHelpOptions = true,
     versionProvider = VersionProvider.class,
     synopsisSubcommandLabel = "COMMAND",
-    description = {
-      "Lists, uploads, downloads and deletes the files of the controller, through C3 Bridge."
-    },
+    description =
+        "Lists, uploads, downloads and deletes the files of the controller, through C3 Bridge.",
     footer = {
       "",
       "Names on the controller are KRC:\\R1\\PROGRAM\\X.SRC or short /R1/X.SRC, in any case. In sh and"
@@ -32,13 +32,22 @@ public final class FileCommand {
 
   /** Creates the command with its subcommands. */
   public static CommandLine commandLine() {
-    return new CommandLine(new FileCommand())
-        .addSubcommand(new FileLs())
-        .addSubcommand(new FileStat())
-        .addSubcommand(new FileGet())
-        .addSubcommand(new FilePut())
-        .addSubcommand(new FileCopy.Cp())
-        .addSubcommand(new FileCopy.Mv())
-        .addSubcommand(new FileRm());
+    CommandLine file =
+        new CommandLine(new FileCommand())
+            .addSubcommand(new FileLs())
+            .addSubcommand(new FileStat())
+            .addSubcommand(new FileGet())
+            .addSubcommand(new FilePut());
+    ProgramCommands.add(
+        file,
+        "cp",
+        "Copies a file on the controller.",
+        new FileCopy("cp", "copy", ControllerFiles::copy));
+    ProgramCommands.add(
+        file,
+        "mv",
+        "Moves or renames a file on the controller.",
+        new FileCopy("mv", "move", ControllerFiles::move));
+    return file.addSubcommand(new FileRm());
   }
 }

@@ -3,7 +3,6 @@ package no.hials.crosscom.cli.bridge;
 import java.io.IOException;
 import java.util.List;
 import no.hials.crosscom.c3.ControllerFiles;
-import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
@@ -32,7 +31,7 @@ import picocli.CommandLine.Parameters;
       "  jopenshowvar file mv 'KRC:\\R1\\PROGRAM\\A.SRC' 'KRC:\\R1\\PROGRAM\\OLD\\' --host"
           + " 172.31.1.147"
     })
-abstract class FileCopy extends FileSubcommand {
+final class FileCopy extends FileSubcommand {
   @Parameters(index = "0", paramLabel = "SOURCE", description = "A file on the controller.")
   private String source = "";
 
@@ -43,18 +42,22 @@ abstract class FileCopy extends FileSubcommand {
 
   private final String command;
   private final String verb;
-
-  FileCopy(String command, String verb) {
-    this.command = command;
-    this.verb = verb;
-  }
+  private final Copy copy;
 
   /** Sends the command. */
-  abstract void send(ControllerFiles files, String from, String to, CopyFlag... flags)
-      throws IOException;
+  @FunctionalInterface
+  interface Copy {
+    void send(ControllerFiles files, String from, String to, CopyFlag... flags) throws IOException;
+  }
+
+  FileCopy(String command, String verb, Copy copy) {
+    this.command = command;
+    this.verb = verb;
+    this.copy = copy;
+  }
 
   @Override
-  final ExitCode work() throws IOException {
+  ExitCode work() throws IOException {
     checked("SOURCE", source);
     checked("TARGET", destination);
     String what = verb + " " + source + " to " + destination;
@@ -70,52 +73,10 @@ abstract class FileCopy extends FileSubcommand {
       writeOptions
           .permission(console())
           .check(controller, what, there ? List.of(name + " is there already") : List.of());
-      send(files, source, name, there ? new CopyFlag[] {CopyFlag.OVERWRITE} : new CopyFlag[0]);
-      print(name);
+      copy.send(files, source, name, there ? new CopyFlag[] {CopyFlag.OVERWRITE} : new CopyFlag[0]);
+      String line = Printable.of(source) + " -> " + Printable.of(name);
+      print(line, "command", command, "source", source, "name", name);
     }
     return ExitCode.DONE;
-  }
-
-  private void print(String name) {
-    console()
-        .print(
-            isJson()
-                ? JsonLine.object(
-                    json -> {
-                      json.writeStringField("command", command);
-                      json.writeStringField("source", source);
-                      json.writeStringField("name", name);
-                    })
-                : Printable.of(source) + " -> " + Printable.of(name));
-  }
-
-  /** {@code file cp SOURCE TARGET}. */
-  @Command(
-      name = "cp",
-      description = {"Copies a file on the controller."})
-  static final class Cp extends FileCopy {
-    Cp() {
-      super("cp", "copy");
-    }
-
-    @Override
-    void send(ControllerFiles files, String from, String to, CopyFlag... flags) throws IOException {
-      files.copy(from, to, flags);
-    }
-  }
-
-  /** {@code file mv SOURCE TARGET}. */
-  @Command(
-      name = "mv",
-      description = {"Moves or renames a file on the controller."})
-  static final class Mv extends FileCopy {
-    Mv() {
-      super("mv", "move");
-    }
-
-    @Override
-    void send(ControllerFiles files, String from, String to, CopyFlag... flags) throws IOException {
-      files.move(from, to, flags);
-    }
   }
 }

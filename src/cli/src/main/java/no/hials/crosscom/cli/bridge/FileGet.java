@@ -28,7 +28,7 @@ import picocli.CommandLine.Parameters;
 /** {@code file get REMOTE... LOCAL}. */
 @Command(
     name = "get",
-    description = {"Downloads files from the controller. Nothing changes there."},
+    description = "Downloads files from the controller. Nothing changes there.",
     footer = {
       "",
       "LOCAL is a folder that is there, such as . for this one, or for one REMOTE the name that it"

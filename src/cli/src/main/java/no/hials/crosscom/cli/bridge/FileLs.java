@@ -29,9 +29,7 @@ import picocli.CommandLine.Parameters;
 /** {@code file ls [FOLDER]}. */
 @Command(
     name = "ls",
-    description = {
-      "Lists a folder of the controller: type, size, attributes and name of each item."
-    },
+    description = "Lists a folder of the controller: type, size, attributes and name of each item.",
     footer = {
       "",
       "The order is the controller's. What it does not say is shown as -. Times are in the time"

@@ -33,10 +33,9 @@ import picocli.CommandLine.Parameters;
 /** {@code file put LOCAL... REMOTE}. */
 @Command(
     name = "put",
-    description = {
-      "Uploads files to the controller, and reads each of them back to make sure that what arrived"
-          + " is what was sent."
-    },
+    description =
+        "Uploads files to the controller, and reads each of them back to make sure that what arrived"
+            + " is what was sent.",
     footer = {
       "",
       "REMOTE is a folder, or for one LOCAL the name that it is to have. One that ends with a slash"
@@ -202,8 +201,7 @@ final class FilePut extends FileSubcommand {
       hintOfErrors(job.local());
       return code;
     }
-    ProgramStatus state = ProgramStatus.read(controller.client(), Interpreter.ROBOT);
-    console().print(isJson() ? state.json("select") : state.line());
+    ProgramStatus.read(controller.client(), Interpreter.ROBOT).print(this, "select");
     return ExitCode.DONE;
   }
 

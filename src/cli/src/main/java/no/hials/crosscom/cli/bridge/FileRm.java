@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Set;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.c3.ControllerFiles;
-import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.Robot;
@@ -22,7 +21,7 @@ import picocli.CommandLine.Parameters;
 /** {@code file rm NAME...}. */
 @Command(
     name = "rm",
-    description = {"Deletes files on the controller. It asks before, unless --yes is given."},
+    description = "Deletes files on the controller. It asks before, unless --yes is given.",
     footer = {
       "",
       "Nothing is deleted unless all of them are there. If one cannot be deleted, those after it"
@@ -67,7 +66,8 @@ final class FileRm extends FileSubcommand {
           hintOfRest("deleted", names.subList(i + 1, names.size()));
           return code;
         }
-        print(names.get(i));
+        String name = names.get(i);
+        print("deleted " + Printable.of(name), "command", "rm", "name", name);
       }
     }
     return ExitCode.DONE;
@@ -92,17 +92,5 @@ final class FileRm extends FileSubcommand {
     return folders.isEmpty()
         ? List.of("deleting cannot be undone")
         : List.of("all that is in " + String.join(", ", folders) + " goes, too");
-  }
-
-  private void print(String name) {
-    console()
-        .print(
-            isJson()
-                ? JsonLine.object(
-                    json -> {
-                      json.writeStringField("command", "rm");
-                      json.writeStringField("name", name);
-                    })
-                : "deleted " + Printable.of(name));
   }
 }

@@ -21,10 +21,9 @@ import picocli.CommandLine.Parameters;
 /** {@code file stat NAME...}. */
 @Command(
     name = "stat",
-    description = {
-      "Prints what the controller knows about files and folders: both forms of the name, type,"
-          + " size, attributes, times and how it may be edited there."
-    },
+    description =
+        "Prints what the controller knows about files and folders: both forms of the name, type,"
+            + " size, attributes, times and how it may be edited there.",
     footer = {
       "",
       "If one cannot be asked for, the others still are. Times are in the time zone of this"

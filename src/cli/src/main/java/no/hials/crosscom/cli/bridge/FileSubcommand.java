@@ -171,10 +171,6 @@ abstract class FileSubcommand extends BridgeCommand {
     return words(code.toString());
   }
 
-  private static String words(String constant) {
-    return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
-  }
-
   /** Returns the known attributes, and the others in hex; that of a directory is its type. */
   static List<String> attributes(Flags<FileAttribute> flags) {
     List<String> known =

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.Server;
@@ -25,11 +24,10 @@ import picocli.CommandLine.Command;
 /** {@code info}. */
 @Command(
     name = "info",
-    description = {
-      "Prints what there is: which server in which version, the messages that it knows, the"
-          + " controller's host name and clock, the robot's model and serial number, and the"
-          + " operating mode."
-    },
+    description =
+        "Prints what there is: which server in which version, the messages that it knows, the"
+            + " controller's host name and clock, the robot's model and serial number, and the"
+            + " operating mode.",
     footer = {
       "",
       "KUKAVARPROXY says nothing about itself, so its version, host and clock are not known, which"
@@ -76,10 +74,6 @@ public final class InfoCommand extends BridgeCommand {
     items.add(new Item("host", info == null ? null : info.host()));
     items.add(
         new Item("clock", info == null || info.clock() == null ? null : info.clock().toString()));
-  }
-
-  private static String words(String constant) {
-    return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
   private static @Nullable String variable(CrossComClient client, String name) throws IOException {

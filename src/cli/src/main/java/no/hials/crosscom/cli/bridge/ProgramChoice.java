@@ -37,7 +37,7 @@ import picocli.CommandLine.Parameters;
       "  jopenshowvar program select 'KRC:\\R1\\PROGRAM\\ACTUATOR.SRC' --host 172.31.1.147",
       "  jopenshowvar program run /R1/WELD --parameters '5,TRUE' --host 172.31.1.147"
     })
-abstract class ProgramChoice extends BridgeCommand {
+final class ProgramChoice extends BridgeCommand {
   private static final String GENERAL_HINT =
       "likely cause: there is no such program, or it has errors";
 
@@ -60,17 +60,21 @@ abstract class ProgramChoice extends BridgeCommand {
   @Mixin private WriteOptions writeOptions = new WriteOptions();
 
   private final String verb;
-
-  ProgramChoice(String verb) {
-    this.verb = verb;
-  }
+  private final Choice choice;
 
   /** Sends the command. */
-  abstract void send(Programs programs, String name, String arguments, boolean always)
-      throws IOException;
+  @FunctionalInterface
+  interface Choice {
+    void send(Programs programs, String name, String arguments, boolean force) throws IOException;
+  }
+
+  ProgramChoice(String verb, Choice choice) {
+    this.verb = verb;
+    this.choice = choice;
+  }
 
   @Override
-  public final ExitCode run() throws IOException {
+  public ExitCode run() throws IOException {
     String name = checked("PROGRAM", program);
     String arguments = checkedLength("--parameters", parameters);
     String what = verb + " " + name;
@@ -78,42 +82,11 @@ abstract class ProgramChoice extends BridgeCommand {
     writeOptions.permission(console()).checkAllowed(target, what);
     try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
       ask(writeOptions, controller, what, MessageType.PROGRAM_CONTROL);
-      send(controller.client().programs(), name, arguments, force);
-      ProgramStatus state = ProgramStatus.read(controller.client(), Interpreter.ROBOT);
-      console().print(isJson() ? state.json(verb) : state.line());
+      choice.send(controller.client().programs(), name, arguments, force);
+      ProgramStatus.read(controller.client(), Interpreter.ROBOT).print(this, verb);
       return ExitCode.DONE;
     } catch (CrossComRefusedException e) {
       return refused(e, GENERAL_HINT);
-    }
-  }
-
-  /** {@code program select PROGRAM}. */
-  @Command(
-      name = "select",
-      description = {"Selects a program of the robot interpreter. It does not start it."})
-  static final class Select extends ProgramChoice {
-    Select() {
-      super("select");
-    }
-
-    @Override
-    void send(Programs programs, String name, String arguments, boolean always) throws IOException {
-      programs.select(name, arguments, always);
-    }
-  }
-
-  /** {@code program run PROGRAM}. */
-  @Command(
-      name = "run",
-      description = {"Selects a program of the robot interpreter and starts it. The robot moves."})
-  static final class Run extends ProgramChoice {
-    Run() {
-      super("run");
-    }
-
-    @Override
-    void send(Programs programs, String name, String arguments, boolean always) throws IOException {
-      programs.run(name, arguments, always);
     }
   }
 }

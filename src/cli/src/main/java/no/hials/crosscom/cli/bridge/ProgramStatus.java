@@ -3,7 +3,6 @@ package no.hials.crosscom.cli.bridge;
 import java.io.IOException;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComException;
-import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlString;
@@ -40,28 +39,23 @@ record ProgramStatus(Interpreter interpreter, @Nullable String program, @Nullabl
     }
   }
 
-  /** Returns a line such as {@code robot: ACTUATOR #P_ACTIVE}. */
-  String line() {
+  /** Prints a line such as {@code robot: ACTUATOR #P_ACTIVE}, or an object of JSON. */
+  void print(BridgeCommand command, String verb) {
+    String who = interpreter == Interpreter.ROBOT ? "robot" : "submit";
     String name = program == null ? "program unknown" : Printable.of(program.strip());
-    return interpreterName()
-        + ": "
-        + (name.isEmpty() ? "no program" : name)
-        + " "
-        + (state == null ? "state unknown" : state);
-  }
-
-  private String interpreterName() {
-    return interpreter == Interpreter.ROBOT ? "robot" : "submit";
-  }
-
-  /** Returns an object of JSON. */
-  String json(String command) {
-    return JsonLine.object(
-        json -> {
-          json.writeStringField("command", command);
-          json.writeStringField("interpreter", interpreterName());
-          json.writeStringField("program", program == null ? null : program.strip());
-          json.writeStringField("state", state);
-        });
+    command.print(
+        who
+            + ": "
+            + (name.isEmpty() ? "no program" : name)
+            + " "
+            + (state == null ? "state unknown" : state),
+        "command",
+        verb,
+        "interpreter",
+        who,
+        "program",
+        program == null ? null : program.strip(),
+        "state",
+        state);
   }
 }

@@ -87,29 +87,26 @@ public final class DriveCommand extends ControllerCommand {
       names = "--device",
       paramLabel = "DEVICE",
       converter = DriveDevice.Converter.class,
-      description = {
-        "keyboard (if not given), gamepad, csv:FILE for a recording, or udp:PORT for datagrams (udp"
-            + " for port 7070). Datagrams are taken from this computer only, unless an address of"
-            + " it is given: udp:ADDRESS:PORT. Then anyone who reaches that address can move the robot."
-      })
+      description =
+          "keyboard (if not given), gamepad, csv:FILE for a recording, or udp:PORT for datagrams (udp"
+              + " for port 7070). Datagrams are taken from this computer only, unless an address of"
+              + " it is given: udp:ADDRESS:PORT. Then anyone who reaches that address can move the robot.")
   private DriveDevice.@Nullable Choice device;
 
   @Option(
       names = "--frame",
       paramLabel = "FRAME",
-      description = {
-        "What the device moves: base (if not given) for the tool along $BASE, tool for the tool"
-            + " along its own axes, joints for the axes of the robot."
-      })
+      description =
+          "What the device moves: base (if not given) for the tool along $BASE, tool for the tool"
+              + " along its own axes, joints for the axes of the robot.")
   private String frame = "base";
 
   @Option(
       names = "--speed",
       paramLabel = "SPEED",
-      description = {
-        "What full deflection gives: mm/s, at most 250, 25 if not given; with joints degrees/s, at"
-            + " most 60, 5 if not given."
-      })
+      description =
+          "What full deflection gives: mm/s, at most 250, 25 if not given; with joints degrees/s, at"
+              + " most 60, 5 if not given.")
   private @Nullable Double speed;
 
   @Option(
@@ -121,10 +118,9 @@ public final class DriveCommand extends ControllerCommand {
   @Option(
       names = "--dead-zone",
       paramLabel = "PART",
-      description = {
-        "How far from the centre a stick is still at rest, 0 to less than 1; if not given, 0.15 for"
-            + " a gamepad, else 0."
-      })
+      description =
+          "How far from the centre a stick is still at rest, 0 to less than 1; if not given, 0.15 for"
+              + " a gamepad, else 0.")
   private @Nullable Double deadZone;
 
   @Option(
@@ -136,10 +132,9 @@ public final class DriveCommand extends ControllerCommand {
   @Option(
       names = "--max-delay",
       paramLabel = "TIME",
-      description = {
-        "How long the controller may take to say where the robot is, at most 2s; 100ms if not"
-            + " given. A longer one ends it, when it has answered or --timeout is over."
-      })
+      description =
+          "How long the controller may take to say where the robot is, at most 2s; 100ms if not"
+              + " given. A longer one ends it, when it has answered or --timeout is over.")
   private Duration maxDelay = Duration.ofMillis(100);
 
   @Option(names = "--for", paramLabel = "TIME", description = "End after this time.")
@@ -148,20 +143,18 @@ public final class DriveCommand extends ControllerCommand {
   @Option(
       names = "--record",
       paramLabel = "FILE",
-      description = {
-        "Write a CSV file at the end: when each cycle was, how long the accesses took, where the"
-            + " robot was to go, what was sent, and where it was. It has the last 200000 cycles."
-            + " One that is there already needs --yes."
-      })
+      description =
+          "Write a CSV file at the end: when each cycle was, how long the accesses took, where the"
+              + " robot was to go, what was sent, and where it was. It has the last 200000 cycles."
+              + " One that is there already needs --yes.")
   private @Nullable Path record;
 
   @Option(
       names = "--no-watchdog",
       order = 5,
-      description = {
-        "Drive without the watchdog on the controller: then nothing there stops the robot when this"
-            + " program or the network fails."
-      })
+      description =
+          "Drive without the watchdog on the controller: then nothing there stops the robot when this"
+              + " program or the network fails.")
   private boolean noWatchdog;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();

@@ -39,10 +39,9 @@ import picocli.CommandLine.Parameters;
 /** {@code bench [NAME...]}. */
 @Command(
     name = "bench",
-    description = {
-      "Measures how long reads and writes take, by variable. Each client asks again as soon as it"
-          + " has its answer (a closed loop), one variable after the other."
-    },
+    description =
+        "Measures how long reads and writes take, by variable. Each client asks again as soon as it"
+            + " has its answer (a closed loop), one variable after the other.",
     footer = {
       "",
       "A variable is written only if --write names it. It gets the value that was read just before,"
@@ -92,26 +91,23 @@ public final class BenchCommand extends ControllerCommand {
   @Parameters(
       arity = "0..*",
       paramLabel = "NAME",
-      description = {
-        "What to read. If nothing is named here and by --write: a variable of each type that every"
-            + " controller has."
-      })
+      description =
+          "What to read. If nothing is named here and by --write: a variable of each type that every"
+              + " controller has.")
   private List<String> names = new ArrayList<>();
 
   @Option(
       names = "--write",
       paramLabel = "NAME",
-      description = {
-        "Read this variable, and write back what was read. It may stand there several times."
-      })
+      description =
+          "Read this variable, and write back what was read. It may stand there several times.")
   private List<String> written = new ArrayList<>();
 
   @Option(
       names = "--clients",
       paramLabel = "NUMBER",
-      description = {
-        "How many clients ask at the same time, each on a connection of its own; 1 if not given."
-      })
+      description =
+          "How many clients ask at the same time, each on a connection of its own; 1 if not given.")
   private int clients = 1;
 
   @Option(

@@ -69,10 +69,9 @@ public final class ExperimentCommand extends ConsoleCommand {
       arity = "1..*",
       paramLabel = "NAME",
       completionCandidates = Names.class,
-      description = {
-        "The experiment; 'list' lists them, 'all' runs all of them but endurance, which takes 10"
-            + " minutes."
-      })
+      description =
+          "The experiment; 'list' lists them, 'all' runs all of them but endurance, which takes 10"
+              + " minutes.")
   private List<String> names = new ArrayList<>();
 
   @Option(
@@ -119,19 +118,17 @@ public final class ExperimentCommand extends ConsoleCommand {
   @Option(
       names = "--step",
       paramLabel = "TIME",
-      description = {
-        "How long the robot's program is taken to need for one increment, 4ms to 1s; 12ms if not"
-            + " given. It makes the increments of velocities larger."
-      })
+      description =
+          "How long the robot's program is taken to need for one increment, 4ms to 1s; 12ms if not"
+              + " given. It makes the increments of velocities larger.")
   private @Nullable Duration step;
 
   @Option(
       names = "--latency",
       paramLabel = "LATENCY",
-      description = {
-        "How long a request takes the simulated controller, as in 'mock --latency'; krc4-2014 if"
-            + " not given, krc4 for endurance."
-      })
+      description =
+          "How long a request takes the simulated controller, as in 'mock --latency'; krc4-2014 if"
+              + " not given, krc4 for endurance.")
   private @Nullable String latency;
 
   /** What may be named. */

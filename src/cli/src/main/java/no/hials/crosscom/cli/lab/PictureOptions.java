@@ -22,10 +22,9 @@ final class PictureOptions {
       names = "--size",
       paramLabel = "WxH",
       converter = SizeConverter.class,
-      description = {
-        "Width and height of the picture in pixels, as 1200x800; if not given, 1000 wide and as high"
-            + " as it needs."
-      })
+      description =
+          "Width and height of the picture in pixels, as 1200x800; if not given, 1000 wide and as high"
+              + " as it needs.")
   private Chart.@Nullable Size size;
 
   /**

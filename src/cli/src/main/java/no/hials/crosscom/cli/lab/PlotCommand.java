@@ -63,11 +63,10 @@ public final class PlotCommand extends ConsoleCommand {
       index = "1..*",
       arity = "0..*",
       paramLabel = "NAME",
-      description = {
-        "Columns: '$OV_PRO', '$POS_ACT.X', or with one name all of a structure or array: '$POS_ACT'."
-            + " access_ms is the time that each reading took. If none is given: all that was"
-            + " recorded, but S and T, and external axes that are 0 throughout."
-      })
+      description =
+          "Columns: '$OV_PRO', '$POS_ACT.X', or with one name all of a structure or array: '$POS_ACT'."
+              + " access_ms is the time that each reading took. If none is given: all that was"
+              + " recorded, but S and T, and external axes that are 0 throughout.")
   private List<String> names = new ArrayList<>();
 
   @Option(
@@ -78,10 +77,9 @@ public final class PlotCommand extends ConsoleCommand {
 
   @Option(
       names = "--xyz",
-      description = {
-        "Draw where a position went: from above, from two sides, and isometric. NAME says which"
-            + " structures with X, Y and Z."
-      })
+      description =
+          "Draw where a position went: from above, from two sides, and isometric. NAME says which"
+              + " structures with X, Y and Z.")
   private boolean xyz;
 
   @Option(

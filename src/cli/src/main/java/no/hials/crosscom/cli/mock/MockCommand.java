@@ -71,10 +71,9 @@ public final class MockCommand extends ConsoleCommand {
   @Option(
       names = "--host",
       paramLabel = "ADDRESS",
-      description = {
-        "Local address to listen on. If not given, the loopback address, which only this machine"
-            + " reaches."
-      })
+      description =
+          "Local address to listen on. If not given, the loopback address, which only this machine"
+              + " reaches.")
   private @Nullable String host;
 
   @Option(
@@ -88,20 +87,18 @@ public final class MockCommand extends ConsoleCommand {
       names = "--discovery",
       paramLabel = "PORT",
       converter = Converters.ListeningPort.class,
-      description = {
-        "UDP port on which WHEREAREYOU? is answered, to port 7000 of who asks; 0 for a free one. If"
-            + " not given, 6999, and none if that is in use."
-      })
+      description =
+          "UDP port on which WHEREAREYOU? is answered, to port 7000 of who asks; 0 for a free one. If"
+              + " not given, 6999, and none if that is in use.")
   private @Nullable Integer discovery;
 
   @Option(
       names = "--standard-discovery",
       paramLabel = "PORT",
       converter = Converters.ListeningPort.class,
-      description = {
-        "UDP port on which C3 Bridge answers, to whatever port it was asked from; 0 for a free one."
-            + " If not given, 7000, and none if that is in use."
-      })
+      description =
+          "UDP port on which C3 Bridge answers, to whatever port it was asked from; 0 for a free one."
+              + " If not given, 7000, and none if that is in use.")
   private @Nullable Integer standardDiscovery;
 
   @Option(names = "--no-discovery", description = "Do not answer WHEREAREYOU?.")
@@ -116,29 +113,26 @@ public final class MockCommand extends ConsoleCommand {
   @Option(
       names = "--files",
       paramLabel = "FOLDER",
-      description = {
-        "Use this folder as KRC:\\ of C3 Bridge: what clients do happens to its files, and what is"
-            + " missing of R1 and STEU is made. If not given, a tree in memory."
-      })
+      description =
+          "Use this folder as KRC:\\ of C3 Bridge: what clients do happens to its files, and what is"
+              + " missing of R1 and STEU is made. If not given, a tree in memory.")
   private @Nullable Path files;
 
   @Option(
       names = "--config",
       paramLabel = "FILE.dat",
-      description = {
-        "Load a data list, such as your own $CONFIG.DAT or $MACHINE.DAT. It may stand there several"
-            + " times."
-      })
+      description =
+          "Load a data list, such as your own $CONFIG.DAT or $MACHINE.DAT. It may stand there several"
+              + " times.")
   private List<Path> configs = new ArrayList<>();
 
   @Option(
       names = "--program",
       paramLabel = "FILE.src",
-      description = {
-        "Load a program (.src, or .sub for the submit interpreter), with the data list of the same"
-            + " name next to it. Can be repeated; the first .src and the first .sub"
-            + " are selected."
-      })
+      description =
+          "Load a program (.src, or .sub for the submit interpreter), with the data list of the same"
+              + " name next to it. Can be repeated; the first .src and the first .sub"
+              + " are selected.")
   private List<Path> programs = new ArrayList<>();
 
   @Option(names = "--start", description = "Start the programs that are selected.")
@@ -155,19 +149,17 @@ public final class MockCommand extends ConsoleCommand {
       names = "--speed",
       paramLabel = "SPEED",
       converter = Converters.Speed.class,
-      description = {
-        "How fast the time of programs and robot passes: 10 for ten times as fast, max for as fast"
-            + " as this machine can; real if not given."
-      })
+      description =
+          "How fast the time of programs and robot passes: 10 for ten times as fast, max for as fast"
+              + " as this machine can; real if not given.")
   private SimulationClock speed = SimulationClock.real();
 
   @Option(
       names = "--latency",
       paramLabel = "LATENCY",
-      description = {
-        "How long a request takes: none (if not given), a time such as 5ms, krc4 as measured at a"
-            + " KR C4 (median 2.2 ms), krc4-2014 as in the papers of 2014 (mean 5 ms)."
-      })
+      description =
+          "How long a request takes: none (if not given), a time such as 5ms, krc4 as measured at a"
+              + " KR C4 (median 2.2 ms), krc4-2014 as in the papers of 2014 (mean 5 ms).")
   private String latency = "none";
 
   @Option(

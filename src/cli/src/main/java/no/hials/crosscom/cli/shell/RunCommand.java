@@ -23,10 +23,9 @@ import picocli.CommandLine.Parameters;
 /** {@code run FILE}. */
 @Command(
     name = "run",
-    description = {
-      "Runs a file with lines of the shell language, and stops at the first that fails. A write can"
-          + " move a machine."
-    },
+    description =
+        "Runs a file with lines of the shell language, and stops at the first that fails. A write can"
+            + " move a machine.",
     footer = {
       "",
       "The language is that of 'jopenshowvar shell', whose help tells it. All lines are checked"

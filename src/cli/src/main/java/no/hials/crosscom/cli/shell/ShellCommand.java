@@ -17,10 +17,9 @@ import picocli.CommandLine.Mixin;
 /** {@code shell}. */
 @Command(
     name = "shell",
-    description = {
-      "Reads and writes variables line by line, on one connection, until Ctrl-D or exit. A write"
-          + " can move a machine."
-    },
+    description =
+        "Reads and writes variables line by line, on one connection, until Ctrl-D or exit. A write"
+            + " can move a machine.",
     footer = {
       "",
       "$OV_PRO reads, $OV_PRO = 50 or $OV_PRO 50 writes, help tells the rest; names need no quotes"

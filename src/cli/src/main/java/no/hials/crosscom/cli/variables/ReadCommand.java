@@ -27,10 +27,9 @@ import picocli.CommandLine.Parameters;
 /** {@code read NAME...}. */
 @Command(
     name = "read",
-    description = {
-      "Reads variables and prints a line NAME = VALUE for each, in the order given, the value as"
-          + " the controller prints it."
-    },
+    description =
+        "Reads variables and prints a line NAME = VALUE for each, in the order given, the value as"
+            + " the controller prints it.",
     footer = {
       "",
       "If a variable cannot be read, the others still are; the exit code is that of the worst"

@@ -26,10 +26,9 @@ import picocli.CommandLine.Parameters;
 /** {@code vars [WORD...]}. */
 @Command(
     name = "vars",
-    description = {
-      "Searches the built-in list of system variables, and prints type, unit, access (RO: read, RW:"
-          + " read and write) and meaning. Needs no controller."
-    },
+    description =
+        "Searches the built-in list of system variables, and prints type, unit, access (RO: read, RW:"
+            + " read and write) and meaning. Needs no controller.",
     footer = {
       "",
       "The list is of a KR C4 with KSS 8.3; it is not complete, and a controller may have others or"

@@ -19,10 +19,9 @@ import picocli.CommandLine.Parameters;
 /** {@code write NAME VALUE}. */
 @Command(
     name = "write",
-    description = {
-      "Writes a variable, and prints NAME = VALUE once the controller has confirmed it. A write can"
-          + " move a machine."
-    },
+    description =
+        "Writes a variable, and prints NAME = VALUE once the controller has confirmed it. A write can"
+            + " move a machine.",
     footer = {
       "",
       "The value is printed as it was sent: the controller confirms that, not what it stored. A"

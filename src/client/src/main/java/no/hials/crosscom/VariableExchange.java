@@ -273,7 +273,7 @@ final class VariableExchange {
   private @Nullable String takeInPlace(KRLVariable variable, Answer answer, boolean written)
       throws CrossComValueException {
     VariableAccess access = VariableAccess.get();
-    scanner.reset(answer.frame());
+    answer.frame().scan(scanner);
     try {
       boolean taken = access.scan(variable, scanner, written);
       access.setReadTime(variable, answer.nanos());

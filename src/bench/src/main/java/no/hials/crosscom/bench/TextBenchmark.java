@@ -46,7 +46,7 @@ public class TextBenchmark {
     byte[] frame = Operation.READ_E6AXIS.answer();
     answer.wrap(frame, frame.length);
     answer.openValue();
-    scanner.reset(answer);
+    answer.scan(scanner);
     VariableAccess.get().scan(axes, scanner, false);
   }
 
@@ -57,7 +57,7 @@ public class TextBenchmark {
    */
   @Benchmark
   public double[] scanIntoArray() {
-    scanner.reset(answer);
+    answer.scan(scanner);
     scanner.openStruct();
     int i = 0;
     while (scanner.nextField()) {
@@ -75,7 +75,7 @@ public class TextBenchmark {
    */
   @Benchmark
   public KRLE6Axis scanIntoE6Axis() {
-    scanner.reset(answer);
+    answer.scan(scanner);
     VariableAccess.get().scan(read, scanner, false);
     return read;
   }

@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.internal.FieldReader;
+import no.hials.crosscom.protocol.value.KrlScanner;
 
 /**
  * A view of one answer in a buffer. It can be moved to the next answer without creating objects.
@@ -119,6 +120,15 @@ public final class AnswerFrame implements CharSequence {
     }
     valueStart = FIELDS + 2;
     valueEnd = valueStart + room;
+  }
+
+  /**
+   * Starts a scanner on the value.
+   *
+   * @param scanner the scanner
+   */
+  public void scan(KrlScanner scanner) {
+    scanner.reset(this, bytes, valueStart);
   }
 
   @Override

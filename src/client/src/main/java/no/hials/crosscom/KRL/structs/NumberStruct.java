@@ -259,8 +259,14 @@ abstract class NumberStruct extends KRLStruct {
     Map<String, KrlValue> others = null;
     int next = 0;
     scanner.openStruct();
-    while (scanner.nextField()) {
-      int index = find(scanner, next);
+    while (true) {
+      int index = next;
+      if (next == values.length || !scanner.nextFieldIs(nodes()[next])) {
+        if (!scanner.nextField()) {
+          break;
+        }
+        index = find(scanner, next);
+      }
       if (index < 0) {
         if (others == null) {
           others = new LinkedHashMap<>();

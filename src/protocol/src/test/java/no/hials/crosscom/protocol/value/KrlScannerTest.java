@@ -6,14 +6,17 @@ import static org.assertj.core.api.Assertions.entry;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Samples;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.variable.ValueResponse;
 import org.junit.jupiter.api.Test;
@@ -41,6 +44,48 @@ final class KrlScannerTest {
   void anAggregateIsReadFieldByField() {
     assertThat(readFields(scanner("{E6POS: X 840.229, T 34, B 2.22039314E-12}")))
         .containsExactly(entry("X", 840.229), entry("T", 34.0), entry("B", 2.22039314E-12));
+  }
+
+  @Test
+  void anExpectedFieldIsReadAsAnyOther() {
+    Samples.forAll(
+        20_000,
+        random -> {
+          StringBuilder text = new StringBuilder("{E6AXIS: A1 5.123, A2 -90.0,E1 0.5E-3,E2 1 }");
+          for (int i = random.nextInt(4); i > 0; i--) {
+            int at = random.nextInt(text.length());
+            text.replace(at, at + random.nextInt(2), Samples.anyOf(random, "", " ", ",", "}", "A"));
+          }
+          return text.toString();
+        },
+        text -> assertThat(readExpected(text)).isEqualTo(readAny(text)));
+  }
+
+  private static String readAny(String text) {
+    return read(text, KrlScanner::nextField);
+  }
+
+  private static String readExpected(String text) {
+    Iterator<String> names = List.of("A1", "A2", "E1", "E2").iterator();
+    return read(
+        text,
+        scanner -> (names.hasNext() && scanner.nextFieldIs(names.next())) || scanner.nextField());
+  }
+
+  /** Returns the names and values, and the error if there is one. */
+  private static String read(String text, Predicate<KrlScanner> toNextField) {
+    KrlScanner scanner = scanner(text);
+    StringBuilder read = new StringBuilder();
+    try {
+      scanner.openStruct();
+      while (toNextField.test(scanner)) {
+        read.append(scanner.fieldName()).append(' ').append(scanner.readReal()).append(',');
+      }
+      scanner.expectEnd();
+    } catch (KrlSyntaxException e) {
+      read.append(e.getMessage());
+    }
+    return read.toString();
   }
 
   @Test

@@ -67,7 +67,11 @@ final class Connection {
 
   private volatile boolean closed;
   private volatile boolean dozing;
-  private volatile long lastEnd = System.nanoTime();
+  private long lastEnd = System.nanoTime();
+
+  /** The time of a check that no exchange followed yet; 0 if there is none. */
+  private long checked;
+
   private boolean answered;
   private volatile long timeoutNanos;
 
@@ -161,9 +165,11 @@ final class Connection {
    * @return null if the connection is usable; otherwise the reason, and the connection is closed
    */
   @Nullable CrossComException check() {
-    if (answered && System.nanoTime() - lastEnd < CHECK_AFTER_NANOS && reader.surplus() == 0) {
+    checked = System.nanoTime();
+    if (answered && checked - lastEnd < CHECK_AFTER_NANOS && reader.surplus() == 0) {
       return null;
     }
+    checked = 0; // takes a while
     try {
       channel.configureBlocking(false);
       int count = reader.poll();
@@ -221,13 +227,15 @@ final class Connection {
     }
     out.clear().put(frame, 0, length).flip();
     Codec.setId(out, id);
-    if (LOG.isTraceEnabled()) {
+    boolean trace = LOG.isTraceEnabled();
+    if (trace) {
       byte[] sent = Arrays.copyOf(frame, length);
       Codec.setId(sent, id);
       LOG.trace("sending {}", MalformedFrameException.hex(sent, sent.length));
     }
     long timeout = timeoutNanos;
-    long start = System.nanoTime();
+    long start = checked != 0 ? checked : System.nanoTime();
+    checked = 0;
     if (timeout > 0) {
       deadline.set(start + timeout);
       if (dozing) {
@@ -273,7 +281,7 @@ final class Connection {
       close();
       throw timedOut(what(type, name), write, timeout, null);
     }
-    if (LOG.isTraceEnabled()) {
+    if (trace) {
       LOG.trace("received {}", MalformedFrameException.hex(reader.buffer(), answerLength()));
     }
     check(id, type, name, write);

@@ -78,7 +78,9 @@ public final class FrameReader {
    * @throws IOException if reading failed; bytes read so far are kept
    */
   public int next() throws IOException {
-    System.arraycopy(buffer, length, buffer, 0, end - length);
+    if (surplus() > 0) {
+      System.arraycopy(buffer, length, buffer, 0, surplus());
+    }
     end -= length;
     length = 0;
     while (end < Codec.HEADER_LENGTH) {

@@ -51,12 +51,6 @@ public class KRLBool extends ScannedVariable {
   }
 
   @Override
-  protected boolean appendValue(StringBuilder text) {
-    text.append(getStringValue()); // a constant
-    return true;
-  }
-
-  @Override
   void read(KrlScanner scanner) {
     boolean read = scanner.readBool();
     scanner.expectEnd();

@@ -1,6 +1,7 @@
 package no.hials.crosscom.KRL;
 
 import no.hials.crosscom.protocol.value.KrlScanner;
+import no.hials.crosscom.protocol.value.KrlText;
 import org.jspecify.annotations.Nullable;
 
 /** Holds an INT: 32 bits, signed. */
@@ -51,7 +52,7 @@ public class KRLInt extends ScannedVariable {
   }
 
   @Override
-  protected boolean appendValue(StringBuilder text) {
+  protected boolean appendValue(KrlText text) {
     text.append(intValue());
     return true;
   }

@@ -1,9 +1,8 @@
 package no.hials.crosscom.KRL;
 
-import no.hials.crosscom.protocol.value.KrlPrinter;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlScanner;
-import no.hials.crosscom.protocol.value.RealStyle;
+import no.hials.crosscom.protocol.value.KrlText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -60,8 +59,8 @@ public class KRLReal extends ScannedVariable {
   }
 
   @Override
-  protected boolean appendValue(StringBuilder text) {
-    KrlPrinter.appendReal(text, (float) doubleValue(), RealStyle.SHORTEST);
+  protected boolean appendValue(KrlText text) {
+    text.append((float) doubleValue());
     return true;
   }
 

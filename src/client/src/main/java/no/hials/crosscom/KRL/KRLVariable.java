@@ -9,6 +9,7 @@ import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.value.KrlScanner;
+import no.hials.crosscom.protocol.value.KrlText;
 import no.hials.crosscom.protocol.variable.ReadRequest;
 import no.hials.crosscom.protocol.variable.WriteRequest;
 import org.jspecify.annotations.Nullable;
@@ -30,7 +31,7 @@ public abstract class KRLVariable {
   private final boolean builtIn =
       getClass().getPackageName().startsWith(KRLVariable.class.getPackageName());
 
-  private @Nullable StringBuilder writeText;
+  private @Nullable KrlText writeText;
 
   static {
     VariableAccess.set(new Access());
@@ -117,7 +118,7 @@ public abstract class KRLVariable {
    * @return false if nothing was appended
    * @throws IllegalStateException without a value
    */
-  protected boolean appendValue(StringBuilder text) {
+  protected boolean appendValue(KrlText text) {
     return false;
   }
 
@@ -125,13 +126,12 @@ public abstract class KRLVariable {
     if (!builtIn) {
       return getStringValue();
     }
-    StringBuilder text = writeText;
+    KrlText text = writeText;
     if (text == null) {
-      text = new StringBuilder();
+      text = new KrlText();
       writeText = text;
     }
-    text.setLength(0);
-    return appendValue(text) ? text : getStringValue();
+    return appendValue(text.clear()) ? text : getStringValue();
   }
 
   /** Returns whether the value can contain characters that function 0 of C3 Bridge cannot send. */

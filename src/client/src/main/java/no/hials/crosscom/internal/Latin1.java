@@ -1,5 +1,7 @@
 package no.hials.crosscom.internal;
 
+import no.hials.crosscom.protocol.value.KrlText;
+
 /**
  * The characters that functions 0 and 1 can carry: ISO 8859-1
  * (docs/reference/c3-messages.md#strings).
@@ -9,6 +11,9 @@ public final class Latin1 {
 
   /** Returns whether functions 0 and 1 can carry a text. */
   public static boolean has(CharSequence text) {
+    if (text instanceof KrlText) {
+      return true; // always ASCII
+    }
     for (int i = 0; i < text.length(); i++) {
       if (text.charAt(i) > 0xFF) {
         return false;

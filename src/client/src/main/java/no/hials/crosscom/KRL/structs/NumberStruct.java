@@ -6,11 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import no.hials.crosscom.protocol.value.KrlInt;
-import no.hials.crosscom.protocol.value.KrlPrinter;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlScanner;
+import no.hials.crosscom.protocol.value.KrlText;
 import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.protocol.value.RealStyle;
 
 /**
  * The base class of the geometric structures: fields that are numbers, kept in an array.
@@ -202,18 +201,18 @@ abstract class NumberStruct extends KRLStruct {
    */
   @Override
   public String getStringValue() {
-    StringBuilder text = new StringBuilder(255);
+    KrlText text = new KrlText();
     appendValue(text);
     return text.toString();
   }
 
   @Override
-  protected final boolean appendValue(StringBuilder text) {
-    KrlPrinter.openStruct(text);
+  protected final boolean appendValue(KrlText text) {
+    text.openStruct();
     for (int i = 0; i < values.length; i++) {
       append(text, i);
     }
-    KrlPrinter.closeStruct(text);
+    text.closeStruct();
     return true;
   }
 
@@ -222,8 +221,8 @@ abstract class NumberStruct extends KRLStruct {
     if (fields.length == 0) {
       throw new IllegalArgumentException(getName() + ": name at least one field");
     }
-    StringBuilder text = new StringBuilder(255);
-    KrlPrinter.openStruct(text);
+    KrlText text = new KrlText();
+    text.openStruct();
     for (String field : fields) {
       int index = ownIndexOf(field);
       if (!given[index]) {
@@ -232,17 +231,17 @@ abstract class NumberStruct extends KRLStruct {
       }
       append(text, index);
     }
-    KrlPrinter.closeStruct(text);
+    text.closeStruct();
     return text.toString();
   }
 
-  private void append(StringBuilder text, int index) {
-    KrlPrinter.nextField(text, nodes()[index]);
+  private void append(KrlText text, int index) {
+    text.nextField(nodes()[index]);
     double value = missing[index] ? 0 : values[index];
     if (isInt(index)) {
       text.append((int) value);
     } else {
-      KrlPrinter.appendReal(text, (float) value, RealStyle.SHORTEST);
+      text.append((float) value);
     }
   }
 

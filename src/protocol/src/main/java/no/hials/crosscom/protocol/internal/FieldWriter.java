@@ -3,6 +3,7 @@ package no.hials.crosscom.protocol.internal;
 import java.util.Arrays;
 import java.util.List;
 import no.hials.crosscom.protocol.file.Bytes;
+import no.hials.crosscom.protocol.value.KrlText;
 
 /** Writes the fields of a message; numbers are big-endian. */
 public final class FieldWriter {
@@ -100,18 +101,12 @@ public final class FieldWriter {
     int count = value.length();
     u16(count);
     reserve(count);
-    if (value instanceof StringBuilder text) {
-      copy(text, buffer, length);
+    if (value instanceof KrlText text) {
+      text.copyTo(buffer, length);
     } else {
       copy(value.toString(), buffer, length);
     }
     length += count;
-  }
-
-  private static void copy(StringBuilder text, byte[] target, int offset) {
-    for (int i = 0, count = text.length(); i < count; i++) {
-      target[offset + i] = (byte) text.charAt(i);
-    }
   }
 
   @SuppressWarnings("deprecation") // copies the lower bytes, which is ISO 8859-1

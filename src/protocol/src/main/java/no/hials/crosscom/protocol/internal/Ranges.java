@@ -3,6 +3,7 @@ package no.hials.crosscom.protocol.internal;
 import java.util.Collection;
 import java.util.List;
 import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.value.KrlText;
 
 /** The checks of the messages' constructors. */
 public final class Ranges {
@@ -42,6 +43,9 @@ public final class Ranges {
 
   /** Checks that a text can be sent as a STRING. */
   public static void latin1(String field, CharSequence value) {
+    if (value instanceof KrlText) {
+      return; // always ASCII
+    }
     for (int i = 0; i < value.length(); i++) {
       if (value.charAt(i) > 0xFF) {
         throw new IllegalArgumentException(

@@ -123,7 +123,9 @@ public final class KrlPrinter {
    * @param style the style
    */
   public static void appendReal(StringBuilder out, float value, RealStyle style) {
-    RealText.append(out, value, style);
+    KrlText text = new KrlText();
+    RealText.append(text, value, style);
+    out.append(text);
   }
 
   /**

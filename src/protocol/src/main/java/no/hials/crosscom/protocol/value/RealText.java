@@ -3,6 +3,7 @@ package no.hials.crosscom.protocol.value;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
+import java.util.stream.LongStream;
 
 /**
  * Prints 32-bit floats in both styles, and rounds doubles to them.
@@ -17,11 +18,14 @@ final class RealText {
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22
   };
 
+  /** Powers of ten, from 1. */
+  static final long[] POWERS = LongStream.iterate(1, power -> 10 * power).limit(19).toArray();
+
   /** Nine significant digits distinguish any two floats. */
   private static final int MAX_DIGITS = 9;
 
-  /** No two decimals with up to this number of digits are the same normal float. */
-  private static final int SURE_DIGITS = 6;
+  /** Instead of a decimal, which has digits. */
+  static final long UNSURE = 0;
 
   private RealText() {}
 
@@ -57,7 +61,7 @@ final class RealText {
         && (Math.abs(value) >= Float.MIN_NORMAL || value == 0);
   }
 
-  static void append(StringBuilder out, float value, RealStyle style) {
+  static void append(KrlText out, float value, RealStyle style) {
     if (value == 0) {
       out.append("0.0");
       return;
@@ -75,7 +79,7 @@ final class RealText {
     }
   }
 
-  private static void appendShortest(StringBuilder out, float magnitude) {
+  private static void appendShortest(KrlText out, float magnitude) {
     long decimal = shortest(magnitude);
     int exponent = Decimal.exponent(decimal);
     if (exponent >= -4 && exponent < MAX_DIGITS) {
@@ -86,21 +90,59 @@ final class RealText {
   }
 
   private static long shortest(float magnitude) {
+    long fast = shortestByDouble(magnitude);
+    return fast != UNSURE ? fast : shortestExactly(magnitude);
+  }
+
+  /**
+   * Finds the decimal with the fewest digits between the float and half-way to its neighbours, in
+   * double arithmetic.
+   *
+   * @return the decimal, or UNSURE where the rounding of a double could matter
+   */
+  static long shortestByDouble(float magnitude) {
+    int exponent = Decimal.estimateExponent(magnitude);
+    int shift = MAX_DIGITS - 1 - exponent;
+    if (magnitude < Float.MIN_NORMAL || Math.abs(shift) >= POW10.length) {
+      return UNSURE;
+    }
+    boolean powerOfTwo = isPowerOfTwo(magnitude);
+    double scale = shift >= 0 ? POW10[shift] : 1 / POW10[-shift];
+    double nine = magnitude * scale; // has nine digits before the point
+    double half = Math.ulp(magnitude) * scale * (powerOfTwo ? 0.25 : 0.5);
+    double above = nine + half;
+    double below = nine - half;
+    if (nine < 1e8 || above >= 1e9 || isNearInteger(above) || isNearInteger(below)) {
+      return UNSURE;
+    }
+    // whether there is a number with final zeros between the limits
+    long high = (long) above;
+    double width = high - below;
+    if (high % 1000 < width) {
+      // no two decimals of six digits or fewer are the same normal float
+      return Decimal.withoutFinalZeros(Decimal.pack(high / 1000, exponent, 6));
+    }
+    int precision = high % 100 < width ? 7 : high % 10 < width ? 8 : MAX_DIGITS;
+    double rounded = nine / POW10[MAX_DIGITS - precision] + 0.5;
+    return powerOfTwo || isNearInteger(rounded)
+        ? UNSURE
+        : Decimal.pack((long) rounded, exponent, precision);
+  }
+
+  private static boolean isNearInteger(double value) {
+    return Math.abs(value - Math.rint(value)) < 1e-5;
+  }
+
+  private static boolean isPowerOfTwo(float magnitude) {
+    return (Float.floatToRawIntBits(magnitude) & 0x7F_FFFF) == 0;
+  }
+
+  static long shortestExactly(float magnitude) {
     // Below a power of two the floats lie twice as close as above it. The nearest decimal, when it
     // lies below, may then be another float's, and the next one above still this float's.
-    boolean powerOfTwo = (Float.floatToRawIntBits(magnitude) & 0x7F_FFFF) == 0;
+    boolean powerOfTwo = isPowerOfTwo(magnitude);
     int exponent = Decimal.estimateExponent(magnitude);
-    int first = 1;
-    if (magnitude >= Float.MIN_NORMAL) {
-      // No two decimals of up to six digits are the same float, so if six digits are this float,
-      // fewer digits can only be the same number without its final zeros.
-      long six = Decimal.of(magnitude, SURE_DIGITS, exponent);
-      if (Decimal.is(six, magnitude)) {
-        return Decimal.withoutFinalZeros(six);
-      }
-      first = powerOfTwo ? SURE_DIGITS : SURE_DIGITS + 1;
-    }
-    for (int precision = first; precision < MAX_DIGITS; precision++) {
+    for (int precision = 1; precision < MAX_DIGITS; precision++) {
       long nearest = Decimal.of(magnitude, precision, exponent);
       if (Decimal.is(nearest, magnitude)) {
         return nearest;
@@ -117,7 +159,7 @@ final class RealText {
   }
 
   /** C's {@code %#g}. */
-  private static void appendG(StringBuilder out, long decimal) {
+  private static void appendG(KrlText out, long decimal) {
     if (Decimal.exponent(decimal) < -4 || Decimal.exponent(decimal) >= Decimal.precision(decimal)) {
       appendScientific(out, decimal);
     } else {
@@ -126,38 +168,23 @@ final class RealText {
     }
   }
 
-  private static void appendFixed(StringBuilder out, long decimal, int decimals) {
+  private static void appendFixed(KrlText out, long decimal, int decimals) {
     // with at least one digit after the point: the 0 after a final point
-    int exponent = Decimal.exponent(decimal);
-    if (exponent < 0) {
-      out.append("0.");
-      for (int i = -1; i > exponent; i--) {
-        out.append('0');
-      }
-      out.append(Decimal.digits(decimal));
-      return;
-    }
-    int start = out.length();
-    out.append(Decimal.digits(decimal));
-    for (int i = Decimal.precision(decimal); i <= exponent + decimals; i++) {
-      out.append('0');
-    }
-    out.insert(start + exponent + 1, '.');
+    int zeros = Decimal.exponent(decimal) + decimals + 1 - Decimal.precision(decimal);
+    long number = Decimal.digits(decimal) * POWERS[zeros];
+    out.appendDigits(number / POWERS[decimals], 1);
+    out.append('.');
+    out.appendDigits(number % POWERS[decimals], decimals);
   }
 
-  private static void appendScientific(StringBuilder out, long decimal) {
-    int start = out.length();
-    out.append(Decimal.digits(decimal));
-    if (Decimal.precision(decimal) == 1) {
-      out.append('0');
-    }
-    out.insert(start + 1, '.');
+  private static void appendScientific(KrlText out, long decimal) {
+    int decimals = Math.max(1, Decimal.precision(decimal) - 1);
     int exponent = Decimal.exponent(decimal);
-    out.append('E').append(exponent < 0 ? '-' : '+');
-    if (Math.abs(exponent) < 10) {
-      out.append('0');
-    }
-    out.append(Math.abs(exponent));
+    appendFixed(
+        out, Decimal.pack(Decimal.digits(decimal), 0, Decimal.precision(decimal)), decimals);
+    out.append('E');
+    out.append(exponent < 0 ? '-' : '+');
+    out.appendDigits(Math.abs(exponent), 2);
   }
 
   /**

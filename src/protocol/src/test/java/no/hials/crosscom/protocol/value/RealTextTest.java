@@ -184,6 +184,31 @@ final class RealTextTest {
         });
   }
 
+  @Test
+  void theFastWayFindsTheSameDigitsAsTheExactOne() {
+    Samples.forAll(
+        200_000,
+        random ->
+            Math.abs(
+                Samples.oneOf(
+                    random,
+                    () -> anyFloat(random),
+                    () -> random.nextInt(2_000_000) / 1000f,
+                    () -> random.nextFloat() * 1000)),
+        value -> {
+          long fast = RealText.shortestByDouble(value);
+          if (fast != RealText.UNSURE) {
+            assertThat(fast).isEqualTo(RealText.shortestExactly(value));
+          }
+        });
+  }
+
+  @ParameterizedTest
+  @ValueSource(floats = {1, 0.5f, 100, 90, 0.1f, 1250.5f, 5.123457f, 91.234566f, 0.005123456f})
+  void theFastWayFindsTheDigitsOfUsualNumbers(float value) {
+    assertThat(RealText.shortestByDouble(value)).isNotEqualTo(RealText.UNSURE);
+  }
+
   /** Below a power of two the floats lie twice as close as above it. */
   @Test
   void thePowersOfTwoAndTheirNeighboursArePrintedRight() {

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Flow;
 import java.util.concurrent.SubmissionPublisher;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -93,7 +94,15 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
    * @param listener takes the samples from now on, one after the other; its exceptions are logged
    */
   public void addListener(Consumer<? super Sample> listener) {
-    subscribe(new Listener(listener));
+    CompletableFuture<Void> unused =
+        publisher.consume(
+            sample -> {
+              try {
+                listener.accept(sample);
+              } catch (RuntimeException | Error e) {
+                LOG.warn("the listener of a watch failed on sample {}", sample.number(), e);
+              }
+            });
   }
 
   /**
@@ -252,38 +261,5 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   public void close() {
     closed = true;
     LockSupport.unpark(thread);
-  }
-
-  /** Hands the samples to a listener. */
-  private static final class Listener implements Flow.Subscriber<Sample> {
-    private final Consumer<? super Sample> listener;
-
-    Listener(Consumer<? super Sample> listener) {
-      this.listener = listener;
-    }
-
-    @Override
-    public void onSubscribe(Flow.Subscription subscription) {
-      subscription.request(Long.MAX_VALUE);
-    }
-
-    @Override
-    public void onNext(Sample sample) {
-      try {
-        listener.accept(sample);
-      } catch (RuntimeException | Error e) {
-        LOG.warn("the listener of a watch failed on sample {}", sample.number(), e);
-      }
-    }
-
-    @Override
-    public void onError(Throwable failure) {
-      LOG.warn("a watch ended", failure);
-    }
-
-    @Override
-    public void onComplete() {
-      LOG.debug("a watch ended");
-    }
   }
 }

@@ -1,14 +1,13 @@
 package no.hials.crosscom;
 
-/** Hears how far reading or writing an array element by element has come. */
+/** Listens to the progress of reading or writing an array element by element. */
 @FunctionalInterface
 public interface ArrayProgress {
   /**
-   * Takes the news. It is called by the thread that reads or writes, after each element; what it
-   * throws ends the operation.
+   * Called after each element, in the thread that reads or writes. An exception ends the operation.
    *
-   * @param done how many elements are done
-   * @param total how many there are
+   * @param done number of elements done
+   * @param total number of elements of the array
    */
   void elementsDone(int done, int total);
 }

@@ -36,8 +36,8 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
    * Queues an operation.
    *
    * @param executor runs it
-   * @param callbacks completes the result, and so runs the program's code that follows on it; the
-   *     common pool may have only one thread
+   * @param callbacks completes the result, which runs the program's callbacks; the common pool may
+   *     have only one thread
    * @param operation the operation
    */
   static <T extends @Nullable Object> CompletableFuture<T> submit(
@@ -59,7 +59,7 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
     try {
       result = operation.run(this);
     } catch (Exception | Error e) {
-      // the program's code that follows on the future must not hold up other operations
+      // the program's callbacks must not delay other operations
       callbacks.execute(() -> completeExceptionally(e));
       return;
     } finally {

@@ -18,15 +18,14 @@ import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One reading or writing of several variables: in as few messages as they fit into if the server
- * has messages for several (docs/reference/c3-messages.md#several-variables-6-and-7), else one by
- * one.
+ * Reads or writes several variables: in as few messages as possible if the server supports it
+ * (docs/reference/c3-messages.md#several-variables-6-and-7), else one by one.
  */
 abstract class Batch {
-  /** The most variables in a message. */
+  /** The maximum number of variables in a message. */
   private static final int MAX_COUNT = 255;
 
-  /** The most bytes of the names, or names and values, in a message. */
+  /** The maximum number of bytes of the names, or names and values, in a message. */
   private static final int ROOM = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 2;
 
   final VariableExchange exchange;
@@ -68,7 +67,7 @@ abstract class Batch {
   static final class Item {
     final KRLVariable variable;
 
-    /** The text that a write sends. */
+    /** The text to write. */
     String text = "";
 
     @Nullable CrossComException failure;
@@ -91,7 +90,9 @@ abstract class Batch {
     return items.stream().map(item -> new VariableResult(item.variable, item.failure)).toList();
   }
 
-  /** Asks the server; if that fails, nothing was tried. */
+  /**
+   * Returns whether the server has messages for several variables. If asking fails, the batch ends.
+   */
   private boolean canSendSeveral() {
     if (items.size() < 2) {
       return false;

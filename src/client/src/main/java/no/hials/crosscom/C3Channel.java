@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Sends the messages that only C3 Bridge knows. */
+/** Sends the messages that only C3 Bridge supports. */
 final class C3Channel implements MessageChannel {
   private static final Logger LOG = LoggerFactory.getLogger(C3Channel.class);
 
@@ -100,7 +100,7 @@ final class C3Channel implements MessageChannel {
   }
 
   /**
-   * Does the same as {@link #ask}, but also returns an answer that says failure, which may be of
+   * Sends a request like {@link #ask}, but also returns the answer of a failure, which may be of
    * another class.
    */
   MessageAnswer exchange(Request request, Class<? extends TypedResponse> answer, String what)
@@ -139,7 +139,7 @@ final class C3Channel implements MessageChannel {
     checkPin(what);
   }
 
-  /** Asks, and asks again once if the connection breaks meanwhile. The lock is held. */
+  /** Asks the server, and repeats the question once if the connection breaks. The lock is held. */
   private <T> T answer(Question<T> question) throws CrossComException {
     try {
       return question.to(detector);

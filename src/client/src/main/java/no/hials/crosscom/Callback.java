@@ -77,8 +77,8 @@ public final class Callback {
   /**
    * Parses the value.
    *
-   * @return a variable of the type that the text has
-   * @throws NumberFormatException if the text has none of the types
+   * @return a variable of the text's type
+   * @throws NumberFormatException if the text is of no supported type
    */
   public Variable<?> getVariable() {
     return Variable.parseVariable(this);

@@ -12,7 +12,7 @@ public final class ClientConfig {
   /** The port that KUKAVARPROXY listens on. */
   public static final int DEFAULT_PORT = 7000;
 
-  /** Hears nothing; no thread is started for it. */
+  /** Does nothing; no thread is started for it. */
   static final ConnectionListener NO_LISTENER = event -> {};
 
   private final String host;
@@ -73,22 +73,22 @@ public final class ClientConfig {
     return options.port;
   }
 
-  /** Returns how long connecting may take. */
+  /** Returns the connect time-out. */
   public Duration connectTimeout() {
     return options.connectTimeout;
   }
 
-  /** Returns how long one exchange may take, zero for no limit. */
+  /** Returns the request time-out, zero for no limit. */
   public Duration requestTimeout() {
     return options.requestTimeout;
   }
 
-  /** Returns how many bytes the text of a written aggregate may have, zero for no limit. */
+  /** Returns the maximum length of a written aggregate in bytes, zero for no limit. */
   public int maxAggregateLength() {
     return options.maxAggregateLength;
   }
 
-  /** Returns how many bytes a request may have. */
+  /** Returns the maximum length of a request in bytes. */
   public int maxRequestLength() {
     return options.maxRequestLength;
   }
@@ -98,17 +98,17 @@ public final class ClientConfig {
     return options.reconnect;
   }
 
-  /** Returns how long to wait after a first failed attempt to connect again. */
+  /** Returns how long to wait after the first failed attempt to reconnect. */
   public Duration reconnectBackoff() {
     return options.reconnectBackoff;
   }
 
-  /** Returns how long to wait at most between two attempts. */
+  /** Returns the longest wait between two attempts. */
   public Duration maxReconnectBackoff() {
     return options.maxReconnectBackoff;
   }
 
-  /** Returns after how long without traffic a {@code PING} is read, zero for never. */
+  /** Returns the idle time after which the client reads {@code PING}, zero for never. */
   public Duration keepAlive() {
     return options.keepAlive;
   }
@@ -147,15 +147,15 @@ public final class ClientConfig {
 
     // times
 
-    /** Sets how long connecting may take; more than zero. The default is 5 s. */
+    /** Sets the connect time-out; more than zero. The default is 5 s. */
     public Builder connectTimeout(Duration value) {
       options.connectTimeout = time("connect time-out", value, false);
       return this;
     }
 
     /**
-     * Sets how long one exchange may take, from sending the request to the last byte of the answer;
-     * zero for no limit. The default is 3 s.
+     * Sets the request time-out, from sending the request to the last byte of the answer; zero for
+     * no limit. The default is 3 s.
      */
     public Builder requestTimeout(Duration value) {
       options.requestTimeout = time("request time-out", value, true);
@@ -163,8 +163,8 @@ public final class ClientConfig {
     }
 
     /**
-     * Sets after how long without traffic a {@code PING} is read, zero for never. The server drops
-     * a client after 30 s (docs/reference/kukavarproxy.md#connections). The default is 10 s.
+     * Sets the idle time after which the client reads {@code PING}, zero for never. The server
+     * drops a client after 30 s (docs/reference/kukavarproxy.md#connections). The default is 10 s.
      */
     public Builder keepAlive(Duration value) {
       options.keepAlive = time("keep-alive time", value, true);
@@ -174,8 +174,8 @@ public final class ClientConfig {
     // lengths
 
     /**
-     * Sets how many bytes the text of a written aggregate may have, zero for no limit. The default
-     * is 255 (docs/reference/krl-values.md#lengths).
+     * Sets the maximum length of a written aggregate in bytes, zero for no limit. The default is
+     * 255 (docs/reference/krl-values.md#lengths).
      */
     public Builder maxAggregateLength(int value) {
       check(value >= 0, "greatest aggregate length must be 0 or more, is " + value);
@@ -184,9 +184,9 @@ public final class ClientConfig {
     }
 
     /**
-     * Sets how many bytes a request may have, 16 to 65539. The default is 2048: KUKAVARPROXY takes
-     * no more at a time and loses the rest (docs/reference/kukavarproxy.md#pieces-of-requests). The
-     * messages that only C3 Bridge knows may have 65539 whatever this says.
+     * Sets the maximum length of a request in bytes, 16 to 65539. The default is 2048: KUKAVARPROXY
+     * loses the rest (docs/reference/kukavarproxy.md#pieces-of-requests). Messages that only C3
+     * Bridge supports may always have 65539.
      */
     public Builder maxRequestLength(int value) {
       check(
@@ -208,11 +208,10 @@ public final class ClientConfig {
     }
 
     /**
-     * Sets how long to wait between attempts to connect again.
+     * Sets how long to wait between attempts to reconnect.
      *
-     * @param first after the first failed attempt; twice as long after each further one. The
-     *     default is 100 ms
-     * @param most at most; the default is 5 s
+     * @param first after the first failed attempt, then doubled. The default is 100 ms
+     * @param most the longest wait; the default is 5 s
      */
     public Builder reconnectBackoff(Duration first, Duration most) {
       options.reconnectBackoff = time("reconnect backoff", first, false);

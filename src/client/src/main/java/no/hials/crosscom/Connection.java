@@ -28,12 +28,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One TCP connection and the exchanges on it. Not for several threads: the client's lock guards it,
- * except {@link #close}.
+ * One TCP connection and the exchanges on it. Not thread-safe: the client's lock guards it, except
+ * {@link #close}.
  *
  * <p>The answer is read without a socket time-out, which would cost two more system calls an
  * exchange; instead a thread of this connection closes the socket when an exchange is overdue. A
- * connection that failed stays closed: a late answer on it could be taken for that of another
+ * connection that failed stays closed: a late answer on it could be taken for the answer to another
  * request.
  */
 final class Connection {
@@ -212,7 +212,7 @@ final class Connection {
    *
    * @param frame begins with the request; its id is not sent
    * @param length the request's length
-   * @param id the id to be sent instead
+   * @param id the id to send instead
    * @param type its type
    * @param effect its effect on the controller
    * @param name the variable, or a phrase for the request, for error messages
@@ -300,11 +300,11 @@ final class Connection {
    * Sends a request and waits for its answer, which is a message.
    *
    * @param frame the request; its id is not sent
-   * @param id the id to be sent instead
+   * @param id the id to send instead
    * @param type its type
    * @param effect its effect on the controller
    * @param what a phrase for the request, for error messages
-   * @param answerClass the class that the answer has unless it says failure
+   * @param answerClass the class of a successful answer
    */
   MessageAnswer exchange(
       byte[] frame,
@@ -385,7 +385,7 @@ final class Connection {
    *
    * <p>To wake this thread for every exchange would cost more than the exchange, so it sleeps for
    * as long as the limit even if none is under way: one that begins meanwhile is due later than
-   * that. Only after such a time without an exchange does it doze, and an exchange has to wake it.
+   * that. It dozes only after such a time without an exchange; the next exchange wakes it.
    */
   private void watch() {
     boolean mayDoze = true;

@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Something that happened to a client's connection.
  *
- * @param kind what
- * @param time when
+ * @param kind what happened
+ * @param time when it happened
  * @param cause why the connection was lost, or connecting failed; null otherwise
  */
 public record ConnectionEvent(Kind kind, Instant time, @Nullable CrossComException cause) {

@@ -1,11 +1,11 @@
 package no.hials.crosscom;
 
-/** Hears what becomes of a client's connection. */
+/** Listens to connects and losses of a client's connection. */
 @FunctionalInterface
 public interface ConnectionListener {
   /**
-   * Takes an event. It is called by a thread of the client for this alone, {@code crosscom-events},
-   * one event after the other; taking long delays further events and nothing else.
+   * Called after each event, in the thread {@code crosscom-events-PORT}, one event after the other.
+   * A slow listener delays only further events.
    *
    * @param event what happened
    */

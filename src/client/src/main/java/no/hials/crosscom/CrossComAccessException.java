@@ -68,14 +68,14 @@ public final class CrossComAccessException extends CrossComException {
   /**
    * Returns the name of the code in C3 Bridge Interface.
    *
-   * @return the name; {@link ErrorCode#SUCCESS} from KUKAVARPROXY, which gives no reason; nothing
-   *     if the code is unknown
+   * @return the name; {@link ErrorCode#SUCCESS} from KUKAVARPROXY, which sends no reason; empty if
+   *     the code is unknown
    */
   public Optional<ErrorCode> getErrorCode() {
     return ErrorCode.from(code);
   }
 
-  /** What was tried. */
+  /** The refused access. */
   public enum Operation {
     /** Reading a variable. */
     READ("read", "the variable is unknown, not initialised or not readable"),

@@ -43,29 +43,29 @@ import org.jspecify.annotations.Nullable;
  * unknown, {@link CrossComException#isOutcomeUnknown} returns true.
  *
  * <p>Several threads can use the client: exchanges take place one at a time, in the order of the
- * calls. A variable is for one thread at a time. A call blocks until its answer arrives. When its
- * turn has come, that takes at most the request time-out, and if the client has to reconnect, the
- * connect time-out too; if a read is repeated, both again.
+ * calls. Only one thread at a time may use a variable. A call blocks until its answer arrives. From
+ * its turn, a call takes at most the request time-out, plus the connect time-out if the client has
+ * to reconnect. A repeated read can take twice as long.
  *
  * <p>A refused access or an unreadable value leaves the connection usable. After a time-out, a
  * broken connection or an invalid answer, the connection is closed, and the next call reconnects,
  * unless {@link ClientConfig#reconnect} is off. A read that was under way when the connection broke
  * is repeated once; a write never is.
  *
- * <p>The client detects the type of the server when it matters, and uses its features: on C3
- * Bridge, texts beyond ISO 8859-1, messages for several variables, and {@link #programs}, {@link
- * #motion}, {@link #pendant}, {@link #files} and {@link #information}. These five always return the
- * same objects, whose methods throw {@link CrossComUnsupportedException} on KUKAVARPROXY.
+ * <p>The client detects the type of the server when needed, and uses its features: on C3 Bridge,
+ * texts beyond ISO 8859-1, messages for several variables, and {@link #programs}, {@link #motion},
+ * {@link #pendant}, {@link #files} and {@link #information}. These five always return the same
+ * objects, whose methods throw {@link CrossComUnsupportedException} on KUKAVARPROXY.
  *
  * <p>The client creates these daemon threads, where PORT is the server's:
  *
  * <ul>
  *   <li>{@code crosscom-watchdog-PORT} closes the connection after a time-out.
- *   <li>{@code crosscom-keepalive-PORT} uses the connection when the program does not.
+ *   <li>{@code crosscom-keepalive-PORT} reads {@code PING} on an idle connection, and reconnects.
  *   <li>{@code crosscom-events-PORT} calls the {@link ConnectionListener}.
  *   <li>{@code crosscom-async-PORT} runs the operations of {@link #async}.
  *   <li>{@code crosscom-files-PORT} runs the transfers of files.
- *   <li>{@code crosscom-callback-PORT} runs the program's code that follows on their results.
+ *   <li>{@code crosscom-callback-PORT} runs the program's callbacks on their results.
  * </ul>
  *
  * <p>The last four exist only while they have work. Each {@link Watch} has its own threads.
@@ -185,8 +185,8 @@ public final class CrossComClient implements Closeable {
   /**
    * Reads a variable of the controller into its local copy.
    *
-   * @param variable the variable, which gets the value; unchanged if reading fails
-   * @throws CrossComAccessException if the controller refuses, as for an unknown name
+   * @param variable receives the value; unchanged if reading fails
+   * @throws CrossComAccessException if the controller refuses, for example an unknown name
    * @throws CrossComValueException if the controller's value is not of the variable's type
    * @throws CrossComException if the exchange fails
    */
@@ -201,8 +201,8 @@ public final class CrossComClient implements Closeable {
    * element by element, one access each, in order.
    *
    * @param variable the variable and its value
-   * @throws CrossComAccessException if the controller refuses, as for a read-only variable; of an
-   *     array, the elements before the named one were written
+   * @throws CrossComAccessException if the controller refuses, for example a read-only variable;
+   *     the elements of an array before the named one were written
    * @throws CrossComValueException if the text is too long to be sent
    * @throws CrossComException if the exchange fails
    * @throws IllegalStateException if the variable has no value
@@ -225,11 +225,11 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Reads a whole array: in one access if the server can, else element by element if the array
-   * knows how many there are.
+   * Reads a whole array: in one access if the server supports it, otherwise element by element if
+   * the array has a declared length.
    *
-   * @param array the array, which gets the elements; unchanged if reading fails
-   * @param progress called after each element, if it goes element by element
+   * @param array receives the value; unchanged if reading fails
+   * @param progress called after each element if the array is read element by element
    * @throws CrossComAccessException if the controller refuses; {@link
    *     CrossComException#getElementsDone} returns the number of elements read
    * @throws CrossComValueException if the controller's value is not of the array's type
@@ -244,8 +244,8 @@ public final class CrossComClient implements Closeable {
    *
    * @param array the array and its elements
    * @param progress called after each element
-   * @throws CrossComAccessException if the controller refuses an element; those before it were
-   *     written, and {@link CrossComException#getElementsDone} returns how many
+   * @throws CrossComAccessException if the controller refuses an element; the elements before it
+   *     were written, and {@link CrossComException#getElementsDone} returns their number
    * @throws CrossComException if an exchange fails
    * @throws IllegalStateException if the array has no value
    */
@@ -254,11 +254,11 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Reads several variables: from C3 Bridge 1.2 or later in as few messages as they fit into, from
-   * any other server one after the other, in order.
+   * Reads several variables: from C3 Bridge 1.2 or later in as few messages as possible, from any
+   * other server one after the other.
    *
-   * <p>The others are read even if the controller refuses a variable, or its value is of another
-   * type. If an exchange fails, all its variables fail, and the variables after them are not tried.
+   * <p>If the controller refuses a variable, or its value is of another type, the others are still
+   * read. If an exchange fails, all its variables fail, and the variables after them are not tried.
    * An array that cannot be read whole is read element by element, as by {@link
    * #readVariable(KRLArray, ArrayProgress)}.
    *
@@ -280,11 +280,11 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Writes several variables in order: to C3 Bridge 1.3 or later in as few messages as they fit
-   * into, to any other server one after the other. An array takes a message for each element.
+   * Writes several variables in order: to C3 Bridge 1.3 or later in as few messages as possible, to
+   * any other server one after the other. An array takes a message for each element.
    *
-   * <p>The others are written even if the controller refuses a variable. If an exchange fails, the
-   * outcome of all its variables may be unknown, and the variables after them are not tried.
+   * <p>If the controller refuses a variable, the others are still written. If an exchange fails,
+   * the outcome of all its variables may be unknown, and the variables after them are not tried.
    *
    * @param several the variables
    * @return one result per variable, in the same order
@@ -309,7 +309,7 @@ public final class CrossComClient implements Closeable {
    * Reads variables at a fixed period.
    *
    * @param watchConfig the variables and the period
-   * @param listener called with the samples in a separate thread; more can be added
+   * @param listener called with the samples in a separate thread; more listeners can be added
    * @return the running watch; the caller closes it
    */
   public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener) {
@@ -327,7 +327,7 @@ public final class CrossComClient implements Closeable {
    * Reads variables at a fixed period.
    *
    * @param period from one reading to the next; at least 1 ms
-   * @param listener called with the samples in a separate thread; more can be added
+   * @param listener called with the samples in a separate thread; more listeners can be added
    * @param names the variables to read
    * @return the running watch; the caller closes it
    */
@@ -382,8 +382,8 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Checks a write as {@link #writeText} does before it sends anything, so that a mistake shows
-   * before a person is asked whether to write.
+   * Checks a write like {@link #writeText}, without sending it, so that mistakes show before a
+   * person confirms the write.
    *
    * @param name the variable's name
    * @param value KRL text
@@ -476,8 +476,8 @@ public final class CrossComClient implements Closeable {
   /**
    * Returns the 16-bit number of two bytes, the higher first.
    *
-   * @param bytes has them
-   * @param off the index of the first
+   * @param bytes contains both bytes
+   * @param off the index of the first byte
    * @return 0 to 65535
    * @deprecated {@link Codec} decodes frames
    */
@@ -496,14 +496,13 @@ public final class CrossComClient implements Closeable {
    * CompletableFuture<String> mode = client.async(c -> c.readText("$MODE_OP"));
    * }</pre>
    *
-   * <p>Cancelling the future before the first exchange means that nothing is sent. Later it does
-   * nothing and returns false. That holds for the client that the function gets, which is a view of
-   * this one with the same connection. The function takes its values when it runs, so a variable
-   * must not be changed meanwhile.
+   * <p>If the future is cancelled before the first exchange, nothing is sent. Later, {@code cancel}
+   * does nothing and returns false. This applies to the client passed to the function, a view of
+   * this client with the same connection. Do not change a variable before the function has used it.
    *
-   * @param function uses the client that it gets
+   * @param function uses the client passed to it
    * @param <T> the type of the result
-   * @return the result to come; if the function throws, the future fails with the same exception
+   * @return a future of the result, which fails with the exception that the function throws
    */
   public <T extends @Nullable Object> CompletableFuture<T> async(CrossComFunction<T> function) {
     return threads.async(call -> function.apply(new CrossComClient(this, call)));
@@ -516,8 +515,8 @@ public final class CrossComClient implements Closeable {
    * client.asyncRun(c -> c.programs().start(Interpreter.ROBOT));
    * }</pre>
    *
-   * @param action uses the client that it gets
-   * @return the end to come; if the action throws, the future fails with the same exception
+   * @param action uses the client passed to it
+   * @return a future of the end, which fails with the exception that the action throws
    */
   public CompletableFuture<Void> asyncRun(CrossComAction action) {
     return threads.<@Nullable Void>async(
@@ -558,7 +557,7 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Sets how long the next exchanges may take.
+   * Sets the request time-out of the next exchanges.
    *
    * @param millis in ms; 0 for no limit
    * @throws SocketException never; declared for programs of the original, which may catch it
@@ -572,7 +571,7 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Returns how long an exchange may take.
+   * Returns the request time-out.
    *
    * @return in ms; 0 for no limit
    * @throws SocketException never; declared for programs of the original, which may catch it
@@ -582,9 +581,9 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
-   * Closes the connection for good. Exchanges of other threads that are under way or waiting fail
-   * with {@link CrossComClosedException}, unless an answer arrives at the same moment. Closing
-   * again does nothing.
+   * Closes the client. Running and waiting exchanges of other threads fail with {@link
+   * CrossComClosedException}, unless an answer arrives at the same moment. Closing again does
+   * nothing.
    *
    * @throws IOException never; declared for programs of the original, which may catch it
    */

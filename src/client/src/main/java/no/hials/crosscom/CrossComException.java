@@ -5,8 +5,8 @@ import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Thrown if an operation of the client fails. The subclasses differ by what the caller can do about
- * it.
+ * Thrown if an operation of the client fails. There is one subclass for each cause that callers
+ * handle differently.
  */
 public abstract sealed class CrossComException extends IOException
     permits CrossComConnectException,
@@ -35,25 +35,26 @@ public abstract sealed class CrossComException extends IOException
   }
 
   /**
-   * Returns whether this was a write or command that the controller may or may not have done. The
-   * client never repeats it; read the state of the controller before you do.
+   * Returns whether the controller may have carried out the failed write or command. The client
+   * never repeats it; check the controller before you repeat it.
    *
-   * @return true if so; false for a read, and for a write or command that was certainly not done
+   * @return true if so; false for a read, and for a write or command that was certainly not carried
+   *     out
    */
   public boolean isOutcomeUnknown() {
     return outcomeUnknown;
   }
 
-  /** Notes how far reading or writing an array element by element had come. */
+  /** Sets the progress of reading or writing an array element by element. */
   final void setElementsDone(int done, int total) {
     elementsDone = done;
     elements = total;
   }
 
   /**
-   * Returns how many elements of an array were read or written, if it went element by element.
+   * Returns the number of array elements done before the failure.
    *
-   * @return how many elements were done before the one that failed; nothing for other operations
+   * @return the number of elements; empty unless the array was accessed element by element
    */
   public OptionalInt getElementsDone() {
     return elementsDone < 0 ? OptionalInt.empty() : OptionalInt.of(elementsDone);

@@ -4,8 +4,8 @@ import java.util.Optional;
 import no.hials.crosscom.protocol.ErrorCode;
 
 /**
- * Thrown if C3 Bridge Interface refuses a command other than the access to a variable, for which
- * there is {@link CrossComAccessException}. The connection can be used.
+ * Thrown if C3 Bridge Interface refuses a command. For a refused access to a variable see {@link
+ * CrossComAccessException}. The connection can be used.
  */
 public final class CrossComRefusedException extends CrossComException {
   private static final long serialVersionUID = 1L;

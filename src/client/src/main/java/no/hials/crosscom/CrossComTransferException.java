@@ -4,8 +4,8 @@ package no.hials.crosscom;
  * Thrown if a file was not transferred, or not correctly: the target exists, or the content that
  * arrived differs. The connection can be used.
  *
- * <p>Before an upload is complete, the controller has nothing of the file; a download that failed
- * leaves no file. Where an upload is complete but the file differs, the message says so.
+ * <p>The controller stores nothing before an upload is complete, and a failed download leaves no
+ * file. If an upload is complete but the file differs, the message says so.
  */
 public final class CrossComTransferException extends CrossComException {
   private static final long serialVersionUID = 1L;
@@ -24,7 +24,7 @@ public final class CrossComTransferException extends CrossComException {
     return file;
   }
 
-  /** Returns how many bytes were transferred. */
+  /** Returns the number of bytes transferred. */
   public long getBytes() {
     return bytes;
   }

@@ -7,8 +7,8 @@ import no.hials.crosscom.protocol.Version;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Thrown if the server does not support an operation, for example since KUKAVARPROXY has no
- * programs, motions and files. It was not sent; the connection can be used.
+ * Thrown if the server does not support an operation, for example programs, motions and files on
+ * KUKAVARPROXY. Nothing was sent; the connection can be used.
  */
 public final class CrossComUnsupportedException extends CrossComException {
   private static final long serialVersionUID = 1L;
@@ -34,15 +34,12 @@ public final class CrossComUnsupportedException extends CrossComException {
     this.server = server;
   }
 
-  /** Returns the message that the server does not know. */
+  /** Returns the message that the server does not support. */
   public MessageType getNeededMessage() {
     return needed;
   }
 
-  /**
-   * Returns the first version of C3 Bridge Interface with the message
-   * (docs/reference/c3-messages.md#server-versions).
-   */
+  /** Returns the version of C3 Bridge Interface (docs/reference/c3-messages.md#server-versions). */
   public Optional<Version> getNeededVersion() {
     return needed.since();
   }

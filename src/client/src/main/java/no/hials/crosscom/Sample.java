@@ -10,19 +10,19 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a {@link Watch} read at one time.
+ * The values that a {@link Watch} read at one time.
  *
- * @param number from 1; counts the samples that were given
+ * @param number the number of the sample, from 1
  * @param time when the reading began
  * @param duration how long reading all variables took
- * @param readings what came of each variable, in the order in which they were asked for
- * @param changed the names of those that changed since a sample last said so, by more than the dead
- *     band; all in the first. If somebody was too slow to get a sample, what changed in it is named
- *     again in the next, for all
- * @param missedPeriods how many periods before this sample were left out because the reading before
+ * @param readings the result for each variable, in the order of {@link WatchConfig#names}
+ * @param changed the variables that changed by more than the dead band since they were last
+ *     reported as changed; all in the first sample. If a slow listener missed a sample, the next
+ *     sample repeats its changes, for all listeners
+ * @param missedPeriods the number of periods skipped before this sample because the reading before
  *     took too long
- * @param failedPolls how many readings since the last sample failed as a whole, as during a loss of
- *     the connection: there is a gap before this sample if it is not 0
+ * @param failedPolls the number of readings since the last sample that failed as a whole, for
+ *     example without a connection; if not 0, there is a gap before this sample
  */
 public record Sample(
     long number,
@@ -42,10 +42,10 @@ public record Sample(
   /**
    * Returns the value of a variable.
    *
-   * @param name its name, as it was asked for
+   * @param name its name, as in {@link WatchConfig#names}
    * @return the value
    * @throws CrossComException if it could not be read
-   * @throws IllegalArgumentException if it was not asked for
+   * @throws IllegalArgumentException if the watch does not read it
    */
   public KrlValue value(String name) throws CrossComException {
     Reading reading = readings.get(name);
@@ -62,10 +62,10 @@ public record Sample(
   }
 
   /**
-   * What came of reading one variable: a value or a failure.
+   * The result of reading one variable: a value or a failure.
    *
    * @param value the value; null if reading failed
-   * @param failure why it failed, as for an unknown name; null if it did not
+   * @param failure the reason, for example an unknown name; null after a success
    */
   public record Reading(@Nullable KrlValue value, @Nullable CrossComException failure) {
 

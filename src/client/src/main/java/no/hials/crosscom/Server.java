@@ -13,12 +13,12 @@ import org.jspecify.annotations.Nullable;
  *     (docs/reference/c3-messages.md#internal-variables)
  * @param version its version, by its answer to {@code @PROXY_VERSION}; null if it has none, as
  *     KUKAVARPROXY
- * @param features the messages that it knows; for KUKAVARPROXY 0 to 3
+ * @param features the messages that it supports; for KUKAVARPROXY 0 to 3
  *     (docs/reference/wire-format.md#requests)
  */
 public record Server(ServerType type, @Nullable Version version, Features features) {
 
-  /** Returns whether the server knows a message. */
+  /** Returns whether the server supports a message. */
   public boolean knows(MessageType message) {
     return features.has(message);
   }

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class ServerDetector {
   /**
-   * What C3 Bridge answers to {@code @PROXY_TYPE}
+   * The answer of C3 Bridge to {@code @PROXY_TYPE}
    * (docs/reference/c3-messages.md#internal-variables).
    */
   private static final String C3_BRIDGE = "C3 BRIDGE INTERFACE";
@@ -124,8 +124,8 @@ final class ServerDetector {
   }
 
   /**
-   * Throws if the server does not know a message, or is said to have it wrong: of types 6 and 7 the
-   * features say nothing, since versions before those that have them right have them, too
+   * Throws if the server does not support a message, or supports it with errors. The features
+   * cannot show this for types 6 and 7, which early versions had with errors
    * (docs/reference/c3-messages.md#server-versions).
    */
   MessageType require(MessageType message, String what) throws CrossComException {

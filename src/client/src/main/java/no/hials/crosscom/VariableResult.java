@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The result of reading or writing one of several variables.
  *
- * @param variable the variable; it has the new value if there is no failure
+ * @param variable the variable, which has the new value after a success
  * @param failure the failure; null after a success
  */
 public record VariableResult(KRLVariable variable, @Nullable CrossComException failure) {

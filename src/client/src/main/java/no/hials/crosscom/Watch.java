@@ -26,17 +26,17 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Reads a set of variables again and again, at a fixed period without drift; made by {@link
+ * Reads variables repeatedly, at a fixed period without drift; created by {@link
  * CrossComClient#watch}.
  *
- * <p>A reading that takes longer than a period does not make the later ones late: the periods it
- * missed are left out and counted. A slow listener does not delay the reading either: samples wait
- * for it up to a limit, beyond which they are dropped and counted. While the connection is lost the
- * watch goes on trying; the first sample afterwards says how many readings failed.
+ * <p>A reading that takes longer than a period does not delay later readings: the missed periods
+ * are skipped and counted. A slow listener does not delay readings either: samples wait for it up
+ * to a limit; further samples are dropped and counted. While the connection is lost, the watch
+ * continues; the next sample contains the number of failed readings.
  *
  * <p>It runs the daemon thread {@code crosscom-watch-N}, and one {@code crosscom-watch-N-listener}
- * for each listener or subscriber that has something to take. It ends when it or its client is
- * closed; subscribers then get {@code onComplete}.
+ * for each listener or subscriber with waiting samples. It ends when it or its client is closed;
+ * subscribers then get {@code onComplete}.
  */
 public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
@@ -55,15 +55,15 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private final AtomicLong missed = new AtomicLong();
   private final AtomicLong failed = new AtomicLong();
 
-  // the watching thread's own
+  // used only by the watching thread
   private long samples;
   private long missedSinceSample;
   private long failedSinceSample;
 
-  /** What the samples last said of each variable; one that stayed in the dead band is as it was. */
+  /** The readings last reported as changed; the dead band is relative to them. */
   private final Map<String, Reading> told = new HashMap<>();
 
-  /** What changed in samples that somebody did not get, and so has to be told again. */
+  /** The changes in dropped samples, which the next sample repeats. */
   private final Set<String> owed = new HashSet<>();
 
   Watch(
@@ -77,7 +77,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     this.config = config;
     this.variables = config.names().stream().map(KRLAny::new).toList();
     String name = "crosscom-watch-" + COUNT.incrementAndGet();
-    // not shut down, since what waits in the buffers may be asked for after the end
+    // not shut down: a subscriber may request waiting samples after the end
     this.publisher =
         new SubmissionPublisher<>(Threads.forCallbacks(name + "-listener"), config.bufferSize());
     this.thread = new Thread(this::run, name);
@@ -91,7 +91,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   /**
    * Adds a listener.
    *
-   * @param listener takes the samples from now on, one after the other; its exceptions are logged
+   * @param listener called with each later sample, one after the other; its exceptions are logged
    */
   public void addListener(Consumer<? super Sample> listener) {
     CompletableFuture<Void> unused =
@@ -108,7 +108,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   /**
    * Adds a subscriber.
    *
-   * @param subscriber takes the samples from now on, as many as it asks for
+   * @param subscriber receives later samples, as many as it requests
    */
   @Override
   public void subscribe(Flow.Subscriber<? super Sample> subscriber) {
@@ -203,7 +203,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
       failedSinceSample = 0;
       owed.clear();
     } else {
-      // the next sample says it again, so that a slow listener ends up with the last values too
+      // the next sample repeats the changes, so that a slow listener gets the last values too
       owed.addAll(sample.changed());
     }
   }
@@ -256,7 +256,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     return !before.equals(now);
   }
 
-  /** Ends the watch; a reading under way is finished. Subscribers are told. */
+  /** Ends the watch after the current reading, and completes the subscribers. */
   @Override
   public void close() {
     closed = true;

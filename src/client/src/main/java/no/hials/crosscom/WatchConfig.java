@@ -5,17 +5,16 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * What a {@link Watch} is to do. Immutable; made by {@link #create}.
+ * The configuration of a {@link Watch}. Immutable; created by {@link #create}.
  *
  * @param names the variables to read, in this order; at least one
  * @param period from the beginning of one reading to the beginning of the next; at least 1 ms,
  *     default 100 ms
- * @param changesOnly whether a sample is given only if a value has changed since the last one
- *     given; default false
- * @param deadBand by how much a REAL has to change to count as changed, in its own unit; 0 or more,
- *     default 0
- * @param bufferSize how many samples may wait for a slow listener before further ones are dropped;
- *     1 to 65536, default 256
+ * @param changesOnly whether samples without a changed value are left out; default false
+ * @param deadBand a REAL counts as changed if it differs by more than this, in its own unit; 0 or
+ *     more, default 0
+ * @param bufferSize the number of samples that may wait for a slow listener before further samples
+ *     are dropped; 1 to 65536, default 256
  */
 public record WatchConfig(
     List<String> names, Duration period, boolean changesOnly, double deadBand, int bufferSize) {
@@ -70,19 +69,19 @@ public record WatchConfig(
       return this;
     }
 
-    /** Sets whether only changes are given. */
+    /** Sets whether samples without a changed value are left out. */
     public Builder changesOnly(boolean value) {
       changesOnly = value;
       return this;
     }
 
-    /** Sets by how much a REAL has to change. */
+    /** Sets the dead band. */
     public Builder deadBand(double value) {
       deadBand = value;
       return this;
     }
 
-    /** Sets how many samples may wait. */
+    /** Sets the number of samples that may wait for a slow listener. */
     public Builder bufferSize(int value) {
       bufferSize = value;
       return this;

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * (docs/reference/c3-messages.md#information-features-and-confirm-all-13-14-and-63).
  *
  * @param version its version; the third number is always 0
- * @param build how it was built; the number is kept if it is unknown
+ * @param build its build type, known or not
  * @param clock the controller's clock when it answered, to the ms; null if the server sent no valid
  *     time
  * @param host the controller's computer name

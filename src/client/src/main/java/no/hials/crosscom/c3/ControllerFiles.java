@@ -22,8 +22,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Lists, creates, deletes, copies, moves, uploads and downloads the files of the controller. Needs
  * C3 Bridge Interface 1.1.2. Versions before 1.4 have errors with large files
- * (docs/reference/c3-messages.md#server-versions), which show as failed transfers, since the
- * content that arrived is always checked.
+ * (docs/reference/c3-messages.md#server-versions), which appear as failed transfers, because the
+ * received content is always checked.
  *
  * <p>Files have names such as {@code KRC:\R1\PROGRAM\X.SRC} or {@code /R1/X.SRC}. The controller
  * decides which forms it accepts; the messages carry all of Unicode. All methods block, except
@@ -31,19 +31,19 @@ import org.jspecify.annotations.Nullable;
  * they throw {@link CrossComUnsupportedException}; if the controller refuses, {@link
  * CrossComRefusedException} with its code. A change of a file is never repeated.
  *
- * <p>Uploads and downloads are many exchanges, each with the request time-out. Other threads have
- * their turn between them, but a client does only one transfer at a time. If the connection is lost
+ * <p>An upload or download takes many exchanges, each with the request time-out. Other threads can
+ * use the client between them, but it runs only one transfer at a time. If the connection is lost
  * in the middle, the transfer fails, because the server forgets the content:
  *
  * <ul>
- *   <li>If an upload fails, the controller has nothing of it, unless the exception says that the
+ *   <li>If an upload fails, the controller stores nothing, unless the exception says that the
  *       outcome is unknown, or that the file is stored but differs.
  *   <li>A download to a file of this computer is written next to it as {@code NAME.RANDOM.part}.
  *       When it is complete, it replaces the file; if the download fails, it is removed.
  * </ul>
  *
  * <p>The {@code ...Async} methods transfer in the daemon thread {@code crosscom-files-PORT}. They
- * can be cancelled until the transfer takes effect, and then nothing of it is left.
+ * can be cancelled until the transfer takes effect; a cancelled transfer leaves nothing.
  *
  * <p>Programs get this object from {@link no.hials.crosscom.CrossComClient#files}.
  */
@@ -81,9 +81,8 @@ public interface ControllerFiles {
    * Returns whether a file or directory exists.
    *
    * @param name its name
-   * @return false if the controller refuses to tell its type with {@link ErrorCode#GENERAL}, the
-   *     answer of C3 Bridge for a name that does not exist
-   *     (docs/reference/c3-messages.md#files-20-to-28)
+   * @return false if the controller refuses with {@link ErrorCode#GENERAL}, the answer of C3 Bridge
+   *     for a name that does not exist (docs/reference/c3-messages.md#files-20-to-28)
    * @throws CrossComRefusedException if the controller refuses with another code
    * @throws CrossComException if the exchange fails
    */
@@ -362,72 +361,72 @@ public interface ControllerFiles {
   // --- transfers in another thread
 
   /**
-   * Does the same as {@link #upload(Path, String, TransferConfig)} in another thread.
+   * Works like {@link #upload(Path, String, TransferConfig)} in another thread.
    *
    * @param source the file
    * @param name the name of the file on the controller
    * @param config how to transfer
-   * @return the end to come; if it is cancelled before all is sent, nothing is stored
+   * @return completes at the end; if it is cancelled before all is sent, nothing is stored
    */
   CompletableFuture<Void> uploadAsync(Path source, String name, TransferConfig config);
 
   /**
-   * Does the same as {@link #upload(byte[], String, TransferConfig)} in another thread.
+   * Works like {@link #upload(byte[], String, TransferConfig)} in another thread.
    *
    * @param content the bytes, which must not change until the upload is done
    * @param name the name of the file on the controller
    * @param config how to transfer
-   * @return the end to come; if it is cancelled before all is sent, nothing is stored
+   * @return completes at the end; if it is cancelled before all is sent, nothing is stored
    */
   CompletableFuture<Void> uploadAsync(byte[] content, String name, TransferConfig config);
 
   /**
-   * Does the same as {@link #upload(InputStream, long, String, TransferConfig)} in another thread.
+   * Works like {@link #upload(InputStream, long, String, TransferConfig)} in another thread.
    *
    * @param content read to its end, and left open
    * @param size the number of bytes in the stream
    * @param name the name of the file on the controller
    * @param config how to transfer
-   * @return the end to come; if it is cancelled before all is sent, nothing is stored
+   * @return completes at the end; if it is cancelled before all is sent, nothing is stored
    */
   CompletableFuture<Void> uploadAsync(
       InputStream content, long size, String name, TransferConfig config);
 
   /**
-   * Does the same as {@link #uploadText} in another thread.
+   * Works like {@link #uploadText} in another thread.
    *
    * @param text the content
    * @param name the name of the file on the controller
    * @param config how to transfer
-   * @return the end to come; if it is cancelled before all is sent, nothing is stored
+   * @return completes at the end; if it is cancelled before all is sent, nothing is stored
    */
   CompletableFuture<Void> uploadTextAsync(String text, String name, TransferConfig config);
 
   /**
-   * Does the same as {@link #download(String, TransferConfig)} in another thread.
+   * Works like {@link #download(String, TransferConfig)} in another thread.
    *
    * @param name its name on the controller
    * @param config how to transfer; it overwrites nothing
-   * @return the result to come
+   * @return completes with the content
    */
   CompletableFuture<byte[]> downloadAsync(String name, TransferConfig config);
 
   /**
-   * Does the same as {@link #download(String, Path, TransferConfig)} in another thread.
+   * Works like {@link #download(String, Path, TransferConfig)} in another thread.
    *
    * @param name its name on the controller
    * @param target the file to create or replace, in an existing directory
    * @param config how to transfer
-   * @return the end to come; if it is cancelled before all has arrived, no file is left
+   * @return completes at the end; if it is cancelled before all has arrived, no file is left
    */
   CompletableFuture<Void> downloadAsync(String name, Path target, TransferConfig config);
 
   /**
-   * Does the same as {@link #downloadText} in another thread.
+   * Works like {@link #downloadText} in another thread.
    *
    * @param name its name on the controller
    * @param config how to transfer; it overwrites nothing
-   * @return the result to come
+   * @return completes with the content
    */
   CompletableFuture<String> downloadTextAsync(String name, TransferConfig config);
 }

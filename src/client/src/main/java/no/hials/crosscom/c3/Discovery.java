@@ -23,27 +23,27 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Finds servers by UDP (docs/reference/wire-format.md#discovery). It asks only whom the {@link
- * DiscoveryConfig} names.
+ * Finds servers by UDP (docs/reference/wire-format.md#discovery). It asks only the addresses in the
+ * {@link DiscoveryConfig}.
  *
  * <p>In legacy mode a server answers to a fixed port of this machine, which no other program may
- * have. The answers name no question, so they are known by their form.
+ * use. An answer does not name its question, and is recognised by its form.
  */
 public final class Discovery {
   private static final Logger LOG = LoggerFactory.getLogger(Discovery.class);
 
   private static final String PRESENCE = "WHEREAREYOU?";
 
-  /** How an answer to that begins. */
+  /** The beginning of an answer to that question. */
   private static final String PRESENT = "KUKA|";
 
   private static final List<String> DETAILS =
       List.of("@PROXY_TYPE", "@PROXY_VERSION", "@PROXY_PORT");
 
-  /** How often the question is put, since a datagram may get lost. */
+  /** The number of times that each question is sent, because a datagram may get lost. */
   private static final int ROUNDS = 2;
 
-  /** So that made-up senders cannot fill the memory. */
+  /** Prevents forged senders from filling the memory. */
   private static final int MAX_FOUND = 1000;
 
   private final DiscoveryConfig config;
@@ -54,10 +54,10 @@ public final class Discovery {
     this.config = config;
   }
 
-  /** A way to ask. */
+  /** The channel and the port of a mode. */
   private record Mode(DatagramChannel channel, int port) {}
 
-  /** What one server has answered so far. */
+  /** The answers of one server so far. */
   private static final class Answers {
     final InetAddress address;
     @Nullable String presence;
@@ -105,8 +105,8 @@ public final class Discovery {
   /**
    * Finds servers, in the calling thread. It takes as long as the time-out.
    *
-   * @param config whom to ask, and how
-   * @return what answered, in the order of the answers
+   * @param config the addresses to ask, and the options
+   * @return the servers, in the order of their answers
    * @throws InterruptedIOException if the thread was interrupted
    * @throws IOException if nothing could be sent, or the port for the answers is taken
    */
@@ -185,7 +185,7 @@ public final class Discovery {
     }
   }
 
-  /** Asks every target; that one cannot be reached does not keep the others from being asked. */
+  /** Asks every target, even if a target before it cannot be reached. */
   private void askAll(List<Mode> modes) throws IOException {
     int sent = 0;
     for (Mode mode : modes) {
@@ -210,7 +210,7 @@ public final class Discovery {
     }
   }
 
-  /** Takes what has come, but not for longer than the round lasts, however much it is. */
+  /** Receives the waiting answers, but no longer than until the end of the round. */
   private void receive(Mode mode, int round, long until) throws IOException {
     while (until - System.nanoTime() > 0) {
       buffer.clear();
@@ -227,7 +227,7 @@ public final class Discovery {
       }
       Answers answers = found.computeIfAbsent(address, Answers::new);
       answers.take(text);
-      // once a round: one that answers to all that it is somewhere would be asked without end
+      // once a round: a server that answers every question with its presence would be asked forever
       if (text.startsWith(PRESENT) && answers.askedIn < round) {
         answers.askedIn = round;
         for (String question : DETAILS) {

@@ -15,8 +15,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a {@link Discovery} asks, and how. Immutable; created by {@link #create}. The {@link
- * Builder} describes the options.
+ * The options of a {@link Discovery}. Immutable; created by {@link #create}. The {@link Builder}
+ * describes the options.
  */
 public final class DiscoveryConfig {
   private final List<InetAddress> targets;
@@ -147,9 +147,7 @@ public final class DiscoveryConfig {
       return this;
     }
 
-    /**
-     * Sets how long to wait for answers, all of which is waited; 1 ms or more. The default is 1 s.
-     */
+    /** Sets how long every discovery takes, 1 ms or more. The default is 1 s. */
     public Builder timeout(Duration value) {
       check(
           value.compareTo(Duration.ofMillis(1)) >= 0
@@ -161,7 +159,7 @@ public final class DiscoveryConfig {
 
     /**
      * Sets the address of this machine to ask from, an IPv4 address of an interface. The default is
-     * whichever leads to the target.
+     * the address of the route to each target.
      */
     public Builder localAddress(InetAddress value) {
       options.localAddress = value;
@@ -171,8 +169,8 @@ public final class DiscoveryConfig {
     // modes
 
     /**
-     * Sets whether to ask in the legacy mode, which KUKAVARPROXY knows too (the default); false to
-     * find only C3 Bridge, and to leave the reply port alone.
+     * Sets whether to ask in the legacy mode, which KUKAVARPROXY supports too (the default); false
+     * to find only C3 Bridge, and to leave the reply port alone.
      */
     public Builder legacy(boolean value) {
       options.legacy = value;

@@ -10,7 +10,7 @@ import no.hials.crosscom.protocol.code.ItemType;
 /**
  * One item of a listed directory.
  *
- * @param name the name as the server lists it; a whole path if the list flags made it so
+ * @param name the name as the server lists it; a whole path with some list flags
  * @param type its type, known or not; empty if the server did not send it
  * @param attributes its attributes; empty if the server did not send them
  * @param size in bytes; empty if the server did not send it

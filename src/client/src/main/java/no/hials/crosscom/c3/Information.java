@@ -11,8 +11,8 @@ import no.hials.crosscom.protocol.server.Features;
  * Asks C3 Bridge Interface about itself, and confirms the messages of the controller
  * (docs/reference/c3-messages.md#information-features-and-confirm-all-13-14-and-63).
  *
- * <p>For several threads. All methods block for at most the request time-out. They throw {@link
- * CrossComUnsupportedException} on KUKAVARPROXY and on older versions without the message; {@link
+ * <p>Thread-safe. All methods block for at most the request time-out. They throw {@link
+ * CrossComUnsupportedException} on KUKAVARPROXY and on versions without the message; {@link
  * CrossComRefusedException} with the server's code if it refuses; another {@link CrossComException}
  * if the exchange fails.
  *
@@ -28,8 +28,8 @@ public interface Information {
   BridgeInfo get() throws CrossComException;
 
   /**
-   * Returns the messages that the server knows. {@link no.hials.crosscom.CrossComClient#getServer}
-   * returns them without asking again.
+   * Returns the messages that the server supports. {@link
+   * no.hials.crosscom.CrossComClient#getServer} returns them without asking again.
    *
    * @return the server's answer
    * @throws CrossComException if the server cannot do it, refuses, or the exchange fails

@@ -8,20 +8,19 @@ import no.hials.crosscom.protocol.code.PendantKey;
  * A key of the pendant and its target, to press or release
  * (docs/reference/c3-messages.md#pendant-keys-12).
  *
- * @param key which key
+ * @param key the key
  * @param number the interpreter's number for start and stop, the axis for jog and mouse
- * @param keyCode which key of several; 0 for start and stop. Of a jog the reference has one
- *     example, with 2 (docs/reference/c3-messages.md#examples), and does not explain the number
+ * @param keyCode which key of several; 0 for start and stop. The reference has one example of a
+ *     jog, with 2 (docs/reference/c3-messages.md#examples), and does not explain the number
  * @param direction false for forward, as in the example of a start; true for plus, as in that of a
- *     jog (docs/reference/c3-messages.md#examples). That the other value is the other direction is
- *     assumed
+ *     jog (docs/reference/c3-messages.md#examples). The meaning of the opposite values is assumed
  */
 public record KeyAction(Code<PendantKey> key, int number, int keyCode, boolean direction) {
 
   /**
    * Returns the key that starts the program forward.
    *
-   * @param interpreter whose program
+   * @param interpreter the interpreter of the program
    * @return the key
    */
   public static KeyAction start(Interpreter interpreter) {
@@ -31,7 +30,7 @@ public record KeyAction(Code<PendantKey> key, int number, int keyCode, boolean d
   /**
    * Returns the key that starts the program backward.
    *
-   * @param interpreter whose program
+   * @param interpreter the interpreter of the program
    * @return the key
    */
   public static KeyAction startBackward(Interpreter interpreter) {
@@ -41,7 +40,7 @@ public record KeyAction(Code<PendantKey> key, int number, int keyCode, boolean d
   /**
    * Returns the key that stops the program.
    *
-   * @param interpreter whose program
+   * @param interpreter the interpreter of the program
    * @return the key
    */
   public static KeyAction stop(Interpreter interpreter) {

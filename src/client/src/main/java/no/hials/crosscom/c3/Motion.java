@@ -17,9 +17,9 @@ import no.hials.crosscom.KRL.structs.KRLFrame;
  * matter. Only the fields that were set or read are sent, in mm and degrees; the others stay as
  * they are, as in a KRL motion to an aggregate.
  *
- * <p>For several threads, but a position is for one at a time. All methods block for at most the
- * request time-out. They throw {@link IllegalArgumentException} if no field of the position has a
- * value; {@link CrossComUnsupportedException} on KUKAVARPROXY, before the motion is sent; {@link
+ * <p>Thread-safe, but only one thread at a time may use a position. All methods block for at most
+ * the request time-out. They throw {@link IllegalArgumentException} if no field of the position has
+ * a value; {@link CrossComUnsupportedException} on KUKAVARPROXY, before the motion is sent; {@link
  * CrossComRefusedException} with the server's code if it refuses; another {@link CrossComException}
  * if the exchange fails.
  *

@@ -18,7 +18,7 @@ import no.hials.crosscom.CrossComUnsupportedException;
  *
  * <p>If this program, its machine or the network fails meanwhile, nothing releases the key.
  *
- * <p>For several threads. All methods block for at most the request time-out. They throw {@link
+ * <p>Thread-safe. All methods block for at most the request time-out. They throw {@link
  * CrossComUnsupportedException} on KUKAVARPROXY, before anything is pressed; {@link
  * CrossComRefusedException} with the server's code if it refuses; another {@link CrossComException}
  * if the exchange fails.

@@ -3,7 +3,7 @@ package no.hials.crosscom.c3;
 import java.util.concurrent.atomic.AtomicBoolean;
 import no.hials.crosscom.CrossComException;
 
-/** A pressed key of the pendant; closing it releases the key. For several threads. */
+/** A pressed key of the pendant; closing it releases the key. Thread-safe. */
 public final class PressedKey implements AutoCloseable {
   private final Pendant pendant;
   private final KeyAction key;
@@ -32,7 +32,7 @@ public final class PressedKey implements AutoCloseable {
     if (released.getAndSet(true)) {
       return;
     }
-    // an exchange refuses to begin in an interrupted thread, and the machine would go on moving
+    // an exchange does not begin in an interrupted thread, and the machine would keep moving
     boolean interrupted = Thread.interrupted();
     boolean done = false;
     try {
@@ -46,7 +46,7 @@ public final class PressedKey implements AutoCloseable {
     }
   }
 
-  /** Releases the key, and adds a failure to that of the press. */
+  /** Releases the key, and adds a failure to the failure of the press. */
   void releaseAfter(CrossComException failure) {
     try {
       close();

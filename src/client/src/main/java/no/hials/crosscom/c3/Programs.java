@@ -14,7 +14,7 @@ import no.hials.crosscom.protocol.code.Interpreter;
  * command was accepted. {@code $PRO_STATE1} shows the state of the robot interpreter, {@code
  * $PRO_STATE0} that of the submit interpreter.
  *
- * <p>For several threads. All methods block for at most the request time-out. They throw {@link
+ * <p>Thread-safe. All methods block for at most the request time-out. They throw {@link
  * CrossComUnsupportedException} on KUKAVARPROXY, before the command is sent; {@link
  * CrossComRefusedException} with the server's code if it refuses, for example a program with
  * errors; another {@link CrossComException} if the exchange fails.

@@ -8,18 +8,18 @@ import java.util.function.Consumer;
 import no.hials.crosscom.protocol.code.CopyFlag;
 
 /**
- * The options of an upload or download. Immutable; made by {@link #create}.
+ * The options of an upload or download. Immutable; created by {@link #create}.
  *
  * @param overwrite whether to replace an existing file; default false
- * @param flags sent as they are, besides {@link CopyFlag#OVERWRITE}, which {@code overwrite} sets;
- *     default none
+ * @param flags flags for the controller, except {@link CopyFlag#OVERWRITE}, which {@code overwrite}
+ *     sets; default none
  * @param verification how to check that all bytes arrived; default {@link Verification#SIZE}
  * @param progress called with the progress; default nothing
  */
 public record TransferConfig(
     boolean overwrite, Set<CopyFlag> flags, Verification verification, TransferProgress progress) {
 
-  /** Everything as by default. */
+  /** All options at their defaults. */
   public static final TransferConfig DEFAULT = create(cfg -> {});
 
   /** Checks every field. */

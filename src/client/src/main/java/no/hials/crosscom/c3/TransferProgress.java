@@ -1,16 +1,15 @@
 package no.hials.crosscom.c3;
 
-/** Hears how far an upload or a download has come. */
+/** Listens to the progress of an upload or a download. */
 @FunctionalInterface
 public interface TransferProgress {
   /**
-   * Takes the news: once at the beginning, and after each part. It is called by the thread that
-   * transfers, between two exchanges, when others may use the client; but it must not wait for
-   * another transfer of the same client, as that waits for this one. What it throws ends the
-   * transfer.
+   * Called at the beginning and after each part, in the thread that transfers, between two
+   * exchanges. It can use the client, but must not wait for another transfer of the same client,
+   * which would wait for this transfer. An exception ends the transfer.
    *
-   * @param bytes how many are transferred
-   * @param total how many there are
+   * @param bytes number of bytes transferred
+   * @param total number of bytes of the file
    */
   void transferred(long bytes, long total);
 }

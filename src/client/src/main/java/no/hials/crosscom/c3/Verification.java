@@ -1,11 +1,11 @@
 package no.hials.crosscom.c3;
 
-/** How it is made sure that what arrived is what was sent. */
+/** How to check that all bytes of a transfer arrived. */
 public enum Verification {
-  /** By the size of every part and of the whole, while it is transferred. */
+  /** Compares the size of every part and of the whole file during the transfer. */
   PARTS,
-  /** As {@link #PARTS}, and after an upload by the size of the file on the controller. */
+  /** As {@link #PARTS}; after an upload, also compares the size of the file on the controller. */
   SIZE,
-  /** As {@link #SIZE}, and by reading the file once more and comparing all bytes. */
+  /** As {@link #SIZE}; also reads the file again and compares all bytes. */
   CONTENT
 }

@@ -9,6 +9,6 @@ import org.jspecify.annotations.Nullable;
  */
 @FunctionalInterface
 public interface CancellableOperation<T extends @Nullable Object> {
-  /** Runs the operation, which has to ask the cancellation on the way. */
+  /** Runs the operation, which must check the cancellation between exchanges. */
   @Nullable T run(Cancellation cancellation) throws Exception;
 }

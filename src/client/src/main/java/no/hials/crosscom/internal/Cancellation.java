@@ -2,7 +2,7 @@ package no.hials.crosscom.internal;
 
 import java.util.concurrent.CancellationException;
 
-/** Tells an operation of many exchanges whether it is cancelled. */
+/** Cancels an operation of many exchanges. */
 public interface Cancellation {
   /** Never cancelled. */
   Cancellation NEVER =

@@ -12,8 +12,7 @@ import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.TypedResponse;
 
 /**
- * Lets the parts of the client send the messages that only C3 Bridge knows. For several threads:
- * exchanges take place one at a time.
+ * Sends the messages that only C3 Bridge supports. Thread-safe: exchanges take place one at a time.
  */
 public interface MessageChannel {
 
@@ -25,13 +24,14 @@ public interface MessageChannel {
    * something, the exception says that its outcome is unknown.
    *
    * @param request the request, whose id does not matter
-   * @param answer the class that its successful answer has
+   * @param answer the class of a successful answer
    * @param what a noun phrase for error messages, which follow it to "the", such as {@code
    *     selection of program /R1/MAIN}
-   * @return the answer; it says success
-   * @throws CrossComUnsupportedException if the server does not know the message; it was not sent
-   * @throws CrossComRefusedException if the answer says failure; it has the code
-   * @throws CrossComProtocolException if the bytes that came are not the answer; the connection is
+   * @return the answer, which is a success
+   * @throws CrossComUnsupportedException if the server does not support the message; nothing was
+   *     sent
+   * @throws CrossComRefusedException if the answer is a failure, with its code
+   * @throws CrossComProtocolException if the received bytes are not the answer; the connection is
    *     closed
    * @throws CrossComException if the exchange fails
    */

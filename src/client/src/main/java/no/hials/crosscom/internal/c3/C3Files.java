@@ -52,12 +52,12 @@ import org.jspecify.annotations.Nullable;
 
 /** Works with files by messages of types 20 to 30. */
 public final class C3Files implements ControllerFiles {
-  /** KRL files have one byte a character; that it is this code page is assumed, as for values. */
+  /** KRL files have one byte per character; the code page is assumed, as for values. */
   private static final Charset TEXT = StandardCharsets.ISO_8859_1;
 
   /**
    * Type, attributes and size in a list entry (docs/reference/c3-messages.md#files-20-to-28). The
-   * form is known from an example only, so that other texts are left as they are.
+   * form is known only from an example, so other texts are left unchanged.
    */
   private static final Pattern LONG_INFO = Pattern.compile("(\\d{1,9}),(-?\\d{1,9}),(\\d{1,18})");
 

@@ -22,9 +22,9 @@ import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
 import no.hials.crosscom.protocol.variable.BenchmarkResponse;
 import no.hials.crosscom.protocol.variable.BenchmarkWriteRequest;
 
-/** Asks by messages of types 13, 14, 17 and 63. */
+/** Asks the server by messages of types 13, 14, 17 and 63. */
 public final class C3Information implements Information {
-  /** The server uses so many variables of a benchmark. */
+  /** The maximum number of variables in a benchmark. */
   private static final int MAX_BENCHMARK = 10;
 
   private final MessageChannel channel;

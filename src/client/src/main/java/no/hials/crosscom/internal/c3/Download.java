@@ -24,8 +24,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Fetches a file. The server reads all of it into a buffer of the connection at the beginning
- * (docs/reference/c3-messages.md#file-content-29-and-30), so that it cannot change on the way.
+ * Downloads a file, which the server reads into a buffer of the connection at the beginning
+ * (docs/reference/c3-messages.md#file-content-29-and-30), so it cannot change meanwhile.
  */
 final class Download extends Transfer {
   private static final Logger LOG = LoggerFactory.getLogger(Download.class);
@@ -35,7 +35,7 @@ final class Download extends Transfer {
   /**
    * Creates a download.
    *
-   * @param limit the most bytes of the file
+   * @param limit the maximum size of the file in bytes
    */
   Download(
       MessageChannel channel,
@@ -47,7 +47,7 @@ final class Download extends Transfer {
     this.limit = limit;
   }
 
-  /** Fetches a file, and fetches it again to compare if the configuration says so. */
+  /** Downloads a file, and once more to compare if the configuration requires it. */
   void run(OutputStream target) throws IOException {
     fetch(target);
     if (digest != null && !Arrays.equals(digest.digest(), digest(channel, name, config))) {
@@ -55,7 +55,7 @@ final class Download extends Transfer {
     }
   }
 
-  /** Fetches a file for its digest only. */
+  /** Downloads a file only for its digest. */
   static byte[] digest(MessageChannel channel, String name, TransferConfig config)
       throws IOException {
     TransferConfig quiet =
@@ -120,7 +120,7 @@ final class Download extends Transfer {
     }
   }
 
-  /** Empties the server's buffer, if the connection is still there. */
+  /** Empties the server's buffer, if the connection still exists. */
   private static void release(MessageChannel one) {
     try {
       one.ask(request(ContentOperation.END), ContentResponse.class, "end of the download");

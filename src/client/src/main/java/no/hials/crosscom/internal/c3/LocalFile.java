@@ -15,8 +15,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.UUID;
 
 /**
- * A file of this computer that appears whole or not at all: it is written under another name next
- * to it, and renamed at the end.
+ * A file of this computer that appears whole or not at all: it is written under another name in the
+ * same directory, and renamed at the end.
  */
 final class LocalFile implements Closeable {
   private final Path target;

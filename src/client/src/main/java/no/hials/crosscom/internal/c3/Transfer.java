@@ -13,11 +13,11 @@ import org.jspecify.annotations.Nullable;
 
 /** The common parts of an upload and a download: progress and failure. */
 abstract class Transfer {
-  /** The most bytes that a message moves (docs/reference/c3-messages.md#file-content-29-and-30). */
+  /** The maximum bytes per message (docs/reference/c3-messages.md#file-content-29-and-30). */
   static final int PART = 64_512;
 
   /**
-   * The most bytes that a file can have, since sizes and offsets are u32
+   * The maximum file size; sizes and offsets are u32
    * (docs/reference/c3-messages.md#file-content-29-and-30).
    */
   static final long MAX_SIZE = 0xFFFF_FFFFL;

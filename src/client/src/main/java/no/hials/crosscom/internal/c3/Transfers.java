@@ -14,16 +14,16 @@ import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.MessageChannel;
 
 /**
- * Transfers the files of a client, one after the other: the server keeps the content of one upload
- * and of one download for a connection, and parts of two would mix.
+ * Transfers the files of a client, one after the other: the server keeps one upload and one
+ * download per connection, and would mix the parts of two.
  */
 final class Transfers {
-  /** The most bytes of a file that are kept in memory, whatever size a server claims. */
+  /** The maximum size of a file in memory, even if a server reports more. */
   static final int MAX_IN_MEMORY = 64 << 20;
 
   private final MessageChannel channel;
 
-  /** Held for a whole transfer, but guards nothing that others than transfers use. */
+  /** Held for a whole transfer; guards only the state of transfers. */
   private final ReentrantLock turn;
 
   Transfers(MessageChannel channel, ReentrantLock turn) {

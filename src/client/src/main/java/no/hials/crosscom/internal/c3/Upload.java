@@ -29,8 +29,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sends a file. The server collects it in a buffer of the connection and stores it at the end, so
- * that the file does not exist before (docs/reference/c3-messages.md#file-content-29-and-30).
+ * Uploads a file. The server collects the content in a buffer of the connection and creates the
+ * file at the end (docs/reference/c3-messages.md#file-content-29-and-30).
  */
 final class Upload extends Transfer {
   private static final Logger LOG = LoggerFactory.getLogger(Upload.class);
@@ -51,7 +51,7 @@ final class Upload extends Transfer {
     if (size > MAX_SIZE) {
       throw failed("a file must have at most " + MAX_SIZE + " bytes, has " + size);
     }
-    // first, as otherwise a server that cannot is said not to give properties
+    // first, because otherwise the error would name the properties and not the upload
     channel.require(MessageType.WRITE_CONTENT, what);
     if (!config.overwrite() && C3Files.exists(channel, name)) {
       throw failed("the controller has it already, and overwriting was not asked for");
@@ -131,7 +131,7 @@ final class Upload extends Transfer {
     count(part, length);
   }
 
-  /** Empties the server's buffer, if the connection is still there. */
+  /** Empties the server's buffer, if the connection still exists. */
   private static void release(MessageChannel one) {
     try {
       one.ask(new BeginWriteRequest(0, 0), ContentSizeResponse.class, "end of the upload");

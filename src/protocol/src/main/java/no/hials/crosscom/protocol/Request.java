@@ -1,6 +1,7 @@
 package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.file.FileRequest;
+import no.hials.crosscom.protocol.internal.Layouts;
 import no.hials.crosscom.protocol.program.ProgramRequest;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest;
@@ -21,5 +22,7 @@ public sealed interface Request
    *
    * @return the type
    */
-  MessageType type();
+  default MessageType type() {
+    return Layouts.type(getClass());
+  }
 }

@@ -6,6 +6,7 @@ import no.hials.crosscom.protocol.file.FilePropertiesResponse;
 import no.hials.crosscom.protocol.file.ListDirectoryResponse;
 import no.hials.crosscom.protocol.file.ReadDataResponse;
 import no.hials.crosscom.protocol.file.WriteDataResponse;
+import no.hials.crosscom.protocol.internal.Layouts;
 import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.server.FeaturesResponse;
 import no.hials.crosscom.protocol.server.InformationResponse;
@@ -37,7 +38,9 @@ public sealed interface TypedResponse extends Response
    *
    * @return the type
    */
-  MessageType type();
+  default MessageType type() {
+    return Layouts.type(getClass());
+  }
 
   /**
    * Returns the end of the answer.

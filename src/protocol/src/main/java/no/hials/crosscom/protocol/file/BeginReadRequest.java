@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -19,10 +18,5 @@ public record BeginReadRequest(int id, Flags<CopyFlag> flags, String name) imple
   public BeginReadRequest {
     Ranges.u16("id", id);
     Ranges.frame("name", 1 + 1 + 4 + Ranges.wide(name));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.READ_CONTENT;
   }
 }

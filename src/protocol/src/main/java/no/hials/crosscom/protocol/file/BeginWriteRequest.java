@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -14,10 +13,5 @@ public record BeginWriteRequest(int id, long size) implements FileRequest {
   public BeginWriteRequest {
     Ranges.u16("id", id);
     Ranges.u32("size", size);
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.WRITE_CONTENT;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
@@ -33,10 +32,5 @@ public record CreateFileRequest(
     Ranges.u16("item type", itemType.number());
     Ranges.u8("parts", parts.bits());
     Ranges.frame("name and template", 1 + 2 + 1 + 1 + Ranges.wide(name) + Ranges.wide(template));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.CREATE_FILE;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -15,10 +14,5 @@ public record DeleteFileRequest(int id, boolean always, String name) implements 
   public DeleteFileRequest {
     Ranges.u16("id", id);
     Ranges.frame("name", 1 + 1 + Ranges.wide(name));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.DELETE_FILE;
   }
 }

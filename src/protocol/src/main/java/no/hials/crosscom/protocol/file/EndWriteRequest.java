@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -17,10 +16,5 @@ public record EndWriteRequest(int id, Flags<CopyFlag> flags, String name) implem
   public EndWriteRequest {
     Ranges.u16("id", id);
     Ranges.frame("name", 1 + 1 + 4 + Ranges.wide(name));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.WRITE_CONTENT;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.FileProperty;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -18,10 +17,5 @@ public record FilePropertiesRequest(int id, Flags<FileProperty> properties, Stri
   public FilePropertiesRequest {
     Ranges.u16("id", id);
     Ranges.frame("name", 1 + 4 + Ranges.wide(name));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.FILE_PROPERTIES;
   }
 }

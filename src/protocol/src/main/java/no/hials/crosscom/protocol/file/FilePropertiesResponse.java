@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -19,10 +18,5 @@ public record FilePropertiesResponse(int id, FileProperties properties, Tail tai
     Ranges.u16("id", id);
     Ranges.frame(
         "name", 1 + FileProperties.FIXED_LENGTH + Ranges.wide(properties.name()) + Tail.LENGTH);
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.FILE_PROPERTIES;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
@@ -20,10 +19,5 @@ public record ListDirectoryRequest(
   public ListDirectoryRequest {
     Ranges.u16("id", id);
     Ranges.frame("path", 1 + 4 + 4 + Ranges.wide(path));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.LIST_DIRECTORY;
   }
 }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.file;
 
 import java.util.List;
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -24,10 +23,5 @@ public record ListDirectoryResponse(int id, List<String> items, List<String> inf
     Ranges.u16("id", id);
     Ranges.frame(
         "items and infos", 1 + 2 + Ranges.wide(items) + 2 + Ranges.wide(infos) + Tail.LENGTH);
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.LIST_DIRECTORY;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -19,10 +18,5 @@ public record ReadDataRequest(int id, long offset, long size) implements FileReq
     Ranges.u16("id", id);
     Ranges.u32("offset", offset);
     Ranges.u32("size", size);
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.READ_CONTENT;
   }
 }

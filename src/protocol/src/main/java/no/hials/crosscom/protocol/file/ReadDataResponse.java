@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -20,10 +19,5 @@ public record ReadDataResponse(int id, long offset, Bytes data, Tail tail)
     Ranges.u16("id", id);
     Ranges.u32("offset", offset);
     Ranges.frame("data", 1 + 1 + 4 + 4 + data.size() + Tail.LENGTH);
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.READ_CONTENT;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -20,10 +19,5 @@ public record SetAttributesRequest(
   public SetAttributesRequest {
     Ranges.u16("id", id);
     Ranges.frame("name", 1 + 4 + 4 + Ranges.wide(name));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.SET_ATTRIBUTES;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -16,10 +15,5 @@ public record WriteDataRequest(int id, long offset, Bytes data) implements FileR
     Ranges.u16("id", id);
     Ranges.u32("offset", offset);
     Ranges.frame("data", 1 + 1 + 4 + 4 + data.size());
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.WRITE_CONTENT;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.file;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -20,10 +19,5 @@ public record WriteDataResponse(int id, long offset, long written, Tail tail)
     Ranges.u16("id", id);
     Ranges.u32("offset", offset);
     Ranges.u32("written", written);
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.WRITE_CONTENT;
   }
 }

@@ -215,13 +215,18 @@ final class FileLayouts {
   private static void addWriting(Layouts all) {
     all.request(MessageType.WRITE_CONTENT, FileLayouts::readWriting);
     all.writer(
+        MessageType.WRITE_CONTENT,
         BeginWriteRequest.class,
         (m, out) -> {
           out.u8(ContentOperation.BEGIN.code());
           out.u32(m.size());
         });
-    all.writer(WriteDataRequest.class, (m, out) -> writeData(m.offset(), m.data(), out));
     all.writer(
+        MessageType.WRITE_CONTENT,
+        WriteDataRequest.class,
+        (m, out) -> writeData(m.offset(), m.data(), out));
+    all.writer(
+        MessageType.WRITE_CONTENT,
         EndWriteRequest.class,
         (m, out) -> {
           out.u8(ContentOperation.END.code());
@@ -234,6 +239,7 @@ final class FileLayouts {
   private static void addReading(Layouts all) {
     all.request(MessageType.READ_CONTENT, FileLayouts::readReading);
     all.writer(
+        MessageType.READ_CONTENT,
         BeginReadRequest.class,
         (m, out) -> {
           out.u8(ContentOperation.BEGIN.code());
@@ -241,6 +247,7 @@ final class FileLayouts {
           out.wide(m.name());
         });
     all.writer(
+        MessageType.READ_CONTENT,
         ReadDataRequest.class,
         (m, out) -> {
           out.u8(ContentOperation.DATA.code());
@@ -260,13 +267,17 @@ final class FileLayouts {
           out.u32(m.size());
         });
     all.writer(
+        MessageType.WRITE_CONTENT,
         WriteDataResponse.class,
         (m, out) -> {
           out.u8(ContentOperation.DATA.code());
           out.u32(m.offset());
           out.u32(m.written());
         });
-    all.writer(ReadDataResponse.class, (m, out) -> writeData(m.offset(), m.data(), out));
+    all.writer(
+        MessageType.READ_CONTENT,
+        ReadDataResponse.class,
+        (m, out) -> writeData(m.offset(), m.data(), out));
     all.writer(ContentResponse.class, (m, out) -> out.u8(m.operation().number()));
   }
 

@@ -24,6 +24,7 @@ public final class Layouts {
   static final Layouts ALL = new Layouts();
 
   final Map<Class<?>, Writer<?>> writers = new HashMap<>();
+  final Map<Class<?>, MessageType> types = new HashMap<>();
   final Map<MessageType, RequestReader> requests = new EnumMap<>(MessageType.class);
   final Map<MessageType, AnswerReader> answers = new EnumMap<>(MessageType.class);
 
@@ -58,13 +59,19 @@ public final class Layouts {
     writers.put(message, writer);
   }
 
+  /** Adds a class that serves only one type. */
+  <M> void writer(MessageType type, Class<M> message, Writer<M> writer) {
+    types.put(message, type);
+    writer(message, writer);
+  }
+
   void request(MessageType type, RequestReader reader) {
     requests.put(type, reader);
   }
 
   <M extends Request> void request(
       MessageType type, Class<M> message, Writer<M> writer, RequestReader reader) {
-    writer(message, writer);
+    writer(type, message, writer);
     request(type, reader);
   }
 
@@ -74,7 +81,7 @@ public final class Layouts {
 
   <M extends TypedResponse> void answer(
       MessageType type, Class<M> message, Writer<M> writer, AnswerReader reader) {
-    writer(message, writer);
+    writer(type, message, writer);
     answer(type, reader);
   }
 
@@ -84,6 +91,11 @@ public final class Layouts {
 
   void textAnswer(MessageType type) {
     answer(type, (id, in, tail) -> new TextResponse(id, type, in.wide("text"), tail));
+  }
+
+  /** Returns the type of a class of messages that serves only one type. */
+  public static MessageType type(Class<?> message) {
+    return known(ALL.types, message);
   }
 
   /** Writes the fields of a request or an answer. */

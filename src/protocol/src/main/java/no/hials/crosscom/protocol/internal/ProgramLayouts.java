@@ -27,12 +27,14 @@ public final class ProgramLayouts {
     }
     all.request(MessageType.PROGRAM_CONTROL, ProgramLayouts::readControl);
     all.writer(
+        MessageType.PROGRAM_CONTROL,
         ProgramControlRequest.class,
         (m, out) -> {
           out.u8(m.command().number());
           out.u16(m.interpreter().number());
         });
     all.writer(
+        MessageType.PROGRAM_CONTROL,
         ProgramSelectRequest.class,
         (m, out) -> {
           out.u8(m.command().number());

@@ -117,6 +117,7 @@ public final class VariableLayouts {
   private static void addBenchmark(Layouts all) {
     all.request(MessageType.BENCHMARK, VariableLayouts::readBenchmark);
     all.writer(
+        MessageType.BENCHMARK,
         BenchmarkReadRequest.class,
         (m, out) -> {
           out.bool(false);
@@ -125,6 +126,7 @@ public final class VariableLayouts {
           m.names().forEach(out::wide);
         });
     all.writer(
+        MessageType.BENCHMARK,
         BenchmarkWriteRequest.class,
         (m, out) -> {
           out.bool(true);

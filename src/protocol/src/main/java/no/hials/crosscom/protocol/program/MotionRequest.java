@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.program;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -19,10 +18,5 @@ public record MotionRequest(int id, Code<MotionType> motion, String position)
     Ranges.u16("id", id);
     Ranges.u8("motion", motion.number());
     Ranges.frame("position", 1 + 1 + Ranges.wide(position));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.MOTION;
   }
 }

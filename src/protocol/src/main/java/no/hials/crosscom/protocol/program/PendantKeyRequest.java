@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.program;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -24,10 +23,5 @@ public record PendantKeyRequest(
   public PendantKeyRequest {
     Ranges.u16("id", id);
     Ranges.u8("key", key.number());
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.PENDANT_KEY;
   }
 }

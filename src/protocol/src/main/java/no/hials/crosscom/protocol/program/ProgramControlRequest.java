@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.program;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
@@ -27,10 +26,5 @@ public record ProgramControlRequest(
       throw new IllegalArgumentException("command must not be SELECT or RUN, is " + command);
     }
     Ranges.i16("interpreter", interpreter.number());
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.PROGRAM_CONTROL;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.program;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
@@ -35,10 +34,5 @@ public record ProgramSelectRequest(
     }
     Ranges.i16("interpreter", interpreter.number());
     Ranges.frame("name and parameters", 5 + Ranges.wide(name) + Ranges.wide(parameters));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.PROGRAM_CONTROL;
   }
 }

@@ -17,9 +17,4 @@ public record FeaturesResponse(int id, Features features, Tail tail) implements 
   public FeaturesResponse {
     Ranges.u16("id", id);
   }
-
-  @Override
-  public MessageType type() {
-    return MessageType.FEATURES;
-  }
 }

@@ -21,9 +21,4 @@ public record InformationResponse(int id, ServerInformation information, Tail ta
     Ranges.frame(
         "computer name", 1 + 3 + 8 * 2 + Ranges.wide(information.computerName()) + Tail.LENGTH);
   }
-
-  @Override
-  public MessageType type() {
-    return MessageType.INFORMATION;
-  }
 }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -20,10 +19,5 @@ public record BenchmarkReadRequest(int id, long iterations, List<String> names)
     Ranges.u32("iterations", iterations);
     Ranges.count("names", names, 255);
     Ranges.frame("names", 1 + 1 + 1 + 4 + Ranges.wide(names));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.BENCHMARK;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.variable;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -36,10 +35,5 @@ public record BenchmarkResponse(
     Ranges.u32("start", startMillis);
     Ranges.u32("stop", stopMillis);
     Ranges.u32("difference", differenceMillis);
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.BENCHMARK;
   }
 }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -20,10 +19,5 @@ public record BenchmarkWriteRequest(int id, long iterations, List<Assignment> as
     Ranges.u32("iterations", iterations);
     Ranges.count("assignments", assignments, 255);
     Ranges.frame("assignments", 1 + 1 + 1 + 4 + Assignment.length(assignments));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.BENCHMARK;
   }
 }

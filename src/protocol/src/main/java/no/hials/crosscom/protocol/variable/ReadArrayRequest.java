@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.variable;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -15,10 +14,5 @@ public record ReadArrayRequest(int id, String name) implements VariableRequest {
     Ranges.u16("id", id);
     Ranges.latin1("name", name);
     Ranges.frame("name", 1 + 2 + name.length());
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.READ_ARRAY;
   }
 }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.internal.Ranges;
@@ -21,10 +20,5 @@ public record ReadArrayResponse(int id, List<Integer> elements, Tail tail)
     Ranges.u16("id", id);
     Ranges.words("element", elements);
     Ranges.frame("elements", 1 + 2 + 2 * elements.size() + Tail.LENGTH);
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.READ_ARRAY;
   }
 }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -17,10 +16,5 @@ public record ReadMultipleRequest(int id, List<String> names) implements Variabl
     Ranges.u16("id", id);
     Ranges.count("names", names, 255);
     Ranges.frame("names", 1 + 1 + Ranges.wide(names));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.READ_MULTIPLE;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.variable;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -14,10 +13,5 @@ public record ReadUtf16Request(int id, String name) implements VariableRequest {
   public ReadUtf16Request {
     Ranges.u16("id", id);
     Ranges.frame("name", 1 + Ranges.wide(name));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.READ_UTF16;
   }
 }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -22,10 +21,5 @@ public record WriteArrayRequest(int id, String name, List<Integer> elements)
     Ranges.latin1("name", name);
     Ranges.words("element", elements);
     Ranges.frame("name and elements", 1 + 2 + name.length() + 2 + 2 * elements.size());
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.WRITE_ARRAY;
   }
 }

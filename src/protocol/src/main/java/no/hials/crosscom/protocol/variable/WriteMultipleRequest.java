@@ -1,7 +1,6 @@
 package no.hials.crosscom.protocol.variable;
 
 import java.util.List;
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Strictness;
 import no.hials.crosscom.protocol.internal.Ranges;
 
@@ -34,10 +33,5 @@ public record WriteMultipleRequest(int id, int count, List<Assignment> assignmen
    */
   public WriteMultipleRequest(int id, List<Assignment> assignments) {
     this(id, assignments.size(), assignments);
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.WRITE_MULTIPLE;
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.variable;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -15,10 +14,5 @@ public record WriteRequest(int id, String name, String value) implements Variabl
   public WriteRequest {
     Ranges.u16("id", id);
     Ranges.assignment(name, value);
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.WRITE;
   }
 }

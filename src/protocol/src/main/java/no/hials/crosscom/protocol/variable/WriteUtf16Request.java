@@ -1,6 +1,5 @@
 package no.hials.crosscom.protocol.variable;
 
-import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
@@ -15,10 +14,5 @@ public record WriteUtf16Request(int id, String name, String value) implements Va
   public WriteUtf16Request {
     Ranges.u16("id", id);
     Ranges.frame("name and value", 1 + Ranges.wide(name) + Ranges.wide(value));
-  }
-
-  @Override
-  public MessageType type() {
-    return MessageType.WRITE_UTF16;
   }
 }

@@ -21,7 +21,7 @@ import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
 import no.hials.crosscom.protocol.code.ProgramState;
-import no.hials.crosscom.protocol.file.DeleteFileRequest;
+import no.hials.crosscom.protocol.file.FileRequest.DeleteFileRequest;
 import no.hials.crosscom.protocol.program.MotionRequest;
 import no.hials.crosscom.protocol.program.PendantKeyRequest;
 import no.hials.crosscom.protocol.program.ProgramControlRequest;

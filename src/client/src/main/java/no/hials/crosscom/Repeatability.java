@@ -1,7 +1,7 @@
 package no.hials.crosscom;
 
 import no.hials.crosscom.protocol.Request;
-import no.hials.crosscom.protocol.file.EndWriteRequest;
+import no.hials.crosscom.protocol.file.FileRequest.EndWriteRequest;
 import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
 
 /** Whether a request can be repeated after the connection was lost. */

@@ -18,7 +18,7 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.protocol.file.ReadDataRequest;
+import no.hials.crosscom.protocol.file.FileRequest.ReadDataRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

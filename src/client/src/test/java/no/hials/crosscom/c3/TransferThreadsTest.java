@@ -18,8 +18,8 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
-import no.hials.crosscom.protocol.file.BeginWriteRequest;
-import no.hials.crosscom.protocol.file.EndWriteRequest;
+import no.hials.crosscom.protocol.file.FileRequest.BeginWriteRequest;
+import no.hials.crosscom.protocol.file.FileRequest.EndWriteRequest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

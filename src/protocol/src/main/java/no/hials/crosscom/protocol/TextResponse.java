@@ -1,6 +1,6 @@
 package no.hials.crosscom.protocol;
 
-import no.hials.crosscom.protocol.file.FileNameRequest;
+import no.hials.crosscom.protocol.file.FileRequest.FileNameRequest;
 import no.hials.crosscom.protocol.internal.Ranges;
 import no.hials.crosscom.protocol.variable.ReadUtf16Request;
 import no.hials.crosscom.protocol.variable.WriteUtf16Request;

@@ -1,11 +1,6 @@
 package no.hials.crosscom.protocol;
 
-import no.hials.crosscom.protocol.file.ContentResponse;
-import no.hials.crosscom.protocol.file.ContentSizeResponse;
-import no.hials.crosscom.protocol.file.FilePropertiesResponse;
-import no.hials.crosscom.protocol.file.ListDirectoryResponse;
-import no.hials.crosscom.protocol.file.ReadDataResponse;
-import no.hials.crosscom.protocol.file.WriteDataResponse;
+import no.hials.crosscom.protocol.file.FileResponse;
 import no.hials.crosscom.protocol.internal.Layouts;
 import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.server.FeaturesResponse;
@@ -25,12 +20,7 @@ public sealed interface TypedResponse extends Response
         InformationResponse,
         FeaturesResponse,
         BenchmarkResponse,
-        ListDirectoryResponse,
-        FilePropertiesResponse,
-        ContentSizeResponse,
-        WriteDataResponse,
-        ReadDataResponse,
-        ContentResponse,
+        FileResponse,
         PlainResponse {
 
   /**

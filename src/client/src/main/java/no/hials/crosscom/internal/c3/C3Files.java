@@ -37,17 +37,17 @@ import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.ItemType;
 import no.hials.crosscom.protocol.code.ListFlag;
 import no.hials.crosscom.protocol.code.ModulePart;
-import no.hials.crosscom.protocol.file.CopyFileRequest;
-import no.hials.crosscom.protocol.file.CreateFileRequest;
-import no.hials.crosscom.protocol.file.DeleteFileRequest;
-import no.hials.crosscom.protocol.file.FileNameRequest;
 import no.hials.crosscom.protocol.file.FileProperties;
-import no.hials.crosscom.protocol.file.FilePropertiesRequest;
-import no.hials.crosscom.protocol.file.FilePropertiesResponse;
+import no.hials.crosscom.protocol.file.FileRequest.CopyFileRequest;
+import no.hials.crosscom.protocol.file.FileRequest.CreateFileRequest;
+import no.hials.crosscom.protocol.file.FileRequest.DeleteFileRequest;
+import no.hials.crosscom.protocol.file.FileRequest.FileNameRequest;
+import no.hials.crosscom.protocol.file.FileRequest.FilePropertiesRequest;
+import no.hials.crosscom.protocol.file.FileRequest.ListDirectoryRequest;
+import no.hials.crosscom.protocol.file.FileRequest.SetAttributesRequest;
+import no.hials.crosscom.protocol.file.FileResponse.FilePropertiesResponse;
+import no.hials.crosscom.protocol.file.FileResponse.ListDirectoryResponse;
 import no.hials.crosscom.protocol.file.ItemTime;
-import no.hials.crosscom.protocol.file.ListDirectoryRequest;
-import no.hials.crosscom.protocol.file.ListDirectoryResponse;
-import no.hials.crosscom.protocol.file.SetAttributesRequest;
 import org.jspecify.annotations.Nullable;
 
 /** Works with files by messages of types 20 to 30. */

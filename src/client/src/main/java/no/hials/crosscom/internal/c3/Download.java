@@ -14,12 +14,12 @@ import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.ContentOperation;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.Flags;
-import no.hials.crosscom.protocol.file.BeginReadRequest;
-import no.hials.crosscom.protocol.file.ContentRequest;
-import no.hials.crosscom.protocol.file.ContentResponse;
-import no.hials.crosscom.protocol.file.ContentSizeResponse;
-import no.hials.crosscom.protocol.file.ReadDataRequest;
-import no.hials.crosscom.protocol.file.ReadDataResponse;
+import no.hials.crosscom.protocol.file.FileRequest.BeginReadRequest;
+import no.hials.crosscom.protocol.file.FileRequest.ContentRequest;
+import no.hials.crosscom.protocol.file.FileRequest.ReadDataRequest;
+import no.hials.crosscom.protocol.file.FileResponse.ContentResponse;
+import no.hials.crosscom.protocol.file.FileResponse.ContentSizeResponse;
+import no.hials.crosscom.protocol.file.FileResponse.ReadDataResponse;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -8,7 +8,7 @@ import no.hials.crosscom.c3.Verification;
 import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.code.ContentOperation;
-import no.hials.crosscom.protocol.file.ContentSizeResponse;
+import no.hials.crosscom.protocol.file.FileResponse.ContentSizeResponse;
 import org.jspecify.annotations.Nullable;
 
 /** The common parts of an upload and a download: progress and failure. */

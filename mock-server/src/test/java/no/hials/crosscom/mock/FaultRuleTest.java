@@ -10,7 +10,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.stream.LongStream;
 import no.hials.crosscom.protocol.Tail;
-import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

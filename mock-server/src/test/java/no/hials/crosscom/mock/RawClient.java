@@ -12,9 +12,9 @@ import no.hials.crosscom.protocol.FrameReader;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ValueResponse;
-import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 import org.jspecify.annotations.Nullable;
 
 /** A socket that sends and receives raw bytes. */

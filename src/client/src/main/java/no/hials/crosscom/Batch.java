@@ -12,9 +12,9 @@ import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.variable.AccessResult;
 import no.hials.crosscom.protocol.variable.Assignment;
-import no.hials.crosscom.protocol.variable.MultipleResponse;
-import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
-import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableResponse.MultipleResponse;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -11,7 +11,7 @@ import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.TypedResponse;
-import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;

@@ -2,7 +2,7 @@ package no.hials.crosscom;
 
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.file.FileRequest.EndWriteRequest;
-import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.BenchmarkReadRequest;
 
 /** Whether a request can be repeated after the connection was lost. */
 enum Repeatability {

@@ -1,8 +1,8 @@
 package no.hials.crosscom;
 
 import no.hials.crosscom.internal.BoxedFrame;
-import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -9,9 +9,9 @@ import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.Version;
 import no.hials.crosscom.protocol.server.Features;
-import no.hials.crosscom.protocol.server.FeaturesResponse;
 import no.hials.crosscom.protocol.server.ServerRequest;
-import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.server.ServerResponse.FeaturesResponse;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
 import org.jspecify.annotations.Nullable;
 
 /**

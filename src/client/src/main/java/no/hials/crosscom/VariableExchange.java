@@ -19,9 +19,9 @@ import no.hials.crosscom.protocol.TextResponse;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
-import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadUtf16Request;
-import no.hials.crosscom.protocol.variable.WriteUtf16Request;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteUtf16Request;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
 import org.junit.jupiter.api.Test;
 
 /**

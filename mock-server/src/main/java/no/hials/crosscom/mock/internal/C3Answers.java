@@ -30,16 +30,16 @@ import no.hials.crosscom.protocol.file.FileResponse.ReadDataResponse;
 import no.hials.crosscom.protocol.file.FileResponse.WriteDataResponse;
 import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.server.Features;
-import no.hials.crosscom.protocol.server.FeaturesResponse;
-import no.hials.crosscom.protocol.server.InformationResponse;
 import no.hials.crosscom.protocol.server.ServerInformation;
+import no.hials.crosscom.protocol.server.ServerResponse.FeaturesResponse;
+import no.hials.crosscom.protocol.server.ServerResponse.InformationResponse;
 import no.hials.crosscom.protocol.server.SystemTime;
 import no.hials.crosscom.protocol.variable.AccessResult;
-import no.hials.crosscom.protocol.variable.BenchmarkResponse;
-import no.hials.crosscom.protocol.variable.MultipleResponse;
-import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
-import no.hials.crosscom.protocol.variable.ValueResponse;
-import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableResponse.BenchmarkResponse;
+import no.hials.crosscom.protocol.variable.VariableResponse.MultipleResponse;
+import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 
 /**
  * Creates answers that only repeat fields of the request: C3 Bridge's answers to malformed requests

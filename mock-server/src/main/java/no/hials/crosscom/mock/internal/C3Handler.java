@@ -9,9 +9,9 @@ import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.file.FileRequest;
 import no.hials.crosscom.protocol.program.ProgramRequest;
-import no.hials.crosscom.protocol.server.FeaturesResponse;
-import no.hials.crosscom.protocol.server.InformationResponse;
 import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.server.ServerResponse.FeaturesResponse;
+import no.hials.crosscom.protocol.server.ServerResponse.InformationResponse;
 import no.hials.crosscom.protocol.variable.VariableRequest;
 
 /** Executes requests as a version of C3 Bridge does (docs/reference/c3-messages.md). */

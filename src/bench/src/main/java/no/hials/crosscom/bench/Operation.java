@@ -6,9 +6,9 @@ import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Tail;
-import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ValueResponse;
-import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 import no.hials.crosscom.simulator.VariableTable;
 
 /** The measured operations: the same access as bytes and through the client. */

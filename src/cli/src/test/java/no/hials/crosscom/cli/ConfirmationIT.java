@@ -12,7 +12,7 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.code.OperatingMode;
-import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -10,8 +10,8 @@ import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlText;
-import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
 import org.jspecify.annotations.Nullable;
 
 /**

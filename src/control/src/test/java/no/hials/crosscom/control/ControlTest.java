@@ -16,7 +16,7 @@ import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
-import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.SimulationClock;
 import org.junit.jupiter.api.AfterEach;

@@ -14,7 +14,7 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.code.ProgramState;
-import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
 import org.junit.jupiter.api.Test;
 
 /** The classes that write variables for the user: paths, targets and outputs. */

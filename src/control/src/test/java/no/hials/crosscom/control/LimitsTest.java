@@ -13,7 +13,7 @@ import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.code.ProgramState;
-import no.hials.crosscom.protocol.variable.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
 import org.junit.jupiter.api.Test;
 
 /** Violates each limit of a loop, and checks that the simulated robot stops. */

@@ -13,8 +13,8 @@ import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ServerType;
-import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
-import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteMultipleRequest;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 

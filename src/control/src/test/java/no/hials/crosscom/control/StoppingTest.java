@@ -15,7 +15,7 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
-import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -3,7 +3,7 @@ package no.hials.crosscom.protocol;
 import no.hials.crosscom.protocol.internal.FieldWriter;
 import no.hials.crosscom.protocol.internal.Ranges;
 import no.hials.crosscom.protocol.internal.VariableLayouts;
-import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
 
 /**
  * A buffer for write requests that is reused, so that encoding creates no objects. For one thread.

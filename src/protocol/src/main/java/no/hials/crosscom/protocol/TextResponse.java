@@ -2,8 +2,8 @@ package no.hials.crosscom.protocol;
 
 import no.hials.crosscom.protocol.file.FileRequest.FileNameRequest;
 import no.hials.crosscom.protocol.internal.Ranges;
-import no.hials.crosscom.protocol.variable.ReadUtf16Request;
-import no.hials.crosscom.protocol.variable.WriteUtf16Request;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteUtf16Request;
 
 /**
  * Answers with a text: {@link ReadUtf16Request} and {@link WriteUtf16Request} with the value,

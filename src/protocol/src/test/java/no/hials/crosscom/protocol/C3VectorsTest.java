@@ -16,7 +16,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import no.hials.crosscom.protocol.internal.FieldReader;
-import no.hials.crosscom.protocol.variable.ValueResponse;
+import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;

@@ -3,7 +3,7 @@ package no.hials.crosscom.protocol;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.code_intelligence.jazzer.junit.FuzzTest;
-import no.hials.crosscom.protocol.variable.ValueResponse;
+import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 
 /**
  * Decodes what Jazzer makes of the frames in {@code CodecFuzzTestInputs}. {@code mvn test} tries

@@ -8,7 +8,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.function.Function;
-import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteMultipleRequest;
 import org.junit.jupiter.api.Test;
 
 final class CodecPropertyTest {

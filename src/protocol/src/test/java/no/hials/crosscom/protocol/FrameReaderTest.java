@@ -12,7 +12,7 @@ import java.nio.channels.ReadableByteChannel;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import no.hials.crosscom.protocol.variable.ValueResponse;
+import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

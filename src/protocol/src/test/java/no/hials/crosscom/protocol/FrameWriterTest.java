@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import java.nio.CharBuffer;
 import java.util.Arrays;
-import no.hials.crosscom.protocol.variable.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
 import org.junit.jupiter.api.Test;
 
 class FrameWriterTest {

@@ -13,14 +13,14 @@ import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.PlainResponse;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.server.Features;
-import no.hials.crosscom.protocol.server.FeaturesResponse;
-import no.hials.crosscom.protocol.server.InformationResponse;
 import no.hials.crosscom.protocol.server.ServerInformation;
 import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.server.ServerResponse.FeaturesResponse;
+import no.hials.crosscom.protocol.server.ServerResponse.InformationResponse;
 import no.hials.crosscom.protocol.variable.Assignment;
-import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
-import no.hials.crosscom.protocol.variable.BenchmarkResponse;
-import no.hials.crosscom.protocol.variable.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.variable.VariableResponse.BenchmarkResponse;
 
 /** Asks the server by messages of types 13, 14, 17 and 63. */
 public final class C3Information implements Information {

@@ -10,7 +10,7 @@ import no.hials.crosscom.c3.Motion;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.MotionType;
-import no.hials.crosscom.protocol.program.MotionRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest.MotionRequest;
 import no.hials.crosscom.protocol.program.ProgramResponse;
 
 /** Moves the robot by messages of type 11. */

@@ -4,7 +4,7 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.c3.KeyAction;
 import no.hials.crosscom.c3.Pendant;
 import no.hials.crosscom.internal.MessageChannel;
-import no.hials.crosscom.protocol.program.PendantKeyRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest.PendantKeyRequest;
 import no.hials.crosscom.protocol.program.ProgramResponse;
 
 /** Presses keys by messages of type 12. */

@@ -7,9 +7,9 @@ import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramCommand;
-import no.hials.crosscom.protocol.program.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest.ProgramSelectRequest;
 import no.hials.crosscom.protocol.program.ProgramResponse;
-import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 
 /** Controls programs by messages of type 10. */
 public final class C3Programs implements Programs {

@@ -9,11 +9,11 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.MotionType;
 import no.hials.crosscom.protocol.code.PendantKey;
 import no.hials.crosscom.protocol.code.ProgramCommand;
-import no.hials.crosscom.protocol.program.MotionRequest;
-import no.hials.crosscom.protocol.program.PendantKeyRequest;
-import no.hials.crosscom.protocol.program.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest.MotionRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest.PendantKeyRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest.ProgramSelectRequest;
 import no.hials.crosscom.protocol.program.ProgramResponse;
-import no.hials.crosscom.protocol.program.ProgramSelectRequest;
 
 /** The layouts of the messages about programs, motions and keys: types 10 to 12. */
 public final class ProgramLayouts {

@@ -9,10 +9,10 @@ import no.hials.crosscom.protocol.code.BuildType;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.file.Bytes;
 import no.hials.crosscom.protocol.server.Features;
-import no.hials.crosscom.protocol.server.FeaturesResponse;
-import no.hials.crosscom.protocol.server.InformationResponse;
 import no.hials.crosscom.protocol.server.ServerInformation;
 import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.server.ServerResponse.FeaturesResponse;
+import no.hials.crosscom.protocol.server.ServerResponse.InformationResponse;
 import no.hials.crosscom.protocol.server.SystemTime;
 
 /** The layouts of the messages about the server: types 13, 14 and 63. */

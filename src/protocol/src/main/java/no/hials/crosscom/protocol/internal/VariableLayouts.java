@@ -9,20 +9,20 @@ import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.variable.AccessResult;
 import no.hials.crosscom.protocol.variable.Assignment;
-import no.hials.crosscom.protocol.variable.BenchmarkReadRequest;
-import no.hials.crosscom.protocol.variable.BenchmarkResponse;
-import no.hials.crosscom.protocol.variable.BenchmarkWriteRequest;
-import no.hials.crosscom.protocol.variable.MultipleResponse;
-import no.hials.crosscom.protocol.variable.ReadArrayRequest;
-import no.hials.crosscom.protocol.variable.ReadArrayResponse;
-import no.hials.crosscom.protocol.variable.ReadMultipleRequest;
-import no.hials.crosscom.protocol.variable.ReadRequest;
-import no.hials.crosscom.protocol.variable.ReadUtf16Request;
-import no.hials.crosscom.protocol.variable.ValueResponse;
-import no.hials.crosscom.protocol.variable.WriteArrayRequest;
-import no.hials.crosscom.protocol.variable.WriteMultipleRequest;
-import no.hials.crosscom.protocol.variable.WriteRequest;
-import no.hials.crosscom.protocol.variable.WriteUtf16Request;
+import no.hials.crosscom.protocol.variable.VariableRequest.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.BenchmarkWriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadArrayRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadUtf16Request;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteArrayRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteMultipleRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteUtf16Request;
+import no.hials.crosscom.protocol.variable.VariableResponse.BenchmarkResponse;
+import no.hials.crosscom.protocol.variable.VariableResponse.MultipleResponse;
+import no.hials.crosscom.protocol.variable.VariableResponse.ReadArrayResponse;
+import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 
 /** The layouts of the messages about variables: types 0 to 7 and 17. */
 public final class VariableLayouts {

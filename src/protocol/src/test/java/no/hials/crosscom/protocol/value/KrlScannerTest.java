@@ -18,7 +18,7 @@ import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Samples;
 import no.hials.crosscom.protocol.Tail;
-import no.hials.crosscom.protocol.variable.ValueResponse;
+import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;

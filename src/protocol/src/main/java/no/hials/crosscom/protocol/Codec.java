@@ -53,17 +53,15 @@ public final class Codec {
     begin(out, id, type);
     Layouts.write(message, out);
     if (tail != null) {
-      out.u16(tail.code());
-      out.u8(tail.flag());
+      out.u16(tail.code()).u8(tail.flag());
     }
     end(out);
     return out.toByteArray();
   }
 
   static void begin(FieldWriter out, int id, MessageType type) {
-    out.u16(id);
-    out.u16(0); // the length, known at the end
-    out.u8(type.code());
+    // the length is known at the end
+    out.u16(id).u16(0).u8(type.code());
   }
 
   static void end(FieldWriter out) {

@@ -5,7 +5,7 @@ import java.util.List;
 import no.hials.crosscom.protocol.file.Bytes;
 import no.hials.crosscom.protocol.value.KrlText;
 
-/** Writes the fields of a message; numbers are big-endian. */
+/** Writes the fields of a message, one after the other; numbers are big-endian. */
 public final class FieldWriter {
   private byte[] buffer = new byte[64];
   private int length;
@@ -34,58 +34,57 @@ public final class FieldWriter {
   }
 
   /** Writes a number of 8 bits. */
-  public void u8(int value) {
+  public FieldWriter u8(int value) {
     if (length == buffer.length) {
       buffer = Arrays.copyOf(buffer, 2 * length);
     }
     buffer[length++] = (byte) value;
+    return this;
   }
 
   /** Writes a number of 16 bits. */
-  public void u16(int value) {
-    u8(value >> 8);
-    u8(value);
+  public FieldWriter u16(int value) {
+    return u8(value >> 8).u8(value);
   }
 
   /** Writes a number of 32 bits, signed or not. */
-  void i32(int value) {
-    u16(value >> 16);
-    u16(value);
+  FieldWriter i32(int value) {
+    return u16(value >> 16).u16(value);
   }
 
-  void u32(long value) {
-    i32((int) value);
+  FieldWriter u32(long value) {
+    return i32((int) value);
   }
 
-  void bool(boolean value) {
-    u8(value ? 1 : 0);
+  FieldWriter bool(boolean value) {
+    return u8(value ? 1 : 0);
   }
 
   /** Writes 64 bits as C3 Bridge does: two numbers of 32, the lower half first. */
-  void lowHigh(long value) {
-    i32((int) value);
-    i32((int) (value >> 32));
+  FieldWriter lowHigh(long value) {
+    return i32((int) value).i32((int) (value >> 32));
   }
 
   /**
    * Writes a WSTRING: a count of characters, then UTF-16, little-endian
    * (docs/reference/c3-messages.md#strings).
    */
-  void wide(String value) {
+  FieldWriter wide(String value) {
     int count = value.length();
     u16(count);
     reserve(2 * count);
     for (int i = 0; i < count; i++) {
       char c = value.charAt(i);
-      u8(c);
-      u8(c >> 8);
+      u8(c).u8(c >> 8);
     }
+    return this;
   }
 
-  void bytes(Bytes value) {
+  FieldWriter bytes(Bytes value) {
     reserve(value.size());
     value.copyTo(buffer, length);
     length += value.size();
+    return this;
   }
 
   private void reserve(int count) {
@@ -97,7 +96,7 @@ public final class FieldWriter {
   /**
    * Writes a STRING: a byte count, then ISO 8859-1, which the message's constructor has checked.
    */
-  void string(CharSequence value) {
+  FieldWriter string(CharSequence value) {
     int count = value.length();
     u16(count);
     reserve(count);
@@ -107,6 +106,7 @@ public final class FieldWriter {
       copy(value.toString(), buffer, length);
     }
     length += count;
+    return this;
   }
 
   @SuppressWarnings("deprecation") // copies the lower bytes, which is ISO 8859-1
@@ -115,10 +115,11 @@ public final class FieldWriter {
   }
 
   /** Writes 16-bit numbers: a byte count, then the numbers. */
-  void words(List<Integer> values) {
+  FieldWriter words(List<Integer> values) {
     u16(values.size() * 2);
     for (int value : values) {
       u16(value);
     }
+    return this;
   }
 }

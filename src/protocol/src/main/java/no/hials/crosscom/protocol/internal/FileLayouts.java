@@ -55,11 +55,7 @@ final class FileLayouts {
     all.request(
         MessageType.SET_ATTRIBUTES,
         SetAttributesRequest.class,
-        (m, out) -> {
-          out.i32(m.attributes().bits());
-          out.i32(m.mask().bits());
-          out.wide(m.name());
-        },
+        (m, out) -> out.i32(m.attributes().bits()).i32(m.mask().bits()).wide(m.name()),
         (id, in) ->
             new SetAttributesRequest(
                 id, attributes(in, "attributes"), attributes(in, "mask"), in.wide("name")));
@@ -67,13 +63,12 @@ final class FileLayouts {
     all.request(
         MessageType.CREATE_FILE,
         CreateFileRequest.class,
-        (m, out) -> {
-          out.u16(m.itemType().number());
-          out.u8(m.parts().bits());
-          out.bool(m.always());
-          out.wide(m.name());
-          out.wide(m.template());
-        },
+        (m, out) ->
+            out.u16(m.itemType().number())
+                .u8(m.parts().bits())
+                .bool(m.always())
+                .wide(m.name())
+                .wide(m.template()),
         (id, in) ->
             new CreateFileRequest(
                 id,
@@ -86,19 +81,12 @@ final class FileLayouts {
     all.request(
         MessageType.DELETE_FILE,
         DeleteFileRequest.class,
-        (m, out) -> {
-          out.bool(m.always());
-          out.wide(m.name());
-        },
+        (m, out) -> out.bool(m.always()).wide(m.name()),
         (id, in) -> new DeleteFileRequest(id, in.bool("always"), in.wide("name")));
     all.plainAnswer(MessageType.DELETE_FILE);
     all.writer(
         CopyFileRequest.class,
-        (m, out) -> {
-          out.i32(m.flags().bits());
-          out.wide(m.source());
-          out.wide(m.destination());
-        });
+        (m, out) -> out.i32(m.flags().bits()).wide(m.source()).wide(m.destination()));
     for (MessageType type : List.of(MessageType.COPY_FILE, MessageType.MOVE_FILE)) {
       all.request(
           type,
@@ -113,11 +101,7 @@ final class FileLayouts {
     all.request(
         MessageType.LIST_DIRECTORY,
         ListDirectoryRequest.class,
-        (m, out) -> {
-          out.i32(m.types().bits());
-          out.i32(m.flags().bits());
-          out.wide(m.path());
-        },
+        (m, out) -> out.i32(m.types().bits()).i32(m.flags().bits()).wide(m.path()),
         (id, in) ->
             new ListDirectoryRequest(
                 id,
@@ -142,10 +126,7 @@ final class FileLayouts {
     all.request(
         MessageType.FILE_PROPERTIES,
         FilePropertiesRequest.class,
-        (m, out) -> {
-          out.i32(m.properties().bits());
-          out.wide(m.name());
-        },
+        (m, out) -> out.i32(m.properties().bits()).wide(m.name()),
         (id, in) ->
             new FilePropertiesRequest(
                 id, new Flags<>(FileProperty.class, in.i32("properties")), in.wide("name")));
@@ -162,14 +143,13 @@ final class FileLayouts {
   }
 
   private static void write(FileProperties properties, FieldWriter out) {
-    out.i32(properties.itemType().number());
-    out.lowHigh(properties.size());
-    out.i32(properties.attributes().bits());
+    out.i32(properties.itemType().number())
+        .lowHigh(properties.size())
+        .i32(properties.attributes().bits());
     write(properties.created(), out);
     write(properties.accessed(), out);
     write(properties.modified(), out);
-    out.i32(properties.editMode().number());
-    out.wide(properties.name());
+    out.i32(properties.editMode().number()).wide(properties.name());
   }
 
   private static FileProperties properties(FieldReader in) throws MalformedFrameException {
@@ -193,8 +173,7 @@ final class FileLayouts {
   }
 
   private static void write(ItemTime time, FieldWriter out) {
-    out.lowHigh(time.ticks());
-    out.i32(time.biasMinutes());
+    out.lowHigh(time.ticks()).i32(time.biasMinutes());
   }
 
   private static ItemTime time(FieldReader in, String field) throws MalformedFrameException {
@@ -217,10 +196,7 @@ final class FileLayouts {
     all.writer(
         MessageType.WRITE_CONTENT,
         BeginWriteRequest.class,
-        (m, out) -> {
-          out.u8(ContentOperation.BEGIN.code());
-          out.u32(m.size());
-        });
+        (m, out) -> out.u8(ContentOperation.BEGIN.code()).u32(m.size()));
     all.writer(
         MessageType.WRITE_CONTENT,
         WriteDataRequest.class,
@@ -228,11 +204,7 @@ final class FileLayouts {
     all.writer(
         MessageType.WRITE_CONTENT,
         EndWriteRequest.class,
-        (m, out) -> {
-          out.u8(ContentOperation.END.code());
-          out.i32(m.flags().bits());
-          out.wide(m.name());
-        });
+        (m, out) -> out.u8(ContentOperation.END.code()).i32(m.flags().bits()).wide(m.name()));
     all.writer(ContentRequest.class, (m, out) -> out.u8(m.operation().number()));
   }
 
@@ -241,39 +213,22 @@ final class FileLayouts {
     all.writer(
         MessageType.READ_CONTENT,
         BeginReadRequest.class,
-        (m, out) -> {
-          out.u8(ContentOperation.BEGIN.code());
-          out.i32(m.flags().bits());
-          out.wide(m.name());
-        });
+        (m, out) -> out.u8(ContentOperation.BEGIN.code()).i32(m.flags().bits()).wide(m.name()));
     all.writer(
         MessageType.READ_CONTENT,
         ReadDataRequest.class,
-        (m, out) -> {
-          out.u8(ContentOperation.DATA.code());
-          out.u32(m.offset());
-          out.u32(m.size());
-        });
+        (m, out) -> out.u8(ContentOperation.DATA.code()).u32(m.offset()).u32(m.size()));
   }
 
   private static void addContentAnswers(Layouts all) {
     for (MessageType type : List.of(MessageType.WRITE_CONTENT, MessageType.READ_CONTENT)) {
       all.answer(type, (id, in, tail) -> readAnswer(id, type, in, tail));
     }
-    all.writer(
-        ContentSizeResponse.class,
-        (m, out) -> {
-          out.u8(m.operation().code());
-          out.u32(m.size());
-        });
+    all.writer(ContentSizeResponse.class, (m, out) -> out.u8(m.operation().code()).u32(m.size()));
     all.writer(
         MessageType.WRITE_CONTENT,
         WriteDataResponse.class,
-        (m, out) -> {
-          out.u8(ContentOperation.DATA.code());
-          out.u32(m.offset());
-          out.u32(m.written());
-        });
+        (m, out) -> out.u8(ContentOperation.DATA.code()).u32(m.offset()).u32(m.written()));
     all.writer(
         MessageType.READ_CONTENT,
         ReadDataResponse.class,
@@ -286,10 +241,7 @@ final class FileLayouts {
   }
 
   private static void writeData(long offset, Bytes data, FieldWriter out) {
-    out.u8(ContentOperation.DATA.code());
-    out.u32(offset);
-    out.u32(data.size());
-    out.bytes(data);
+    out.u8(ContentOperation.DATA.code()).u32(offset).u32(data.size()).bytes(data);
   }
 
   private static Bytes data(FieldReader in) throws MalformedFrameException {

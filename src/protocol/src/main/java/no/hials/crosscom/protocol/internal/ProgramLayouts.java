@@ -29,40 +29,32 @@ public final class ProgramLayouts {
     all.writer(
         MessageType.PROGRAM_CONTROL,
         ProgramControlRequest.class,
-        (m, out) -> {
-          out.u8(m.command().number());
-          out.u16(m.interpreter().number());
-        });
+        (m, out) -> out.u8(m.command().number()).u16(m.interpreter().number()));
     all.writer(
         MessageType.PROGRAM_CONTROL,
         ProgramSelectRequest.class,
-        (m, out) -> {
-          out.u8(m.command().number());
-          out.u16(m.interpreter().number());
-          out.wide(m.name());
-          out.wide(m.parameters());
-          out.bool(m.force());
-        });
+        (m, out) ->
+            out.u8(m.command().number())
+                .u16(m.interpreter().number())
+                .wide(m.name())
+                .wide(m.parameters())
+                .bool(m.force()));
     all.request(
         MessageType.MOTION,
         MotionRequest.class,
-        (m, out) -> {
-          out.u8(m.motion().number());
-          out.wide(m.position());
-        },
+        (m, out) -> out.u8(m.motion().number()).wide(m.position()),
         (id, in) ->
             new MotionRequest(
                 id, new Code<>(MotionType.class, in.u8("motion")), in.wide("position")));
     all.request(
         MessageType.PENDANT_KEY,
         PendantKeyRequest.class,
-        (m, out) -> {
-          out.u8(m.key().number());
-          out.i32(m.number());
-          out.i32(m.keyCode());
-          out.bool(m.direction());
-          out.bool(m.released());
-        },
+        (m, out) ->
+            out.u8(m.key().number())
+                .i32(m.number())
+                .i32(m.keyCode())
+                .bool(m.direction())
+                .bool(m.released()),
         (id, in) ->
             new PendantKeyRequest(
                 id,

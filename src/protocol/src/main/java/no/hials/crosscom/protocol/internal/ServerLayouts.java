@@ -42,9 +42,7 @@ final class ServerLayouts {
   }
 
   private static void write(ServerInformation information, FieldWriter out) {
-    out.u8(information.major());
-    out.u8(information.minor());
-    out.u8(information.build().number());
+    out.u8(information.major()).u8(information.minor()).u8(information.build().number());
     write(information.time(), out);
     out.wide(information.computerName());
   }
@@ -59,14 +57,14 @@ final class ServerLayouts {
   }
 
   private static void write(SystemTime time, FieldWriter out) {
-    out.u16(time.year());
-    out.u16(time.month());
-    out.u16(time.dayOfWeek());
-    out.u16(time.day());
-    out.u16(time.hour());
-    out.u16(time.minute());
-    out.u16(time.second());
-    out.u16(time.millisecond());
+    out.u16(time.year())
+        .u16(time.month())
+        .u16(time.dayOfWeek())
+        .u16(time.day())
+        .u16(time.hour())
+        .u16(time.minute())
+        .u16(time.second())
+        .u16(time.millisecond());
   }
 
   private static SystemTime time(FieldReader in) throws MalformedFrameException {

@@ -56,10 +56,7 @@ public final class VariableLayouts {
     all.request(
         MessageType.WRITE_ARRAY,
         WriteArrayRequest.class,
-        (m, out) -> {
-          out.string(m.name());
-          out.words(m.elements());
-        },
+        (m, out) -> out.string(m.name()).words(m.elements()),
         (id, in) -> new WriteArrayRequest(id, in.string("name"), in.words("elements")));
     all.request(
         MessageType.READ_UTF16,
@@ -70,10 +67,7 @@ public final class VariableLayouts {
     all.request(
         MessageType.WRITE_UTF16,
         WriteUtf16Request.class,
-        (m, out) -> {
-          out.wide(m.name());
-          out.wide(m.value());
-        },
+        (m, out) -> out.wide(m.name()).wide(m.value()),
         (id, in) -> new WriteUtf16Request(id, in.wide("name"), in.wide("value")));
     all.textAnswer(MessageType.WRITE_UTF16);
     addMultiple(all);
@@ -137,14 +131,13 @@ public final class VariableLayouts {
     all.answer(
         MessageType.BENCHMARK,
         BenchmarkResponse.class,
-        (m, out) -> {
-          out.bool(m.write());
-          out.u8(m.count());
-          out.u32(m.iterations());
-          out.u32(m.startMillis());
-          out.u32(m.stopMillis());
-          out.u32(m.differenceMillis());
-        },
+        (m, out) ->
+            out.bool(m.write())
+                .u8(m.count())
+                .u32(m.iterations())
+                .u32(m.startMillis())
+                .u32(m.stopMillis())
+                .u32(m.differenceMillis()),
         (id, in, tail) ->
             new BenchmarkResponse(
                 id,
@@ -159,14 +152,12 @@ public final class VariableLayouts {
 
   /** Writes the fields of a {@link WriteRequest}. */
   public static void write(CharSequence name, CharSequence value, FieldWriter out) {
-    out.string(name);
-    out.string(value);
+    out.string(name).string(value);
   }
 
   private static void write(List<Assignment> assignments, FieldWriter out) {
     for (Assignment assignment : assignments) {
-      out.wide(assignment.name());
-      out.wide(assignment.value());
+      out.wide(assignment.name()).wide(assignment.value());
     }
   }
 

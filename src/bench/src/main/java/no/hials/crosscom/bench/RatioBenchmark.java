@@ -107,13 +107,7 @@ public final class RatioBenchmark {
                 }
                 return SEVERAL;
               };
-          int warmUp = Math.min(rounds, trial == 0 ? WARM_UP_ROUNDS : WARM_UP_ROUNDS / 10);
-          compare(together, singly, new double[2 * warmUp], new double[2 * warmUp]);
-          double[] oneTimes = new double[2 * rounds];
-          double[] otherTimes = new double[2 * rounds];
-          compare(together, singly, oneTimes, otherTimes);
-          ones.add(oneTimes);
-          others.add(otherTimes);
+          compare(trial, together, singly, ones, others);
         }
       }
     }
@@ -140,13 +134,7 @@ public final class RatioBenchmark {
             BareClient first = new BareClient(server.port(), operation);
             BareClient bare = new BareClient(server.port(), operation)) {
           Exchange one = control ? first : operation.through(client);
-          int warmUp = Math.min(rounds, trial == 0 ? WARM_UP_ROUNDS : WARM_UP_ROUNDS / 10);
-          compare(one, bare, new double[2 * warmUp], new double[2 * warmUp]);
-          double[] oneTimes = new double[2 * rounds];
-          double[] otherTimes = new double[2 * rounds];
-          compare(one, bare, oneTimes, otherTimes);
-          ones.add(oneTimes);
-          others.add(otherTimes);
+          compare(trial, one, bare, ones, others);
           oneBytes = allocated(one, BLOCK * rounds);
           otherBytes = allocated(bare, BLOCK * rounds);
         }
@@ -164,6 +152,19 @@ public final class RatioBenchmark {
         result.most(),
         oneBytes,
         otherBytes);
+  }
+
+  /** Adds the times of one trial, after a warm-up. */
+  private void compare(
+      int trial, Exchange one, Exchange other, List<double[]> ones, List<double[]> others)
+      throws IOException {
+    int warmUp = Math.min(rounds, trial == 0 ? WARM_UP_ROUNDS : WARM_UP_ROUNDS / 10);
+    compare(one, other, new double[2 * warmUp], new double[2 * warmUp]);
+    double[] oneTimes = new double[2 * rounds];
+    double[] otherTimes = new double[2 * rounds];
+    compare(one, other, oneTimes, otherTimes);
+    ones.add(oneTimes);
+    others.add(otherTimes);
   }
 
   private static void compare(Exchange one, Exchange other, double[] oneTimes, double[] otherTimes)

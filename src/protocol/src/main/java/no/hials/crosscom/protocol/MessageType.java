@@ -1,9 +1,6 @@
 package no.hials.crosscom.protocol;
 
-import java.util.Collections;
-import java.util.EnumSet;
 import java.util.Optional;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -94,17 +91,6 @@ public enum MessageType {
    */
   public int code() {
     return code;
-  }
-
-  /**
-   * Returns the servers whose newest version supports the type.
-   *
-   * @return the servers, unmodifiable
-   */
-  public Set<ServerType> servers() {
-    EnumSet<ServerType> servers = EnumSet.allOf(ServerType.class);
-    servers.removeIf(server -> !isKnownTo(server));
-    return Collections.unmodifiableSet(servers);
   }
 
   /**

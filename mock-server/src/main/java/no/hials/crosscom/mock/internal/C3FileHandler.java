@@ -11,6 +11,7 @@ import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.PlainResponse;
 import no.hials.crosscom.protocol.Request;
+import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.TextResponse;
 import no.hials.crosscom.protocol.TypedResponse;
@@ -160,11 +161,8 @@ public final class C3FileHandler implements AutoCloseable {
   }
 
   private static Tail failure(IOException e) {
-    return failure(e instanceof FileRefusedException refused ? refused.code() : ErrorCode.GENERAL);
-  }
-
-  private static Tail failure(ErrorCode code) {
-    return new Tail(code.code(), 0);
+    return C3Answers.tail(
+        e instanceof FileRefusedException refused ? refused.code() : ErrorCode.GENERAL);
   }
 
   private void create(CreateFileRequest request) throws IOException {
@@ -262,7 +260,7 @@ public final class C3FileHandler implements AutoCloseable {
       reading.close();
       return content(request, request.operation(), Tail.SUCCESS);
     }
-    return content(request, request.operation(), failure(ErrorCode.NOT_IMPLEMENTED));
+    return content(request, request.operation(), C3Answers.tail(ErrorCode.NOT_IMPLEMENTED));
   }
 
   private static ContentResponse content(
@@ -282,23 +280,17 @@ public final class C3FileHandler implements AutoCloseable {
 
   /**
    * Answers a request of a type from 20 to 30 with malformed fields (the rows with code 9 of
-   * c3-vectors.tsv).
+   * c3-vectors.tsv). Of file content, the data and the start of a write are measured, the rest is
+   * assumed.
    */
-  TypedResponse malformed(MalformedRequestException request) {
+  Response malformed(MalformedRequestException request) {
     int id = request.id();
     MessageType type = request.type();
-    Tail tail = failure(ErrorCode.PROTOCOL);
-    return switch (type) {
-      case LIST_DIRECTORY -> new ListDirectoryResponse(id, List.of(), List.of(), tail);
-      case FILE_PROPERTIES -> new FilePropertiesResponse(id, FileProperties.NONE, tail);
-      case FULL_NAME, KRC_NAME -> new TextResponse(id, type, "", tail);
-      case WRITE_CONTENT, READ_CONTENT -> malformedContent(id, type, request.fields(), tail);
-      default -> new PlainResponse(id, type, tail);
-    };
-  }
-
-  /** Measured for the data and the start of a write, assumed for the rest. */
-  private TypedResponse malformedContent(int id, MessageType type, byte[] fields, Tail tail) {
+    byte[] fields = request.fields();
+    Tail tail = C3Answers.tail(ErrorCode.PROTOCOL);
+    if (type != MessageType.WRITE_CONTENT && type != MessageType.READ_CONTENT) {
+      return C3Answers.empty(id, type, fields, tail);
+    }
     return fields.length > 0 && fields[0] == ContentOperation.BEGIN.code()
         ? size(id, type, ContentOperation.BEGIN, tail)
         : new PlainResponse(id, type, tail);

@@ -77,16 +77,9 @@ public final class C3Handler implements RequestHandler {
     MessageType type = request.type();
     return switch (type) {
       case READ, WRITE -> C3Answers.empty(request.id(), type, request.fields(), Tail.FAILURE_ZERO);
-      case READ_UTF16,
-          WRITE_UTF16,
-          READ_MULTIPLE,
-          WRITE_MULTIPLE,
-          PROGRAM_CONTROL,
-          MOTION,
-          PENDANT_KEY,
-          BENCHMARK ->
+      case WRITE_CONTENT, READ_CONTENT -> files.malformed(request);
+      default ->
           C3Answers.empty(request.id(), type, request.fields(), C3Answers.tail(ErrorCode.PROTOCOL));
-      default -> files.malformed(request);
     };
   }
 

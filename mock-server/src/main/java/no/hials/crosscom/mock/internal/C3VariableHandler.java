@@ -195,7 +195,8 @@ public final class C3VariableHandler {
 
   private Outcome read(ReadMultipleRequest request) {
     if (!internal.hasRight(request.type())) {
-      return wrong(request);
+      // see MockServerConfig.version
+      return empty(request, ErrorCode.NOT_IMPLEMENTED, null);
     }
     Batch batch = new Batch();
     for (String name : request.names()) {
@@ -206,7 +207,8 @@ public final class C3VariableHandler {
 
   private Outcome write(WriteMultipleRequest request) {
     if (!internal.hasRight(request.type())) {
-      return wrong(request);
+      // see MockServerConfig.version
+      return empty(request, ErrorCode.NOT_IMPLEMENTED, null);
     }
     Batch batch = new Batch();
     for (Assignment item : request.assignments()) {
@@ -216,10 +218,7 @@ public final class C3VariableHandler {
     if (request.assignments().size() < request.count()) {
       // the items of a truncated batch are written, then the answer has code 9
       // (docs/reference/c3-messages.md#several-variables-6-and-7)
-      return new Outcome(
-          C3Answers.empty(
-              request.id(), request.type(), new byte[0], C3Answers.tail(ErrorCode.PROTOCOL)),
-          batch.refused);
+      return empty(request, ErrorCode.PROTOCOL, batch.refused);
     }
     return batch.answer(request);
   }
@@ -229,12 +228,10 @@ public final class C3VariableHandler {
     return read.refused() == null ? read : new Result(item.value());
   }
 
-  /** See {@link MockServerConfig#version}. */
-  private static Outcome wrong(Request request) {
-    return new Outcome(
-        C3Answers.empty(
-            request.id(), request.type(), new byte[0], C3Answers.tail(ErrorCode.NOT_IMPLEMENTED)),
-        null);
+  private static Outcome empty(
+      Request request, ErrorCode code, @Nullable RefusedException refused) {
+    Tail tail = C3Answers.tail(code);
+    return new Outcome(C3Answers.empty(request.id(), request.type(), new byte[0], tail), refused);
   }
 
   /** The results of several accesses. */
@@ -254,9 +251,7 @@ public final class C3VariableHandler {
     Outcome answer(Request request) {
       if (length > C3Answers.FIELDS) {
         // measured for type 6, assumed for type 7
-        Tail tail = C3Answers.tail(ErrorCode.LONG_ANSWER);
-        return new Outcome(
-            C3Answers.empty(request.id(), request.type(), new byte[0], tail), tooLong().refused());
+        return empty(request, ErrorCode.LONG_ANSWER, tooLong().refused());
       }
       // code 0 and flag false if some failed; assumed: also if all failed
       // (docs/reference/c3-messages.md#several-variables-6-and-7)

@@ -2,10 +2,9 @@ package no.hials.crosscom.cell;
 
 import java.io.IOException;
 import java.time.Duration;
-import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.Sample;
 
-/** Writes a line of JSON for each sample. */
+/** Writes a line of JSON for each sample, which also has the number of failed readings. */
 public final class JsonRecording implements Recording {
   private final Sink sink;
 
@@ -14,23 +13,8 @@ public final class JsonRecording implements Recording {
   }
 
   @Override
-  public void begin() {
-    // the first line is a sample
-  }
-
-  @Override
   public void add(SampledRobot robot, Sample sample, Duration since) {
     sink.write(SampleJson.of(robot, sample, since) + "\n");
-  }
-
-  @Override
-  public void connectionChanged(SampledRobot robot, ConnectionEvent event) {
-    // the next sample has the number of failed readings
-  }
-
-  @Override
-  public void end(Sampling sampling) {
-    // the last line is a sample
   }
 
   @Override

@@ -19,7 +19,7 @@ public interface Recording extends Closeable {
   }
 
   /** Writes the beginning of the recording, before the samples. */
-  void begin();
+  default void begin() {}
 
   /**
    * Writes a sample.
@@ -29,8 +29,8 @@ public interface Recording extends Closeable {
   void add(SampledRobot robot, Sample sample, Duration since);
 
   /** Called when a connection is lost or restored. */
-  void connectionChanged(SampledRobot robot, ConnectionEvent event);
+  default void connectionChanged(SampledRobot robot, ConnectionEvent event) {}
 
   /** Writes the end of the recording, after the samples. */
-  void end(Sampling sampling);
+  default void end(Sampling sampling) {}
 }

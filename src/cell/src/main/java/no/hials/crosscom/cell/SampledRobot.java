@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.concurrent.Flow;
 import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.KRL.KRLAny;
@@ -23,7 +24,7 @@ import org.jspecify.annotations.Nullable;
 /** A controller that a {@link Sampling} reads, and its counts of samples and failures. */
 public final class SampledRobot implements Closeable {
   private final Robot robot;
-  private final Sampling.Queue queue;
+  private final Sampling sampling;
   private final RobotConnection controller;
   private final Map<String, KrlValue> first = new LinkedHashMap<>();
 
@@ -41,14 +42,14 @@ public final class SampledRobot implements Closeable {
   private @Nullable ConnectionEvent lost;
 
   /** Connects to a controller. */
-  public SampledRobot(Robot robot, RobotConnection.Opener opener, Sampling.Queue queue)
+  public SampledRobot(Robot robot, RobotConnection.Opener opener, Sampling sampling)
       throws IOException {
     this.robot = robot;
-    this.queue = queue;
+    this.sampling = sampling;
     this.controller =
         opener.open(
             robot,
-            cfg -> cfg.listener(event -> queue.add(new Sampling.ConnectionChanged(this, event))));
+            cfg -> cfg.listener(event -> sampling.add(listener -> changed(event, listener))));
   }
 
   /** Returns the name; empty if the robot has no name. */
@@ -97,9 +98,44 @@ public final class SampledRobot implements Closeable {
 
   void start(WatchConfig config) {
     Watch started =
-        controller.client().watch(config, sample -> queue.add(new Sampling.Sampled(this, sample)));
-    started.subscribe(new Sampling.End(this, queue));
+        controller
+            .client()
+            .watch(config, sample -> sampling.add(to -> sampling.take(this, sample, to)));
+    started.subscribe(new End());
     watch = started;
+  }
+
+  private void changed(ConnectionEvent event, Sampling.Listener listener) throws IOException {
+    count(event);
+    listener.connectionChanged(this, event);
+  }
+
+  /**
+   * Reports the end of the watch and its last sample: the listener, which is not notified of the
+   * end, may lag.
+   */
+  private final class End implements Flow.Subscriber<Sample> {
+    private long last;
+
+    @Override
+    public void onSubscribe(Flow.Subscription subscription) {
+      subscription.request(Long.MAX_VALUE);
+    }
+
+    @Override
+    public void onNext(Sample sample) {
+      last = sample.number();
+    }
+
+    @Override
+    public void onError(Throwable failure) {
+      onComplete();
+    }
+
+    @Override
+    public void onComplete() {
+      sampling.add(listener -> endNumber = last);
+    }
   }
 
   /** Ends the watch; samples it has already read still arrive. */
@@ -118,11 +154,6 @@ public final class SampledRobot implements Closeable {
   /** Returns whether more samples can arrive. */
   boolean isActive() {
     return !enough && lastNumber < endNumber;
-  }
-
-  /** Sets the number of the last sample. */
-  void endsWith(long number) {
-    endNumber = number;
   }
 
   /** Called when a sample arrives. */

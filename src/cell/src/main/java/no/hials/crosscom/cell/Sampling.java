@@ -7,7 +7,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.Flow;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
@@ -32,7 +31,7 @@ public final class Sampling implements Closeable {
   private static final long MAX_MILLIS_TO_END = 3_000;
 
   private final Plan plan;
-  private final Queue queue = new Queue();
+  private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>();
   private final List<SampledRobot> robots = new ArrayList<>();
   private @Nullable Instant start;
 
@@ -77,66 +76,10 @@ public final class Sampling implements Closeable {
     boolean tick() throws IOException;
   }
 
-  /** An event from the threads of the client. */
-  sealed interface Event {
-    SampledRobot robot();
-  }
-
-  /** A sample arrived. */
-  record Sampled(SampledRobot robot, Sample sample) implements Event {}
-
-  /** A connection was lost or restored. */
-  record ConnectionChanged(SampledRobot robot, ConnectionEvent event) implements Event {}
-
-  /** A watch ended. */
-  record Ended(SampledRobot robot, long lastNumber) implements Event {}
-
-  /** Passes the events from the threads of the client to the thread of the command. */
-  public static final class Queue {
-    private final BlockingQueue<Event> events = new LinkedBlockingQueue<>();
-
-    void add(Event event) {
-      events.add(event);
-    }
-
-    @Nullable Event next(long millis) throws InterruptedException {
-      return events.poll(millis, TimeUnit.MILLISECONDS);
-    }
-  }
-
-  /**
-   * Reports the end of a watch and its last sample: the listener, which is not notified of the end,
-   * may lag.
-   */
-  static final class End implements Flow.Subscriber<Sample> {
-    private final SampledRobot robot;
-    private final Queue queue;
-    private long lastNumber;
-
-    End(SampledRobot robot, Queue queue) {
-      this.robot = robot;
-      this.queue = queue;
-    }
-
-    @Override
-    public void onSubscribe(Flow.Subscription subscription) {
-      subscription.request(Long.MAX_VALUE);
-    }
-
-    @Override
-    public void onNext(Sample sample) {
-      lastNumber = sample.number();
-    }
-
-    @Override
-    public void onError(Throwable failure) {
-      onComplete();
-    }
-
-    @Override
-    public void onComplete() {
-      queue.add(new Ended(robot, lastNumber));
-    }
+  /** An event from the threads of the client, handled in the thread of the command. */
+  @FunctionalInterface
+  interface Event {
+    void handle(Listener listener) throws IOException;
   }
 
   private Sampling(Plan plan) {
@@ -160,7 +103,7 @@ public final class Sampling implements Closeable {
 
   private void connect(Robot robot, RobotConnection.Opener opener) throws IOException {
     try {
-      robots.add(new SampledRobot(robot, opener, queue));
+      robots.add(new SampledRobot(robot, opener, this));
     } catch (CrossComException e) {
       failedToConnect.add(new Failure(robot.label(), e));
     }
@@ -220,7 +163,7 @@ public final class Sampling implements Closeable {
     boolean byUser = false;
     try {
       while (isActive() && !byUser && System.nanoTime() - begin < end) {
-        take(queue.next(TICK_MILLIS), listener);
+        handleNext(listener);
         byUser = !listener.tick() || isStopped.getAsBoolean();
       }
       finish(listener);
@@ -252,27 +195,26 @@ public final class Sampling implements Closeable {
     // a lost connection may take as long as its timeouts and then has no samples
     while (robots.stream().anyMatch(robot -> robot.isActive() && !robot.isLost())
         && System.nanoTime() - begin < TimeUnit.MILLISECONDS.toNanos(MAX_MILLIS_TO_END)) {
-      take(queue.next(TICK_MILLIS), listener);
+      handleNext(listener);
     }
-    Event event = queue.next(0);
-    while (event != null) {
-      take(event, listener);
-      event = queue.next(0);
+    for (Event event = queue.poll(); event != null; event = queue.poll()) {
+      event.handle(listener);
     }
   }
 
-  private void take(@Nullable Event event, Listener listener) throws IOException {
-    if (event instanceof Sampled sampled) {
-      take(sampled.robot(), sampled.sample(), listener);
-    } else if (event instanceof ConnectionChanged changed) {
-      changed.robot().count(changed.event());
-      listener.connectionChanged(changed.robot(), changed.event());
-    } else if (event instanceof Ended ended) {
-      ended.robot().endsWith(ended.lastNumber());
+  private void handleNext(Listener listener) throws IOException, InterruptedException {
+    Event event = queue.poll(TICK_MILLIS, TimeUnit.MILLISECONDS);
+    if (event != null) {
+      event.handle(listener);
     }
   }
 
-  private void take(SampledRobot robot, Sample sample, Listener listener) throws IOException {
+  /** Passes an event from the threads of the client to the thread of the command. */
+  void add(Event event) {
+    queue.add(event);
+  }
+
+  void take(SampledRobot robot, Sample sample, Listener listener) throws IOException {
     if (!robot.isActive()) {
       return;
     }

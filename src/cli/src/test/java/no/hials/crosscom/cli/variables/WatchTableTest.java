@@ -29,12 +29,17 @@ class WatchTableTest {
   private SampledRobot robot;
   private WatchTable table;
 
+  private static Sampling sampling() throws IOException {
+    Sampling.Plan plan = new Sampling.Plan(List.of("MYINT"), Duration.ofSeconds(1), null, 1);
+    return Sampling.open(plan, List.of(), Robots::open);
+  }
+
   @BeforeEach
   void start() throws IOException {
     server = MockServer.start();
     Robot target =
         new Robot("", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
-    robot = new SampledRobot(target, Robots::open, new Sampling.Queue());
+    robot = new SampledRobot(target, Robots::open, sampling());
     robot.readFirst(List.of("MYINT", "MYFRAME"));
     table = new WatchTable(List.of(robot));
   }
@@ -168,7 +173,7 @@ class WatchTableTest {
     Robot target =
         new Robot("cell1", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
     try (SampledRobot unnamed = robot;
-        SampledRobot named = new SampledRobot(target, Robots::open, new Sampling.Queue())) {
+        SampledRobot named = new SampledRobot(target, Robots::open, sampling())) {
       table = new WatchTable(List.of(unnamed, named));
       robot = named;
       add("5", "{X 1.5}");

@@ -36,51 +36,51 @@ final class DriveDevice implements InputDevice {
     this.greeting = greeting;
   }
 
-  /** Which device the user wants. */
-  record Choice(Kind kind, @Nullable String host, int port, @Nullable Path file) {
-    enum Kind {
-      KEYBOARD,
-      GAMEPAD,
-      UDP,
-      CSV
-    }
-
-    /** Returns the dead zone if the user does not: sticks do not come to rest at 0 exactly. */
-    double usualDeadZone() {
-      return kind == Kind.GAMEPAD ? 0.15 : 0;
-    }
-
+  /**
+   * Which device the user wants.
+   *
+   * @param usualDeadZone the dead zone if the user does not say: sticks do not come to rest at 0
+   *     exactly
+   */
+  record Choice(double usualDeadZone, Opening opening) {
     /** Opens it. The keyboard takes the terminal, so that nobody can be asked any more. */
     DriveDevice open(double deadZone) throws FileException {
       try {
-        return switch (kind) {
-          case KEYBOARD -> new DriveDevice(KeyboardInput.open(), deadZone, KEYS);
-          case GAMEPAD ->
-              new DriveDevice(GamepadInput.open(), deadZone, "hold a shoulder button to move");
-          case UDP -> udp(deadZone);
-          case CSV -> new DriveDevice(CsvReplay.load(path()), deadZone, "replaying " + path());
-        };
+        return opening.open(deadZone);
+      } catch (FileException e) {
+        throw e;
       } catch (IOException e) {
-        throw kind == Kind.CSV && !String.valueOf(e.getMessage()).contains("line ")
-            ? FileException.cannot("read", path(), e)
-            : new FileException(String.valueOf(e.getMessage()), e);
+        throw new FileException(String.valueOf(e.getMessage()), e);
       }
     }
+  }
 
-    private Path path() {
-      return file == null ? Path.of("") : file;
-    }
+  /** Opens a device. */
+  @FunctionalInterface
+  interface Opening {
+    DriveDevice open(double deadZone) throws IOException;
+  }
 
-    private DriveDevice udp(double deadZone) throws IOException {
-      InetAddress address =
-          host == null ? InetAddress.getLoopbackAddress() : InetAddress.getByName(host);
-      UdpJsonInput udp = UdpJsonInput.listen(new InetSocketAddress(address, port));
-      String warning =
-          address.isLoopbackAddress() ? "" : "; anyone who reaches this port can move the robot";
-      return new DriveDevice(
-          udp,
-          deadZone,
-          "listening for JSON on UDP " + address.getHostAddress() + ":" + udp.port() + warning);
+  private static DriveDevice udp(@Nullable String host, int port, double deadZone)
+      throws IOException {
+    InetAddress address =
+        host == null ? InetAddress.getLoopbackAddress() : InetAddress.getByName(host);
+    UdpJsonInput udp = UdpJsonInput.listen(new InetSocketAddress(address, port));
+    String warning =
+        address.isLoopbackAddress() ? "" : "; anyone who reaches this port can move the robot";
+    return new DriveDevice(
+        udp,
+        deadZone,
+        "listening for JSON on UDP " + address.getHostAddress() + ":" + udp.port() + warning);
+  }
+
+  private static DriveDevice csv(Path file, double deadZone) throws IOException {
+    try {
+      return new DriveDevice(CsvReplay.load(file), deadZone, "replaying " + file);
+    } catch (IOException e) {
+      throw String.valueOf(e.getMessage()).contains("line ")
+          ? e
+          : FileException.cannot("read", file, e);
     }
   }
 
@@ -92,17 +92,18 @@ final class DriveDevice implements InputDevice {
     public Choice convert(String text) {
       Matcher udp = UDP.matcher(text);
       if (text.equals("keyboard")) {
-        return new Choice(Choice.Kind.KEYBOARD, null, 0, null);
+        return new Choice(0, zone -> new DriveDevice(KeyboardInput.open(), zone, KEYS));
       } else if (text.equals("gamepad")) {
-        return new Choice(Choice.Kind.GAMEPAD, null, 0, null);
+        String greeting = "hold a shoulder button to move";
+        return new Choice(0.15, zone -> new DriveDevice(GamepadInput.open(), zone, greeting));
       } else if (text.startsWith("csv:") && text.length() > "csv:".length()) {
-        return new Choice(Choice.Kind.CSV, null, 0, Path.of(text.substring("csv:".length())));
+        Path file = Path.of(text.substring("csv:".length()));
+        return new Choice(0, zone -> csv(file, zone));
       } else if (udp.matches()) {
-        int port =
-            udp.group(2) == null
-                ? USUAL_PORT
-                : new Converters.ListeningPort().convert(udp.group(2));
-        return new Choice(Choice.Kind.UDP, udp.group(1), port, null);
+        String host = udp.group(1);
+        String port = udp.group(2);
+        int number = port == null ? USUAL_PORT : new Converters.ListeningPort().convert(port);
+        return new Choice(0, zone -> udp(host, number, zone));
       }
       throw new TypeConversionException(
           "must be keyboard, gamepad, udp, udp:PORT, udp:ADDRESS:PORT or csv:FILE, is " + text);

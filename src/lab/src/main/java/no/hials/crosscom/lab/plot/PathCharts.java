@@ -3,6 +3,7 @@ package no.hials.crosscom.lab.plot;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /** Creates charts of the path of a point. */
@@ -62,19 +63,13 @@ public final class PathCharts {
     }
   }
 
-  /** A direction of view. */
-  @FunctionalInterface
-  private interface Projection {
-    Flat of(Track track);
-  }
-
   private static Panel view(
-      String title, Axis x, Axis y, List<Track> tracks, Projection projection) {
+      String title, Axis x, Axis y, List<Track> tracks, Function<Track, Flat> projection) {
     return Panel.of(title, x, y, Panel.Scale.EQUAL, series(tracks, projection));
   }
 
-  private static List<Series> series(List<Track> tracks, Projection projection) {
-    List<Flat> flats = tracks.stream().map(projection::of).toList();
+  private static List<Series> series(List<Track> tracks, Function<Track, Flat> projection) {
+    List<Flat> flats = tracks.stream().map(projection).toList();
     List<Series> series = new ArrayList<>();
     for (int i = 0; i < flats.size(); i++) {
       Flat flat = flats.get(i);

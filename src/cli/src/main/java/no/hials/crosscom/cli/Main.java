@@ -5,18 +5,13 @@ import java.io.FileOutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.time.Duration;
-import no.hials.crosscom.CrossComException;
-import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.OutputException;
-import no.hials.crosscom.cli.base.CannotListenException;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.StopSignal;
-import no.hials.crosscom.cli.base.StoppedException;
 import no.hials.crosscom.protocol.ServerType;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -108,34 +103,15 @@ public final class Main {
   }
 
   private static ExitCode failure(Console console, Exception e, boolean verbose) {
-    if (e instanceof CrossComException failed) {
-      console.failure(failed, verbose);
-      return ExitCode.ofFailedRead(failed);
+    ExitCode code = ExitCode.of(e);
+    if (code == ExitCode.INTERNAL_ERROR) {
+      return internalError(console, e, verbose);
     }
-    if (e instanceof CannotListenException) {
+    // the reader of the output has closed it, as head does: it has enough
+    if (!(e instanceof OutputException lost && lost.isBrokenPipe())) {
       console.failure(e, verbose);
-      return ExitCode.NOT_CONNECTED;
     }
-    if (e instanceof FileException) {
-      console.failure(e, verbose);
-      return ExitCode.USAGE;
-    }
-    if (e instanceof NotSentException) {
-      console.failure(e, verbose);
-      return ExitCode.NOT_SENT;
-    }
-    if (e instanceof StoppedException) {
-      console.failure(e, verbose);
-      return ExitCode.STOPPED;
-    }
-    if (e instanceof OutputException lost) {
-      // the reader of the output has closed it, as head does: it has enough
-      if (!lost.isBrokenPipe()) {
-        console.failure(lost, verbose);
-      }
-      return ExitCode.OUTPUT_LOST;
-    }
-    return internalError(console, e, verbose);
+    return code;
   }
 
   private static ExitCode internalError(Console console, Throwable e, boolean verbose) {

@@ -1,5 +1,6 @@
 package no.hials.crosscom.cli.base;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -9,6 +10,7 @@ import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Profiles;
 import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
@@ -154,6 +156,22 @@ public abstract class ControllerCommand extends ConsoleCommand {
   /** Returns the server that a simulated controller has if the user does not say. */
   protected ServerType simulated() {
     return ServerType.KUKAVARPROXY;
+  }
+
+  /** Connects to the one controller that the user chose. */
+  protected final RobotConnection open() throws IOException {
+    return Robots.open(target(), Robot.ONE_SHOT);
+  }
+
+  /**
+   * Connects to the one controller that the user chose, unless it must not be changed.
+   *
+   * @param what says what would be done, as {@code write $OV_PRO}
+   */
+  protected final RobotConnection open(WriteOptions options, String what) throws IOException {
+    Robot target = target();
+    options.permission(console()).checkAllowed(target, what);
+    return Robots.open(target, options.connection());
   }
 
   /** Refuses blank names of variables. */

@@ -1,12 +1,16 @@
 package no.hials.crosscom.cli.base;
 
 import java.util.Arrays;
+import java.util.Map;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComConnectException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.CrossComValueException;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.NotSentException;
+import no.hials.crosscom.cell.OutputException;
 
 /** How a command ended, from the best to the worst. {@link ConsoleCommand} documents them. */
 public enum ExitCode {
@@ -22,6 +26,14 @@ public enum ExitCode {
   OUTPUT_LOST(74),
   /** As shells say that SIGINT ended a process. */
   STOPPED(130);
+
+  private static final Map<Class<?>, ExitCode> OF_EXCEPTIONS =
+      Map.of(
+          CannotListenException.class, NOT_CONNECTED,
+          FileException.class, USAGE,
+          NotSentException.class, NOT_SENT,
+          StoppedException.class, STOPPED,
+          OutputException.class, OUTPUT_LOST);
 
   private final int code;
 
@@ -40,6 +52,14 @@ public enum ExitCode {
 
   public ExitCode orWorse(ExitCode other) {
     return compareTo(other) >= 0 ? this : other;
+  }
+
+  /** Returns the exit code of a command that ended with an exception. */
+  public static ExitCode of(Exception e) {
+    if (e instanceof CrossComException failed) {
+      return ofFailedRead(failed);
+    }
+    return OF_EXCEPTIONS.getOrDefault(e.getClass(), INTERNAL_ERROR);
   }
 
   public static ExitCode ofFailedRead(CrossComException e) {

@@ -12,7 +12,7 @@ import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Printable;
 import org.jspecify.annotations.Nullable;
 
-/** The files of this computer that {@code file put} and {@code file get} work with. */
+/** The files of this computer that commands read and write. */
 public final class LocalFiles {
   private LocalFiles() {}
 
@@ -48,6 +48,22 @@ public final class LocalFiles {
     Path folder = file.toAbsolutePath().getParent();
     if (folder == null || !Files.isDirectory(folder)) {
       throw FileException.cannot("write", file, new IOException("there is no folder " + folder));
+    }
+  }
+
+  /**
+   * Refuses a file that is there already, or cannot be.
+   *
+   * @param overwrite whether the user wants it written over
+   */
+  public static void checkNew(Path file, boolean overwrite) throws FileException {
+    checkFolderOf(file);
+    if (Files.isDirectory(file)) {
+      throw new FileException("cannot write " + file + ": it is a folder");
+    }
+    // not a device or a pipe, which has nothing to lose
+    if (Files.isRegularFile(file) && !overwrite) {
+      throw new FileException("there is a file " + file + " already; --yes overwrites it");
     }
   }
 

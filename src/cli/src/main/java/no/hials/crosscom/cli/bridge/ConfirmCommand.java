@@ -2,10 +2,8 @@ package no.hials.crosscom.cli.bridge;
 
 import java.io.IOException;
 import no.hials.crosscom.CrossComRefusedException;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
 import no.hials.crosscom.protocol.MessageType;
 import picocli.CommandLine.Command;
@@ -31,9 +29,7 @@ public final class ConfirmCommand extends BridgeCommand {
 
   @Override
   public ExitCode run() throws IOException {
-    Robot target = target();
-    writeOptions.permission(console()).checkAllowed(target, WHAT);
-    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+    try (RobotConnection controller = open(writeOptions, WHAT)) {
       ask(writeOptions, controller, WHAT, MessageType.CONFIRM_ALL);
       controller.client().information().confirmAll();
     } catch (CrossComRefusedException e) {

@@ -4,11 +4,9 @@ import java.io.IOException;
 import java.util.List;
 import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.cell.Printable;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.RemoteName;
-import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import picocli.CommandLine.Command;
@@ -61,9 +59,7 @@ final class FileCopy extends FileSubcommand {
     checked("SOURCE", source);
     checked("TARGET", destination);
     String what = verb + " " + source + " to " + destination;
-    Robot target = target();
-    writeOptions.permission(console()).checkAllowed(target, what);
-    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+    try (RobotConnection controller = open(writeOptions, what)) {
       ControllerFiles files = controller.client().files();
       String name =
           isFolder(files, destination)

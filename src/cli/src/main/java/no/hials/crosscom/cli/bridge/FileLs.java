@@ -12,11 +12,9 @@ import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.FileEntry;
 import no.hials.crosscom.c3.FileInfo;
 import no.hials.crosscom.cell.JsonLine;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.RemoteName;
-import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.Table;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.code.Code;
@@ -86,7 +84,7 @@ final class FileLs extends FileSubcommand {
   @Override
   ExitCode work() throws IOException {
     checked("FOLDER", folder);
-    try (RobotConnection controller = Robots.open(target(), Robot.ONE_SHOT)) {
+    try (RobotConnection controller = open()) {
       ControllerFiles files = controller.client().files();
       List<Item> items = new ArrayList<>();
       for (FileEntry entry : list(files)) {

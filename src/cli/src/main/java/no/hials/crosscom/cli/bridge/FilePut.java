@@ -12,13 +12,11 @@ import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.c3.Verification;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.cli.base.Progress;
 import no.hials.crosscom.cli.base.RemoteName;
-import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.cli.base.WriteOptions;
 import no.hials.crosscom.lang.KrlError;
@@ -106,9 +104,7 @@ final class FilePut extends FileSubcommand {
             + sources.stream()
                 .map(each -> each.local().toString())
                 .collect(Collectors.joining(", "));
-    Robot target = target();
-    writeOptions.permission(console()).checkAllowed(target, what);
-    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+    try (RobotConnection controller = open(writeOptions, what)) {
       ControllerFiles files = controller.client().files();
       List<Job> jobs = jobs(files, sources, remote);
       List<String> reasons =

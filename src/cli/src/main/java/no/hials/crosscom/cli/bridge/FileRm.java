@@ -8,10 +8,8 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.Printable;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -52,9 +50,7 @@ final class FileRm extends FileSubcommand {
   @Override
   ExitCode work() throws IOException {
     String what = "delete " + String.join(", ", checked("NAME", names));
-    Robot target = target();
-    writeOptions.permission(console()).checkAllowed(target, what);
-    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+    try (RobotConnection controller = open(writeOptions, what)) {
       ControllerFiles files = controller.client().files();
       Set<String> folders = folders(files);
       writeOptions.permission(console()).check(controller, what, reasons(folders));

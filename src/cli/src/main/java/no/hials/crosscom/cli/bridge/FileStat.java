@@ -9,10 +9,8 @@ import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.FileInfo;
 import no.hials.crosscom.cell.JsonLine;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.Table;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -50,7 +48,7 @@ final class FileStat extends FileSubcommand {
   ExitCode work() throws IOException {
     checked("NAME", names);
     ExitCode result = ExitCode.DONE;
-    try (RobotConnection controller = Robots.open(target(), Robot.ONE_SHOT)) {
+    try (RobotConnection controller = open()) {
       ControllerFiles files = controller.client().files();
       boolean first = true;
       for (String name : names) {

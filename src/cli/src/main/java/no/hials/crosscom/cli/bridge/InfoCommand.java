@@ -9,10 +9,8 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.Server;
 import no.hials.crosscom.c3.BridgeInfo;
 import no.hials.crosscom.cell.JsonLine;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.Table;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
@@ -46,7 +44,7 @@ public final class InfoCommand extends BridgeCommand {
 
   @Override
   public ExitCode run() throws IOException {
-    try (RobotConnection controller = Robots.open(target(), Robot.ONE_SHOT)) {
+    try (RobotConnection controller = open()) {
       CrossComClient client = controller.client();
       Server server = client.getServer();
       List<Item> items = new ArrayList<>();

@@ -3,10 +3,8 @@ package no.hials.crosscom.cli.bridge;
 import java.io.IOException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.c3.Programs;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.Interpreter;
@@ -78,9 +76,7 @@ final class ProgramChoice extends BridgeCommand {
     String name = checked("PROGRAM", program);
     String arguments = checkedLength("--parameters", parameters);
     String what = verb + " " + name;
-    Robot target = target();
-    writeOptions.permission(console()).checkAllowed(target, what);
-    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+    try (RobotConnection controller = open(writeOptions, what)) {
       ask(writeOptions, controller, what, MessageType.PROGRAM_CONTROL);
       choice.send(controller.client().programs(), name, arguments, force);
       ProgramStatus.read(controller.client(), Interpreter.ROBOT).print(this, verb);

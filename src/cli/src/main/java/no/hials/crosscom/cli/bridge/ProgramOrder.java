@@ -3,10 +3,8 @@ package no.hials.crosscom.cli.bridge;
 import java.io.IOException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.c3.Programs;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.Interpreter;
@@ -59,9 +57,7 @@ final class ProgramOrder extends BridgeCommand {
   public ExitCode run() throws IOException {
     Interpreter interpreter = submit ? Interpreter.SUBMIT : Interpreter.ROBOT;
     String what = verb + " the program of the " + (submit ? "submit" : "robot") + " interpreter";
-    Robot target = target();
-    writeOptions.permission(console()).checkAllowed(target, what);
-    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+    try (RobotConnection controller = open(writeOptions, what)) {
       // what makes the robot stand still is never held up by a question
       if (!verb.equals("stop")) {
         ask(writeOptions, controller, what, MessageType.PROGRAM_CONTROL);

@@ -16,8 +16,8 @@ import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LiveLine;
+import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.cli.base.Logging;
-import no.hials.crosscom.cli.base.NewFile;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.cli.base.Terminal;
@@ -169,7 +169,7 @@ public final class DriveCommand extends ControllerCommand {
         device == null ? new DriveDevice.Converter().convert("keyboard") : device;
     double zone = zone(choice);
     if (record != null) {
-      NewFile.check(record, writeOptions.isYes());
+      LocalFiles.checkNew(record, writeOptions.isYes());
     }
     Robot target = target();
     String what = "drive the robot by " + space.variable;

@@ -19,7 +19,7 @@ import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.NewFile;
+import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.cli.base.WriteOptions;
@@ -186,7 +186,7 @@ public final class BenchCommand extends ControllerCommand {
     checkRange("--warm-up", warmUp, 0, MAX_WARM_UP);
     checkNames(wanted());
     if (out != null) {
-      NewFile.check(out, writeOptions.isYes());
+      LocalFiles.checkNew(out, writeOptions.isYes());
     }
     if (plot != null) {
       PictureOptions.check(this, plot, writeOptions.isYes());

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.NewFile;
+import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.cli.base.Table;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.LoopStatistics;
@@ -172,8 +172,8 @@ public final class ExperimentCommand extends ConsoleCommand {
     for (Experiment each : chosen) {
       PictureOptions.check(this, pictureOf(each), yes);
       for (String loop : csv ? each.loops() : List.<String>of()) {
-        NewFile.check(csvOf(each, loop), yes);
-        NewFile.check(figuresOf(each, loop), yes);
+        LocalFiles.checkNew(csvOf(each, loop), yes);
+        LocalFiles.checkNew(figuresOf(each, loop), yes);
       }
     }
     ExitCode worst = ExitCode.DONE;

@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cli.base.ConsoleCommand;
-import no.hials.crosscom.cli.base.NewFile;
+import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.lab.plot.NoFontsException;
 import org.jspecify.annotations.Nullable;
@@ -37,7 +37,7 @@ final class PictureOptions {
     if (!name.endsWith(".png") && !name.endsWith(".svg")) {
       throw command.wrongUsage("the name of a picture must end with .png or .svg, is " + file);
     }
-    NewFile.check(file, overwrite);
+    LocalFiles.checkNew(file, overwrite);
   }
 
   /**

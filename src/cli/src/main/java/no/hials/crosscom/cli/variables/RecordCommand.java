@@ -26,7 +26,6 @@ import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LiveLine;
 import no.hials.crosscom.cli.base.LocalFiles;
-import no.hials.crosscom.cli.base.NewFile;
 import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.cli.base.Terminal;
 import org.jspecify.annotations.Nullable;
@@ -85,12 +84,6 @@ import picocli.CommandLine.Option;
 public final class RecordCommand extends SamplingCommand {
   private static final String STDOUT = "-";
 
-  /** How the samples are written. */
-  private enum Format {
-    CSV,
-    JSONL
-  }
-
   @Option(
       names = {"-o", "--out"},
       required = true,
@@ -112,17 +105,17 @@ public final class RecordCommand extends SamplingCommand {
 
   @Override
   public ExitCode run() throws IOException {
-    Format chosen = format();
+    boolean jsonLines = isJsonLines();
     if (!out.equals(STDOUT)) {
-      NewFile.check(LocalFiles.path(this, out), yes);
+      LocalFiles.checkNew(LocalFiles.path(this, out), yes);
     }
     try (StopSignal stop = new StopSignal();
-        Sampling sampling = open()) {
+        Sampling sampling = sampling()) {
       ExitCode first = readFirst(sampling);
       if (first != ExitCode.DONE) {
         return first;
       }
-      try (Recording recording = open(chosen, sampling);
+      try (Recording recording = open(jsonLines, sampling);
           LiveLine line = new LiveLine(console().err(), !isVerbose() && Terminal.showsProgress())) {
         recording.begin();
         ExitCode result = run(sampling, false, stop, new Recorder(sampling, recording, line));
@@ -134,22 +127,19 @@ public final class RecordCommand extends SamplingCommand {
     }
   }
 
-  private Format format() {
+  private boolean isJsonLines() {
     if (format == null) {
-      return out.toLowerCase(Locale.ROOT).endsWith(".jsonl") ? Format.JSONL : Format.CSV;
+      return out.toLowerCase(Locale.ROOT).endsWith(".jsonl");
     }
-    return switch (format.toLowerCase(Locale.ROOT)) {
-      case "csv" -> Format.CSV;
-      case "jsonl" -> Format.JSONL;
-      default -> throw wrongUsage("--format must be csv or jsonl, is " + format);
-    };
+    if (!format.equalsIgnoreCase("csv") && !format.equalsIgnoreCase("jsonl")) {
+      throw wrongUsage("--format must be csv or jsonl, is " + format);
+    }
+    return format.equalsIgnoreCase("jsonl");
   }
 
-  private Recording open(Format chosen, Sampling sampling) throws FileException {
+  private Recording open(boolean jsonLines, Sampling sampling) throws FileException {
     Recording.Sink sink = out.equals(STDOUT) ? new StdoutSink(console()) : FileSink.open(out, yes);
-    return chosen == Format.CSV
-        ? new CsvRecording(sink, sampling.robots())
-        : new JsonRecording(sink);
+    return jsonLines ? new JsonRecording(sink) : new CsvRecording(sink, sampling.robots());
   }
 
   /** Returns a summary of each robot. */

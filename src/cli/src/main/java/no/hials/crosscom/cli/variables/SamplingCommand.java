@@ -43,7 +43,7 @@ abstract class SamplingCommand extends ControllerCommand {
   private @Nullable Long count;
 
   /** Connects to all robots that the user chose. */
-  final Sampling open() throws IOException {
+  final Sampling sampling() throws IOException {
     check();
     return Sampling.open(
         new Sampling.Plan(

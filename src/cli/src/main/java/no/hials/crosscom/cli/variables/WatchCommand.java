@@ -65,7 +65,7 @@ public final class WatchCommand extends SamplingCommand {
   @Override
   public ExitCode run() throws IOException {
     try (StopSignal stop = new StopSignal();
-        Sampling sampling = open()) {
+        Sampling sampling = sampling()) {
       ExitCode first = readFirst(sampling);
       if (first != ExitCode.DONE) {
         return first;

@@ -3,11 +3,9 @@ package no.hials.crosscom.cli.variables;
 import java.io.IOException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.JsonLine;
-import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.WriteOptions;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -81,9 +79,7 @@ public final class WriteCommand extends ControllerCommand {
       throw wrongUsage("VALUE is blank; an empty text is '\"\"'");
     }
     String line = json ? JsonLine.of(name, parse()) : name + " = " + value;
-    Robot target = target();
-    writeOptions.permission(console()).checkAllowed(target, "write " + name);
-    try (RobotConnection controller = Robots.open(target, writeOptions.connection())) {
+    try (RobotConnection controller = open(writeOptions, "write " + name)) {
       controller.client().checkText(name, value);
       writeOptions.permission(console()).check(controller, "write " + name);
       controller.client().writeText(name, value);

@@ -12,13 +12,13 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone;
 import no.hials.crosscom.simulator.internal.motion.AxisRates;
-import no.hials.crosscom.simulator.internal.motion.Circular;
-import no.hials.crosscom.simulator.internal.motion.Linear;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.Circular;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.Linear;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem;
 import no.hials.crosscom.simulator.internal.motion.OrientationControl;
 import no.hials.crosscom.simulator.internal.motion.PathRates;
-import no.hials.crosscom.simulator.internal.motion.PointToPoint;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
 
 /**

@@ -1,7 +1,7 @@
 package no.hials.crosscom.simulator.internal.core;
 
 import no.hials.crosscom.protocol.code.OperatingMode;
-import no.hials.crosscom.simulator.internal.motion.PointToPoint;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
 
 /**

@@ -1,9 +1,11 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import java.util.OptionalDouble;
+import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
 /** One motion of a program, as the advance run has resolved it. */
-public sealed interface MotionCommand permits PointToPoint, Linear, Circular {
+public sealed interface MotionCommand {
   /** Returns the number of the motion, by which events name it. */
   long id();
 
@@ -12,4 +14,64 @@ public sealed interface MotionCommand permits PointToPoint, Linear, Circular {
 
   /** Returns where the blend into the next motion can start. */
   ApproximationZone approximation();
+
+  /**
+   * Moves all axes so that they start and end together, as KRL's PTP; the slowest sets the time.
+   *
+   * @param target the end of the axes, degrees
+   * @param rates the speeds of the axes
+   */
+  record PointToPoint(
+      long id, Axes target, AxisRates rates, Frame tool, ApproximationZone approximation)
+      implements MotionCommand {}
+
+  /**
+   * Moves the TCP on a straight line, as KRL's LIN.
+   *
+   * @param target the end of the TCP, in {@code $ROBROOT}
+   * @param rates the speed of the TCP
+   * @param orientation the orientation on the path
+   */
+  record Linear(
+      long id,
+      Frame target,
+      Frame tool,
+      PathRates rates,
+      OrientationControl orientation,
+      ApproximationZone approximation)
+      implements MotionCommand {}
+
+  /**
+   * Moves the TCP on the circle through its start, an auxiliary point and a target, as KRL's CIRC.
+   *
+   * <p>The orientation turns from that at the start to that of the target, whatever the angle; the
+   * orientation of the auxiliary point is ignored (assumed for both, and {@code $CIRC_TYPE} is
+   * #BASE).
+   *
+   * @param auxiliary a point of the circle, in {@code $ROBROOT}
+   * @param target the end of the TCP, or a second point of the circle if there is an angle
+   * @param angle the angle on the circle (KRL's CA), degrees: positive over the auxiliary point to
+   *     the target, negative in the other direction, beyond 360 more than one turn; empty to end at
+   *     the target
+   * @param rates the speed of the TCP
+   * @param orientation the orientation on the path
+   */
+  record Circular(
+      long id,
+      Frame auxiliary,
+      Frame target,
+      OptionalDouble angle,
+      Frame tool,
+      PathRates rates,
+      OrientationControl orientation,
+      ApproximationZone approximation)
+      implements MotionCommand {
+    /** Checks that the angle is finite. */
+    public Circular {
+      if (angle.isPresent() && !Double.isFinite(angle.getAsDouble())) {
+        throw new IllegalArgumentException(
+            "the circular angle must be finite, is " + angle.getAsDouble());
+      }
+    }
+  }
 }

@@ -6,6 +6,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.Circular;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.Linear;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
 import org.jspecify.annotations.Nullable;
 

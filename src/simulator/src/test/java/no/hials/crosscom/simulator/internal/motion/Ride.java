@@ -6,6 +6,9 @@ import java.util.OptionalDouble;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.Circular;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.Linear;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.PointToPoint;
 
 /** An interpolator with what the core around it would see: every position and every event. */
 final class Ride {

@@ -104,19 +104,7 @@ public final class ConstantExpressions {
    * @throws KrlErrorException if an index is not a constant INT
    */
   static VariablePath path(Expression.Variable variable, Scope scope) throws KrlErrorException {
-    List<VariablePath.Step> steps = new ArrayList<>(variable.steps().size());
-    for (Expression.Step step : variable.steps()) {
-      Index index = Index.NONE;
-      if (step.brackets()) {
-        int[] numbers = new int[step.indices().size()];
-        for (int i = 0; i < numbers.length; i++) {
-          numbers[i] = integer(step.indices().get(i), scope);
-        }
-        index = new Index(numbers, step.open());
-      }
-      steps.add(new VariablePath.Step(Scope.key(step.name()), index));
-    }
-    return new VariablePath(steps);
+    return VariablePath.of(variable, index -> integer(index, scope));
   }
 
   /**

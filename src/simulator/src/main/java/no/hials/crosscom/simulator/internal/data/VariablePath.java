@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
 
@@ -66,6 +67,26 @@ public record VariablePath(List<Step> steps) {
    */
   public static VariablePath parse(String text) throws RefusedException {
     return new Parser(text.strip()).path();
+  }
+
+  /** Returns the value of an index. */
+  @FunctionalInterface
+  public interface IndexValue<E extends Exception> {
+    int of(Expression index) throws E;
+  }
+
+  /** Returns the path of an expression. */
+  public static <E extends Exception> VariablePath of(
+      Expression.Variable variable, IndexValue<E> value) throws E {
+    List<Step> steps = new ArrayList<>(variable.steps().size());
+    for (Expression.Step step : variable.steps()) {
+      int[] numbers = new int[step.indices().size()];
+      for (int i = 0; i < numbers.length; i++) {
+        numbers[i] = value.of(step.indices().get(i));
+      }
+      steps.add(new Step(Scope.key(step.name()), new Index(numbers, step.open())));
+    }
+    return new VariablePath(List.copyOf(steps));
   }
 
   /** Returns the path of a whole variable. */

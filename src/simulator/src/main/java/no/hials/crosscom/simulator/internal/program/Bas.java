@@ -28,15 +28,13 @@ final class Bas {
     this.scope = scope;
   }
 
-  static @Nullable KrlValue call(
-      KrlVirtualMachine machine, SymbolTable names, @Nullable Object[] arguments)
-      throws KrlExecutionException {
-    KrlValue command = Builtins.value(arguments, 0);
+  static @Nullable KrlValue call(Builtin.Call call) throws KrlExecutionException {
+    KrlValue command = call.value(0);
     if (!(command instanceof KrlEnum constant)) {
       throw Operators.wrongType("a command of BAS", command);
     }
-    KrlValue argument = arguments[1] instanceof KrlValue given ? given : new KrlInt(0);
-    new Bas(names.scope()).execute(constant.name().toUpperCase(Locale.ROOT), argument);
+    KrlValue argument = call.arguments().get(1) instanceof KrlValue given ? given : new KrlInt(0);
+    new Bas(call.symbols().scope()).execute(constant.name().toUpperCase(Locale.ROOT), argument);
     return null;
   }
 

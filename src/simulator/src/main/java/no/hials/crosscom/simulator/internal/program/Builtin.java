@@ -1,8 +1,16 @@
 package no.hials.crosscom.simulator.internal.program;
 
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import no.hials.crosscom.protocol.value.KrlString;
+import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
+import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.Operators;
+import no.hials.crosscom.simulator.internal.data.Storage;
+import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,15 +37,65 @@ record Builtin(String name, boolean function, List<Kind> parameters, int optiona
   /** The code of a built-in routine. */
   @FunctionalInterface
   interface Body {
-    /**
-     * Executes the routine.
-     *
-     * @param symbols the variables of the calling routine
-     * @param arguments one for each parameter; null for an omitted argument
-     * @return the value of a function
-     */
-    @Nullable KrlValue call(
-        KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-        throws KrlExecutionException;
+    /** Executes the routine; returns the value of a function. */
+    @Nullable KrlValue run(Call call) throws KrlExecutionException;
+  }
+
+  /**
+   * A call of a built-in routine.
+   *
+   * @param symbols the variables of the calling routine
+   * @param arguments one for each parameter; null for an omitted argument
+   */
+  record Call(KrlVirtualMachine machine, SymbolTable symbols, List<@Nullable Object> arguments) {
+    private static final VariablePath WHOLE = VariablePath.of("VALUE");
+
+    KrlValue value(int at) {
+      return (KrlValue) Objects.requireNonNull(arguments.get(at));
+    }
+
+    double number(int at) throws KrlExecutionException {
+      return Operators.number(value(at));
+    }
+
+    Reference reference(int at) {
+      return (Reference) Objects.requireNonNull(arguments.get(at));
+    }
+
+    KrlStruct position(int at) throws KrlExecutionException {
+      return Operators.positionOf(value(at));
+    }
+
+    private static Storage storage(Reference reference) throws KrlExecutionException {
+      try {
+        return reference.storage(WHOLE);
+      } catch (RefusedException e) {
+        throw KrlExecutionException.of(reference.name(WHOLE), e);
+      }
+    }
+
+    String text(int at) throws KrlExecutionException {
+      if (arguments.get(at) instanceof KrlString string) {
+        return string.text();
+      }
+      Reference reference = reference(at);
+      Optional<String> characters = storage(reference).characters();
+      if (characters.isEmpty()) {
+        throw new KrlExecutionException(
+            KrlExecutionException.NOT_INITIALISED,
+            reference.name(WHOLE) + ": needs a CHAR array with a value");
+      }
+      return characters.get();
+    }
+
+    int capacity(int at) throws KrlExecutionException {
+      Reference reference = reference(at);
+      int capacity = storage(reference).capacity();
+      if (capacity == 0) {
+        throw new KrlExecutionException(
+            KrlExecutionException.WRONG_TYPE, reference.name(WHOLE) + ": needs a CHAR array");
+      }
+      return capacity;
+    }
   }
 }

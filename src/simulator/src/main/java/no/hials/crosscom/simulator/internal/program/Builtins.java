@@ -4,7 +4,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.DoubleUnaryOperator;
@@ -18,8 +17,8 @@ import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.FrameArithmetic;
 import no.hials.crosscom.simulator.internal.data.Operators;
-import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
+import no.hials.crosscom.simulator.internal.program.Builtin.Call;
 import no.hials.crosscom.simulator.internal.program.Builtin.Kind;
 import org.jspecify.annotations.Nullable;
 
@@ -35,7 +34,6 @@ final class Builtins {
   private static final Set<String> UNSUPPORTED =
       Set.of("SWRITE", "SREAD", "CWRITE", "CREAD", "COPEN", "CCLOSE");
 
-  private static final VariablePath WHOLE = VariablePath.of("VALUE");
   private static final KrlInt DONE = new KrlInt(0);
   private static final KrlInt FAILED = new KrlInt(-1);
   private static final KrlInt NOT_FOUND = new KrlInt(-1);
@@ -48,16 +46,12 @@ final class Builtins {
     function("SQRT", List.of(Kind.VALUE), Builtins::squareRoot);
     function("ACOS", List.of(Kind.VALUE), Builtins::arcCosine);
     function("ATAN2", List.of(Kind.VALUE, Kind.VALUE), Builtins::arcTangent);
-    function(
-        "INV_POS",
-        List.of(Kind.VALUE),
-        (machine, symbols, a) -> FrameArithmetic.inverse(value(a, 0)));
+    function("INV_POS", List.of(Kind.VALUE), call -> FrameArithmetic.inverse(call.value(0)));
     function("FORWARD", List.of(Kind.VALUE, Kind.OUT), Builtins::forward);
     function("INVERSE", List.of(Kind.VALUE, Kind.VALUE, Kind.OUT), Builtins::inverse);
     function("VARSTATE", List.of(Kind.TEXT), Builtins::varState);
-    function(
-        "STRLEN", List.of(Kind.TEXT), (machine, symbols, a) -> new KrlInt(text(a, 0).length()));
-    function("STRDECLLEN", List.of(Kind.OUT), (machine, symbols, a) -> new KrlInt(capacity(a, 0)));
+    function("STRLEN", List.of(Kind.TEXT), call -> new KrlInt(call.text(0).length()));
+    function("STRDECLLEN", List.of(Kind.OUT), call -> new KrlInt(call.capacity(0)));
     function("STRCLEAR", List.of(Kind.OUT), Builtins::clear);
     function("STRCOPY", List.of(Kind.OUT, Kind.TEXT), Builtins::copy);
     function("STRADD", List.of(Kind.OUT, Kind.TEXT), Builtins::add);
@@ -67,7 +61,7 @@ final class Builtins {
             true,
             List.of(Kind.TEXT, Kind.TEXT, Kind.VALUE),
             1,
-            (machine, symbols, a) -> new KrlBool(folded(a, 0, 2).equals(folded(a, 1, 2)))));
+            call -> new KrlBool(folded(call, 0, 2).equals(folded(call, 1, 2)))));
     add(
         new Builtin(
             "STRFIND",
@@ -75,7 +69,7 @@ final class Builtins {
             List.of(Kind.VALUE, Kind.TEXT, Kind.TEXT, Kind.VALUE),
             1,
             Builtins::find));
-    add(new Builtin("IR_STOPM", false, List.of(), 0, (machine, symbols, a) -> null));
+    add(new Builtin("IR_STOPM", false, List.of(), 0, call -> null));
     add(new Builtin("BAS", false, List.of(Kind.VALUE, Kind.VALUE), 1, Bas::call));
   }
 
@@ -101,64 +95,13 @@ final class Builtins {
 
   private static void real(String name, DoubleUnaryOperator operator) {
     function(
-        name,
-        List.of(Kind.VALUE),
-        (machine, symbols, arguments) ->
-            Operators.real(operator.applyAsDouble(number(arguments, 0))));
-  }
-
-  // arguments
-
-  static KrlValue value(@Nullable Object[] arguments, int at) {
-    return (KrlValue) Objects.requireNonNull(arguments[at]);
-  }
-
-  private static double number(@Nullable Object[] arguments, int at) throws KrlExecutionException {
-    return Operators.number(value(arguments, at));
-  }
-
-  private static Reference reference(@Nullable Object[] arguments, int at) {
-    return (Reference) Objects.requireNonNull(arguments[at]);
-  }
-
-  private static Storage storage(Reference reference) throws KrlExecutionException {
-    try {
-      return reference.storage(WHOLE);
-    } catch (RefusedException e) {
-      throw KrlExecutionException.of(reference.name(WHOLE), e);
-    }
-  }
-
-  private static String text(@Nullable Object[] arguments, int at) throws KrlExecutionException {
-    if (arguments[at] instanceof KrlString string) {
-      return string.text();
-    }
-    Reference reference = reference(arguments, at);
-    Optional<String> characters = storage(reference).characters();
-    if (characters.isEmpty()) {
-      throw new KrlExecutionException(
-          KrlExecutionException.NOT_INITIALISED,
-          reference.name(WHOLE) + ": needs a CHAR array with a value");
-    }
-    return characters.get();
-  }
-
-  private static int capacity(@Nullable Object[] arguments, int at) throws KrlExecutionException {
-    Reference reference = reference(arguments, at);
-    int capacity = storage(reference).capacity();
-    if (capacity == 0) {
-      throw new KrlExecutionException(
-          KrlExecutionException.WRONG_TYPE, reference.name(WHOLE) + ": needs a CHAR array");
-    }
-    return capacity;
+        name, List.of(Kind.VALUE), call -> Operators.real(operator.applyAsDouble(call.number(0))));
   }
 
   // numbers
 
-  private static KrlValue squareRoot(
-      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws KrlExecutionException {
-    double number = number(arguments, 0);
+  private static KrlValue squareRoot(Call call) throws KrlExecutionException {
+    double number = call.number(0);
     if (number < 0) {
       throw new KrlExecutionException(
           KrlExecutionException.OUT_OF_RANGE,
@@ -167,10 +110,8 @@ final class Builtins {
     return Operators.real(Math.sqrt(number));
   }
 
-  private static KrlValue arcCosine(
-      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws KrlExecutionException {
-    double number = number(arguments, 0);
+  private static KrlValue arcCosine(Call call) throws KrlExecutionException {
+    double number = call.number(0);
     if (Math.abs(number) > 1) {
       throw new KrlExecutionException(
           KrlExecutionException.OUT_OF_RANGE,
@@ -179,11 +120,9 @@ final class Builtins {
     return Operators.real(Math.toDegrees(Math.acos(number)));
   }
 
-  private static KrlValue arcTangent(
-      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws KrlExecutionException {
-    double y = number(arguments, 0);
-    double x = number(arguments, 1);
+  private static KrlValue arcTangent(Call call) throws KrlExecutionException {
+    double y = call.number(0);
+    double x = call.number(1);
     if (y == 0 && x == 0) {
       throw new KrlExecutionException(
           KrlExecutionException.OUT_OF_RANGE, "ATAN2 takes two numbers that are not both 0");
@@ -193,47 +132,32 @@ final class Builtins {
 
   // positions
 
-  private static KrlStruct struct(@Nullable Object[] arguments, int at)
-      throws KrlExecutionException {
-    KrlValue value = value(arguments, at);
-    if (value instanceof KrlStruct struct) {
-      return struct;
-    }
-    throw Operators.wrongType("a position", value);
-  }
-
-  private static KrlValue forward(
-      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws KrlExecutionException {
-    Optional<KrlStruct> result = machine.environment().forward(struct(arguments, 0));
-    reference(arguments, 1).write(result.isPresent() ? DONE : FAILED);
+  private static KrlValue forward(Call call) throws KrlExecutionException {
+    Optional<KrlStruct> result = call.machine().environment().forward(call.position(0));
+    call.reference(1).write(result.isPresent() ? DONE : FAILED);
     // an aggregate without fields changes nothing where it is assigned
     return result.orElse(new KrlStruct("E6POS", List.of()));
   }
 
-  private static KrlValue inverse(
-      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws KrlExecutionException {
+  private static KrlValue inverse(Call call) throws KrlExecutionException {
     Optional<KrlStruct> result =
-        machine.environment().inverse(struct(arguments, 0), struct(arguments, 1));
-    reference(arguments, 2).write(result.isPresent() ? DONE : FAILED);
+        call.machine().environment().inverse(call.position(0), call.position(1));
+    call.reference(2).write(result.isPresent() ? DONE : FAILED);
     return result.orElse(new KrlStruct("E6AXIS", List.of()));
   }
 
-  private static KrlValue varState(
-      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws KrlExecutionException {
-    String name = text(arguments, 0).strip().toUpperCase(Locale.ROOT);
+  private static KrlValue varState(Call call) throws KrlExecutionException {
+    String name = call.text(0).strip().toUpperCase(Locale.ROOT);
     try {
       VariablePath path = VariablePath.parse(name);
-      StorageLocation location = symbols.find(path.first().name());
+      StorageLocation location = call.symbols().find(path.first().name());
       if (location == null) {
         return new KrlEnum("UNKNOWN");
       }
       boolean signal =
           location instanceof StorageLocation.Shared shared
               && shared.scope().isSignal(path.first().name());
-      boolean initialised = signal || location.storage(machine.frame(), path).initialised();
+      boolean initialised = signal || location.storage(call.machine().frame(), path).initialised();
       return new KrlEnum(initialised ? "INITIALIZED" : "DECLARED");
     } catch (RefusedException e) {
       return new KrlEnum("UNKNOWN");
@@ -242,52 +166,40 @@ final class Builtins {
 
   // texts
 
-  private static KrlValue clear(
-      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws KrlExecutionException {
-    capacity(arguments, 0);
-    reference(arguments, 0).write(new KrlString(""));
+  private static KrlValue clear(Call call) throws KrlExecutionException {
+    call.capacity(0);
+    call.reference(0).write(new KrlString(""));
     return new KrlBool(true);
   }
 
-  private static KrlValue copy(
-      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws KrlExecutionException {
-    String text = text(arguments, 1);
-    boolean fits = text.length() <= capacity(arguments, 0);
+  private static KrlValue copy(Call call) throws KrlExecutionException {
+    String text = call.text(1);
+    boolean fits = text.length() <= call.capacity(0);
     if (fits) {
-      reference(arguments, 0).write(new KrlString(text));
+      call.reference(0).write(new KrlString(text));
     }
     return new KrlBool(fits);
   }
 
-  private static KrlValue add(
-      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws KrlExecutionException {
-    String all = text(arguments, 0) + text(arguments, 1);
-    String fitting = all.substring(0, Math.min(all.length(), capacity(arguments, 0)));
-    reference(arguments, 0).write(new KrlString(fitting));
+  private static KrlValue add(Call call) throws KrlExecutionException {
+    String all = call.text(0) + call.text(1);
+    String fitting = all.substring(0, Math.min(all.length(), call.capacity(0)));
+    call.reference(0).write(new KrlString(fitting));
     return new KrlInt(fitting.length());
   }
 
   /** Returns a text for comparison: case is ignored without {@code #CASE_SENS}. */
-  private static String folded(@Nullable Object[] arguments, int at, int caseAt)
-      throws KrlExecutionException {
-    String text = text(arguments, at);
+  private static String folded(Call call, int at, int caseAt) throws KrlExecutionException {
+    String text = call.text(at);
     boolean sensitive =
-        arguments[caseAt] instanceof KrlEnum constant
+        call.arguments().get(caseAt) instanceof KrlEnum constant
             && constant.name().equalsIgnoreCase("CASE_SENS");
     return sensitive ? text : text.toUpperCase(Locale.ROOT);
   }
 
-  private static KrlValue find(
-      KrlVirtualMachine machine, SymbolTable symbols, @Nullable Object[] arguments)
-      throws KrlExecutionException {
-    KrlValue start = value(arguments, 0);
-    if (!(start instanceof KrlInt from)) {
-      throw Operators.wrongType("INT", start);
-    }
-    int at = folded(arguments, 1, 3).indexOf(folded(arguments, 2, 3), from.value() - 1);
+  private static KrlValue find(Call call) throws KrlExecutionException {
+    int from = Operators.intOf(call.value(0));
+    int at = folded(call, 1, 3).indexOf(folded(call, 2, 3), from - 1);
     return at < 0 ? NOT_FOUND : new KrlInt(at + 1);
   }
 }

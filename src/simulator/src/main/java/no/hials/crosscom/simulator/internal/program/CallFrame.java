@@ -82,7 +82,7 @@ final class CallFrame {
   }
 
   Instruction fetch() {
-    return code.operation(next++);
+    return code.steps().get(next++).instruction();
   }
 
   void jump(int target) {
@@ -96,17 +96,17 @@ final class CallFrame {
 
   /** Goes back to the first instruction of the current statement. */
   void statementAgain() {
-    next = code.statement(next - 1);
+    next = code.steps().get(next - 1).statement();
   }
 
   /** Returns the position of the last executed instruction. */
   Position executed() {
-    return code.position(next == 0 ? 0 : next - 1);
+    return code.steps().get(next == 0 ? 0 : next - 1).position();
   }
 
   /** Returns the position of the next instruction. */
   Position position() {
-    return code.position(next);
+    return code.steps().get(next).position();
   }
 
   Storage local(int slot) {

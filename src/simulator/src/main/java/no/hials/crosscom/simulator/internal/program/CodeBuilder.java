@@ -7,9 +7,7 @@ import no.hials.crosscom.protocol.value.KrlValue;
 
 /** Collects instructions. */
 final class CodeBuilder {
-  private final List<Instruction> operations = new ArrayList<>();
-  private final List<Position> positions = new ArrayList<>();
-  private final List<Integer> statements = new ArrayList<>();
+  private final List<CompiledCode.Step> steps = new ArrayList<>();
   private int statement;
 
   /** A jump target, which can be set after the jump. */
@@ -19,13 +17,11 @@ final class CodeBuilder {
 
   /** Starts a statement. */
   void statement() {
-    statement = operations.size();
+    statement = steps.size();
   }
 
   void emit(Position position, Instruction operation) {
-    operations.add(operation);
-    positions.add(position);
-    statements.add(statement);
+    steps.add(new CompiledCode.Step(operation, position, statement));
   }
 
   void constant(Position position, KrlValue value) {
@@ -33,7 +29,7 @@ final class CodeBuilder {
   }
 
   void mark(Label label) {
-    label.target = operations.size();
+    label.target = steps.size();
   }
 
   void jump(Position position, Label label) {
@@ -63,9 +59,6 @@ final class CodeBuilder {
   }
 
   CompiledCode build() {
-    return new CompiledCode(
-        operations.toArray(new Instruction[0]),
-        positions.toArray(new Position[0]),
-        statements.stream().mapToInt(Integer::intValue).toArray());
+    return new CompiledCode(List.copyOf(steps));
   }
 }

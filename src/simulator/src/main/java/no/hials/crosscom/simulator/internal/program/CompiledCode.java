@@ -1,38 +1,19 @@
 package no.hials.crosscom.simulator.internal.program;
 
+import java.util.List;
 import no.hials.crosscom.lang.Position;
 
-/** The instructions of a routine, or of a condition or an action in it. */
-final class CompiledCode {
-  private final Instruction[] operations;
-  private final Position[] positions;
-  private final int[] statements;
-
+/**
+ * The instructions of a routine, or of a condition or an action in it.
+ *
+ * @param steps the last one never continues to the next
+ */
+record CompiledCode(List<Step> steps) {
   /**
-   * @param operations the instructions; the last one never continues to the next
-   * @param positions the position of each instruction in the source
-   * @param statements for each instruction, the first instruction of its statement
+   * An instruction.
+   *
+   * @param position its position in the source
+   * @param statement the index of the first instruction of its statement
    */
-  CompiledCode(Instruction[] operations, Position[] positions, int[] statements) {
-    this.operations = operations;
-    this.positions = positions;
-    this.statements = statements;
-  }
-
-  int length() {
-    return operations.length;
-  }
-
-  Instruction operation(int at) {
-    return operations[at];
-  }
-
-  Position position(int at) {
-    return positions[at];
-  }
-
-  /** Returns the first instruction of the statement of an instruction. */
-  int statement(int at) {
-    return statements[at];
-  }
+  record Step(Instruction instruction, Position position, int statement) {}
 }

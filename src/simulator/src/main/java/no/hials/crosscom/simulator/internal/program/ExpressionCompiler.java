@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator.internal.program;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
@@ -165,25 +166,18 @@ final class ExpressionCompiler {
 
   /** Compiles the indices of a variable. */
   PathSource path(Expression.Variable variable) {
-    List<VariablePath.Step> fixed = new ArrayList<>();
-    boolean constant = true;
-    for (Expression.Step step : variable.steps()) {
-      int[] numbers = new int[step.indices().size()];
-      for (int i = 0; i < numbers.length; i++) {
-        if (step.indices().get(i) instanceof Expression.IntLiteral literal) {
-          numbers[i] = literal.value();
-        } else {
-          constant = false;
-        }
-      }
-      fixed.add(new VariablePath.Step(Scope.key(step.name()), new Index(numbers, step.open())));
-    }
+    VariablePath path =
+        VariablePath.of(
+            variable, index -> index instanceof Expression.IntLiteral it ? it.value() : 0);
+    boolean constant =
+        variable.steps().stream()
+            .flatMap(step -> step.indices().stream())
+            .allMatch(Expression.IntLiteral.class::isInstance);
     if (constant) {
-      VariablePath path = new VariablePath(List.copyOf(fixed));
       return machine -> path;
     }
     variable.steps().forEach(step -> step.indices().forEach(this::compile));
-    return machine -> indexed(fixed, machine);
+    return machine -> indexed(path.steps(), machine);
   }
 
   private static VariablePath indexed(List<VariablePath.Step> steps, KrlVirtualMachine machine)
@@ -360,7 +354,8 @@ final class ExpressionCompiler {
     for (int i = arguments.length - 1; i >= 0; i--) {
       arguments[i] = machine.popArgument();
     }
-    KrlValue value = builtin.body().call(machine, context.symbols(), arguments);
+    KrlValue value =
+        builtin.body().run(new Builtin.Call(machine, context.symbols(), Arrays.asList(arguments)));
     if (valueWanted) {
       machine.push(value);
     }

@@ -17,7 +17,9 @@ sealed interface StorageLocation {
   /** Returns a part of the variable, with or without a value. */
   Storage storage(CallFrame frame, VariablePath path) throws RefusedException;
 
-  KrlValue value(CallFrame frame, VariablePath path) throws RefusedException;
+  default KrlValue value(CallFrame frame, VariablePath path) throws RefusedException {
+    return storage(frame, path).value();
+  }
 
   void store(CallFrame frame, VariablePath path, KrlValue value) throws RefusedException;
 
@@ -58,11 +60,6 @@ sealed interface StorageLocation {
     @Override
     public Storage storage(CallFrame frame, VariablePath path) throws RefusedException {
       return frame.local(slot).read(path);
-    }
-
-    @Override
-    public KrlValue value(CallFrame frame, VariablePath path) throws RefusedException {
-      return frame.local(slot).read(path).value();
     }
 
     @Override

@@ -1,7 +1,6 @@
 package no.hials.crosscom.simulator.internal.program;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -19,7 +18,6 @@ import no.hials.crosscom.lang.Routine;
 import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Declarations;
-import no.hials.crosscom.simulator.internal.data.Index;
 import no.hials.crosscom.simulator.internal.data.KrlErrorException;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.Storage;
@@ -274,7 +272,8 @@ final class SymbolTable {
       if (scope.isSignal(key)) {
         checkSignal(variable);
       } else if (!isWholeArray(variable)) {
-        scope.storage(firstElements(variable));
+        // whatever the indices are
+        scope.storage(VariablePath.of(variable, index -> 1));
       }
     } catch (RefusedException e) {
       errors.accept(variable.position(), variable.name() + ": " + e.getMessage());
@@ -293,17 +292,6 @@ final class SymbolTable {
   static boolean isWholeArray(Expression.Variable variable) {
     Expression.Step last = variable.steps().get(variable.steps().size() - 1);
     return variable.steps().size() == 1 && last.open() && last.indices().isEmpty();
-  }
-
-  /** Returns the path with 1 for every index; the index does not matter for a check. */
-  private static VariablePath firstElements(Expression.Variable variable) {
-    List<VariablePath.Step> steps = new ArrayList<>();
-    for (Expression.Step step : variable.steps()) {
-      int[] numbers = new int[step.indices().size()];
-      Arrays.fill(numbers, 1);
-      steps.add(new VariablePath.Step(Scope.key(step.name()), new Index(numbers, step.open())));
-    }
-    return new VariablePath(steps);
   }
 
   /**

@@ -26,7 +26,6 @@ import no.hials.crosscom.simulator.internal.data.DataListWriter;
 import no.hials.crosscom.simulator.internal.data.DataLists;
 import no.hials.crosscom.simulator.internal.data.Declarations;
 import no.hials.crosscom.simulator.internal.data.Scope;
-import no.hials.crosscom.simulator.internal.data.VariableDeclaration;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
@@ -194,7 +193,7 @@ public final class VariableTable {
    * @return type, access, unit and meaning; empty if it is not declared
    */
   public Optional<VariableInfo> describe(String name) {
-    return VariableDeclaration.find(scope, name).map(this::describe);
+    return DataLists.describe(scope, name, notes);
   }
 
   /**
@@ -208,18 +207,6 @@ public final class VariableTable {
       describe(name).ifPresent(all::add);
     }
     return all;
-  }
-
-  private VariableInfo describe(VariableDeclaration declared) {
-    VariableNote note = notes.getOrDefault(Scope.key(declared.name()), VariableNote.NONE);
-    return new VariableInfo(
-        declared.name(),
-        declared.type(),
-        declared.dimensions(),
-        declared.access(),
-        note.unit(),
-        note.meaning(),
-        note.source());
   }
 
   /** Removes the note of a variable that has been replaced or removed. */

@@ -106,14 +106,19 @@ public final class ControllerCore {
     }
   }
 
+  private interface Change<E extends Exception> {
+    void run() throws E;
+  }
+
   /** Changes the state and publishes it in the variables. */
-  private void change(Runnable work) {
-    locked(
-        () -> {
-          work.run();
-          publish();
-          return true;
-        });
+  private <E extends Exception> void change(Change<E> work) throws E {
+    lock.lock();
+    try {
+      work.run();
+      publish();
+    } finally {
+      lock.unlock();
+    }
   }
 
   /** Runs work on the loaded modules under the lock. */
@@ -347,23 +352,11 @@ public final class ControllerCore {
   // motions without a program
 
   public void move(MotionKind kind, KrlStruct target) throws KrlExecutionException {
-    lock.lock();
-    try {
-      manual.move(kind, target);
-      publish();
-    } finally {
-      lock.unlock();
-    }
+    change(() -> manual.move(kind, target));
   }
 
   public void jog(MotionKind kind, KrlStruct target) throws KrlExecutionException {
-    lock.lock();
-    try {
-      manual.jog(kind, target);
-      publish();
-    } finally {
-      lock.unlock();
-    }
+    change(() -> manual.jog(kind, target));
   }
 
   public void releaseJog() {

@@ -133,11 +133,8 @@ public final class DataListLoader {
   private void declareEnum(Declaration.Enumeration declaration) throws KrlErrorException {
     checkNewType(declaration.name(), declaration.position());
     Scope target = target(declaration.global(), declaration.position());
-    try {
-      Declarations.declare(target, declaration);
-    } catch (KrlErrorException e) {
+    if (!tell(() -> Declarations.declare(target, declaration))) {
       brokenTypes.add(Scope.key(declaration.name()));
-      throw e;
     }
   }
 

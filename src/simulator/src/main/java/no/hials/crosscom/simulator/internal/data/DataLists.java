@@ -20,6 +20,7 @@ import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.VariableNote;
+import no.hials.crosscom.simulator.VariableInfo;
 
 /** Reads, writes and names the files of data lists. */
 public final class DataLists {
@@ -103,6 +104,32 @@ public final class DataLists {
       }
     }
     return notes;
+  }
+
+  /**
+   * Describes a variable, in a scope or around it.
+   *
+   * @param name its name in any case, without index
+   * @param notes the notes of the variables, by their names in upper case
+   */
+  public static Optional<VariableInfo> describe(
+      Scope scope, String name, Map<String, VariableNote> notes) {
+    VariableEntry variable = scope.lookup(Scope.key(name));
+    if (variable == null) {
+      return Optional.empty();
+    }
+    VariableNote note = notes.getOrDefault(Scope.key(name), VariableNote.NONE);
+    Storage contents = variable.contents();
+    DeclaredType type = contents == null ? null : DeclaredType.of(contents);
+    return Optional.of(
+        new VariableInfo(
+            variable.name(),
+            type == null ? "SIGNAL" : type.element().name(),
+            type == null ? List.of() : type.dimensions(),
+            variable.access(),
+            note.unit(),
+            note.meaning(),
+            note.source()));
   }
 
   private static boolean isGlobal(DataList list, boolean global) {

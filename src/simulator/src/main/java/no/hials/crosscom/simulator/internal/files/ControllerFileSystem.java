@@ -6,7 +6,6 @@ import java.time.Clock;
 import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
-import java.util.concurrent.Callable;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Predicate;
 import no.hials.crosscom.protocol.ErrorCode;
@@ -88,27 +87,27 @@ public final class ControllerFileSystem implements FileTree {
     return (ControllerFileSystem) files;
   }
 
-  private <T> T locked(Callable<T> work) throws IOException {
+  private interface Work<T> {
+    T run() throws IOException;
+  }
+
+  private <T> T locked(Work<T> work) throws IOException {
     lock.lock();
     try {
-      return work.call();
-    } catch (IOException | RuntimeException e) {
-      throw e;
-    } catch (Exception e) {
-      throw new IllegalStateException(e);
+      return work.run();
     } finally {
       lock.unlock();
     }
   }
 
-  private interface Work {
+  private interface Change {
     void run() throws IOException;
   }
 
-  private void lockedDo(Work work) throws IOException {
+  private void lockedDo(Change change) throws IOException {
     locked(
         () -> {
-          work.run();
+          change.run();
           return true;
         });
   }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.KrlError;
@@ -167,7 +168,7 @@ class DataListLoaderTest {
       assertThat(printed("ONE")).isEqualTo("\"a\"");
       assertThat(printed("SHORT[]")).isEqualTo("\"xy\"");
       assertThat(printed("FITS[]")).isEqualTo("\"four\"");
-      assertThat(VariableDeclaration.find(module, "FITS").orElseThrow().dimensions())
+      assertThat(DataLists.describe(module, "FITS", Map.of()).orElseThrow().dimensions())
           .containsExactly(4);
       assertThat(printed("E")).isEqualTo("#B");
     }
@@ -190,7 +191,7 @@ class DataListLoaderTest {
       assertThat(load("M", "CONST INT N=3", "INT A[N],B[N*2,2]", "STRUC S INT I[N]", "A[N]=N+1"))
           .isEmpty();
       assertThat(printed("A[3]")).isEqualTo("4");
-      assertThat(VariableDeclaration.find(module, "B").orElseThrow().dimensions())
+      assertThat(DataLists.describe(module, "B", Map.of()).orElseThrow().dimensions())
           .containsExactly(6, 2);
     }
 
@@ -206,7 +207,7 @@ class DataListLoaderTest {
   class Rights {
 
     private Access accessOf(String name) {
-      return VariableDeclaration.find(module, name).orElseThrow().access();
+      return DataLists.describe(module, name, Map.of()).orElseThrow().access();
     }
 
     @Test

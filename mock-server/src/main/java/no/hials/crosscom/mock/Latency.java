@@ -9,9 +9,9 @@ import no.hials.crosscom.mock.internal.DurationParser;
  *
  * <p>The request keeps its turn for this time: five clients without pauses each wait five times as
  * long, as measured (docs/reference/access-times.md#50000-accesses); see {@link
- * MockServerConfig#oneAtATime}. {@code PING}, bytes that are no request, and requests that a {@link
- * Fault} does not execute take no time. Assumed: the time does not depend on the length of the
- * value, as in the papers.
+ * MockServerConfig#oneAtATime}. {@code PING}, bytes that are not a request, and requests that a
+ * {@link Fault} does not execute take no time. Assumed: the time does not depend on the length of
+ * the value, as in the papers.
  *
  * <p>The same seed always gives the same times, in the order in which requests are served.
  */
@@ -39,9 +39,9 @@ public sealed interface Latency {
 
   /**
    * Returns the latency of a KR C4 in the papers of 2014 and 2015: mean 5 ms
-   * (docs/reference/access-times.md#papers). The papers give no more; assumed is the distribution
-   * of {@link #krc4} with doubled times: at least 3.4 ms, median 4.4 ms. The maximum is 16 ms,
-   * where their figure ends.
+   * (docs/reference/access-times.md#papers). The papers contain no other figures; the distribution
+   * of {@link #krc4} with doubled times is assumed: at least 3.4 ms, median 4.4 ms. The maximum is
+   * 16 ms, where their figure ends.
    *
    * @param seed the same seed gives the same times
    */

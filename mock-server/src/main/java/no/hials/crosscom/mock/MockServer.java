@@ -53,7 +53,7 @@ import org.slf4j.LoggerFactory;
  * each connection; {@code mock-server-PORT-discovery} and {@code
  * mock-server-PORT-standard-discovery} if discovery is on; {@code mock-server-PORT-clock} after the
  * first call of {@link #controller}. PORT is the TCP port. {@link #close} waits for them to end.
- * Safe for use by several threads. Any number of servers can run at the same time.
+ * Thread-safe. Any number of servers can run at the same time.
  */
 public final class MockServer implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(MockServer.class);
@@ -71,7 +71,7 @@ public final class MockServer implements AutoCloseable {
   /** Guards {@link #controller} and {@link #closed}. */
   private final Object lock = new Object();
 
-  /** Null until it is asked for. */
+  /** Null before its first use. */
   private @Nullable Controller controller;
 
   private boolean closed;

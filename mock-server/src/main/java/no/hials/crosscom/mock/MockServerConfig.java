@@ -311,7 +311,7 @@ public final class MockServerConfig {
 
     /**
      * Sets the version of C3 Bridge, 1.0 to 255.255. The default is 1.4. An older version does not
-     * know the messages that were added later (docs/reference/c3-messages.md#server-versions).
+     * support messages that were added later (docs/reference/c3-messages.md#server-versions).
      * Assumed: a version in which types 6 and 7 have bugs answers them with {@code NOT_IMPLEMENTED}
      * and accesses nothing. The bugs with large files before 1.4 are not simulated.
      */
@@ -379,8 +379,8 @@ public final class MockServerConfig {
     // what it allows
 
     /**
-     * Sets the number of clients that are served at a time, 0 for no limit. The server closes one
-     * more at once. The default is 10, as in KUKAVARPROXY, and 0 with C3 Bridge.
+     * Sets the number of clients that are served at a time, 0 for no limit. The server closes
+     * further connections at once. The default is 10, as in KUKAVARPROXY, and 0 with C3 Bridge.
      */
     public Builder maxClients(int value) {
       options.maxClients = range("maxClients", value, Integer.MAX_VALUE);

@@ -25,11 +25,11 @@ import org.jspecify.annotations.Nullable;
  * @param number from 1, in the order in which the server served the requests of all clients
  * @param connection the number of the connection, from 1, in the order in which they were accepted
  * @param time the time when the server started to serve the request
- * @param request the message; null if the bytes are no message or its function is not supported
+ * @param request the message; null if the bytes are not a message or its function is not supported
  * @param hex the bytes in hex if there is no message, otherwise null; of more than 256 bytes the
  *     rest is only counted
- * @param refusal the reason why the controller refused the access; null if it did not, if the
- *     request did not reach it, and when a fault is chosen, because that comes first
+ * @param refusal the reason why the controller refused the access; null without a refusal, if the
+ *     request did not reach the controller, and while a fault is chosen, which happens earlier
  */
 public record RecordedRequest(
     long number,

@@ -24,7 +24,7 @@ public final class FileException extends IOException {
     return new FileException("cannot " + verb + " " + file + ": " + reason(cause), cause);
   }
 
-  /** Returns the reason; the message of most of these exceptions is the file's name only. */
+  /** Returns the reason; the message of most such exceptions is only the file name. */
   static String reason(IOException e) {
     return switch (e.getClass().getSimpleName()) {
       case "NoSuchFileException" -> "there is no such file";

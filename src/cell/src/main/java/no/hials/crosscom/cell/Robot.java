@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * @param port TCP port on the host
  * @param timeout limit for connecting and for each answer; null for the client's own limits
  * @param readOnly whether writes are refused here
- * @param server which server a simulated controller has
+ * @param server the server of a simulated controller
  */
 public record Robot(
     String name,
@@ -24,11 +24,11 @@ public record Robot(
     boolean readOnly,
     ServerType server) {
 
-  /** Does not reconnect, so that a command reports what happened to its connection. */
+  /** Does not reconnect, so that a command reports the loss of its connection. */
   public static final Consumer<ClientConfig.Builder> ONE_SHOT =
       cfg -> cfg.reconnect(false).keepAlive(Duration.ZERO);
 
-  /** Keeps the connection up, for commands that run on. */
+  /** Reconnects automatically, for commands that keep running. */
   public static final Consumer<ClientConfig.Builder> LASTING = cfg -> {};
 
   /** Returns the text to print before a line about this robot: empty if it has no name. */

@@ -26,7 +26,7 @@ public record RobotConnection(
     /**
      * Connects to a robot.
      *
-     * @param settings sets what the user does not choose
+     * @param settings sets the options that the user does not choose
      * @throws CrossComException if no connection could be made
      */
     RobotConnection open(Robot robot, Consumer<ClientConfig.Builder> settings) throws IOException;
@@ -35,8 +35,8 @@ public record RobotConnection(
   /**
    * Connects to a robot that has a host.
    *
-   * @param settings sets what the user does not choose: {@link Robot#ONE_SHOT} or {@link
-   *     Robot#LASTING}
+   * @param settings sets the options that the user does not choose: {@link Robot#ONE_SHOT} or
+   *     {@link Robot#LASTING}
    * @throws CrossComException if no connection could be made
    */
   public static RobotConnection open(Robot robot, Consumer<ClientConfig.Builder> settings)

@@ -70,7 +70,7 @@ public final class SampledRobot implements Closeable {
   // the first reading
 
   /**
-   * Reads the variables once, as a test that all can be read.
+   * Reads the variables once, to test whether all can be read.
    *
    * @return the failures
    */
@@ -145,7 +145,7 @@ public final class SampledRobot implements Closeable {
     }
   }
 
-  /** Ends the watch; samples that still arrive do not matter. */
+  /** Ends the watch; later samples are ignored. */
   void stopWithEnough() {
     enough = true;
     stop();

@@ -148,7 +148,7 @@ public final class Sampling implements Closeable {
    *
    * @param changesOnly whether the listener gets only samples in which something changed
    * @param isStopped returns whether the user wants to stop
-   * @return whether it ended by itself while a connection was lost
+   * @return whether it reached a limit while a connection was lost
    */
   public boolean run(boolean changesOnly, BooleanSupplier isStopped, Listener listener)
       throws IOException {

@@ -48,7 +48,7 @@ public final class WritePermission {
   /**
    * Refuses any change of a read-only controller. Needs no connection.
    *
-   * @param what says what would be done, as {@code write $OV_PRO}
+   * @param what the operation, such as {@code write $OV_PRO}
    * @throws NotSentException if the controller is read-only
    */
   public void checkAllowed(Robot target, String what) throws NotSentException {
@@ -65,8 +65,8 @@ public final class WritePermission {
    * Refuses a change that is not allowed. Asks for confirmation outside T1 or if the mode is
    * unknown, unless {@code --yes} is given.
    *
-   * @param what says what would be done, as {@code write $OV_PRO}
-   * @throws NotSentException if it is not to be done
+   * @param what the operation, such as {@code write $OV_PRO}
+   * @throws NotSentException if the change is not allowed or not confirmed
    * @throws CrossComException if the connection broke
    */
   public void check(RobotConnection controller, String what) throws IOException {
@@ -74,8 +74,8 @@ public final class WritePermission {
   }
 
   /**
-   * Does the same as {@link #check(RobotConnection, String)}, and asks in any mode if there are
-   * other reasons to.
+   * Works like {@link #check(RobotConnection, String)}, and asks in any mode if there are other
+   * reasons.
    *
    * @param reasons the other reasons to ask, such as {@code X.SRC is there already}
    */
@@ -116,8 +116,8 @@ public final class WritePermission {
    * Refuses a change that is not allowed, or that needs confirmation when no user can be asked.
    * Needs no connection.
    *
-   * @param what says what would be done, as {@code write $OV_PRO = 50}
-   * @throws NotSentException if it is not to be done
+   * @param what the operation, such as {@code write $OV_PRO = 50}
+   * @throws NotSentException if the change is not allowed or not confirmed
    */
   public void checkAskable(Robot target, String what) throws NotSentException {
     checkAllowed(target, what);
@@ -130,8 +130,8 @@ public final class WritePermission {
    * Refuses a change that is not allowed, and asks in any mode unless {@code --yes} is given. Used
    * for lines of the shell language, where a write is quickly typed.
    *
-   * @param what says what would be done, as {@code write $OV_PRO = 50}
-   * @throws NotSentException if it is not to be done
+   * @param what the operation, such as {@code write $OV_PRO = 50}
+   * @throws NotSentException if the change is not allowed or not confirmed
    * @throws CrossComException if the connection broke
    */
   public void checkEach(RobotConnection controller, String what) throws IOException {

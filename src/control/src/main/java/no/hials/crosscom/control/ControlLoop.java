@@ -147,7 +147,7 @@ public final class ControlLoop implements AutoCloseable {
   }
 
   /**
-   * Returns a future of the reason of the end.
+   * Returns a future of the reason why the loop has ended.
    *
    * @return a new future; its dependent stages run on the thread of the loop, after the command to
    *     stand

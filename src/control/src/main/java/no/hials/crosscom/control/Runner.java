@@ -18,7 +18,7 @@ final class Runner<P> {
    */
   private static final int CHECKS = 3;
 
-  /** With the watchdog also its setting and the beat that it saw. */
+  /** The further checks with a watchdog: its setting and the last beat that it saw. */
   private static final int CHECKS_OF_WATCHDOG = 2;
 
   /**

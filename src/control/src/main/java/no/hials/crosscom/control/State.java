@@ -11,9 +11,9 @@ import no.hials.crosscom.kinematics.Frame;
  *     stood still without the dead-man
  * @param period the loop's period {@code dt}, s
  * @param axes the axes, {@code $AXIS_ACT}: read in this period for a joint law, up to {@link
- *     Safety#checkInterval} old for a Cartesian one
+ *     Safety#checkInterval} old for a Cartesian law
  * @param position the tool in {@code $BASE}, {@code $POS_ACT}: read in this period for a Cartesian
- *     law, up to {@link Safety#checkInterval} old for a joint one
+ *     law, up to {@link Safety#checkInterval} old for a joint law
  * @param input the state of the input device; {@link Input#NONE} without a device
  */
 public record State(double time, double period, Axes axes, Frame position, Input input) {}

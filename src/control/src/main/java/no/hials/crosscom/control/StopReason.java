@@ -31,7 +31,7 @@ public record StopReason(Kind kind, String message, @Nullable Throwable cause) {
     STALE_FEEDBACK,
     /** The robot was told to move, and its position does not change. */
     STALLED_FEEDBACK,
-    /** The operating mode is not among the allowed ones. */
+    /** The operating mode is not allowed. */
     MODE,
     /** The robot program is not running. */
     PROGRAM,

@@ -1,9 +1,9 @@
 package no.hials.crosscom.lang;
 
-/** What a client may do with a variable. Java code may always do both. */
+/** The access of clients to a variable. Java code can always read and write. */
 public enum Access {
-  /** May be read only, such as {@code $POS_ACT}; a write is refused. */
+  /** Clients can only read the variable, such as {@code $POS_ACT}; a write is refused. */
   READ_ONLY,
-  /** May be read and written. */
+  /** Clients can read and write the variable. */
   READ_WRITE
 }

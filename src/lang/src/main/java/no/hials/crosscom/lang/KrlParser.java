@@ -57,7 +57,7 @@ public final class KrlParser {
    * values and comments are errors.
    *
    * @param text the declaration
-   * @param errors gets the errors; their positions name no file
+   * @param errors receives the errors; their positions have no file name
    * @return the variables or the signal; empty if there is an error
    */
   public static Optional<Declaration> parseDeclaration(String text, Consumer<KrlError> errors) {

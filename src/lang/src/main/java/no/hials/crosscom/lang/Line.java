@@ -70,7 +70,7 @@ record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
   /**
    * Parses the line.
    *
-   * @param errors gets the error
+   * @param errors receives the error
    * @return null if there is an error
    */
   @Nullable ContentContext parse(Errors errors) {

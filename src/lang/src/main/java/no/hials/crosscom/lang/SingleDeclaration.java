@@ -37,7 +37,7 @@ final class SingleDeclaration {
     return declaration;
   }
 
-  /** Turns the keywords into names, but for those of a signal. */
+  /** Turns keywords into names, except the keywords of a signal. */
   private static void freeKeywords(List<Token> tokens) {
     boolean isSignal = tokens.get(0).getType() == KrlGrammarParser.SIGNAL;
     for (int i = isSignal ? 1 : 0; i < tokens.size() - 1; i++) {

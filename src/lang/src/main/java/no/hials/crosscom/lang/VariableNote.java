@@ -3,28 +3,28 @@ package no.hials.crosscom.lang;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the comment behind a declaration says of a variable.
+ * The description of a variable in the comment after its declaration.
  *
  * <p>The data lists of this project write {@code ;RO [mm/deg] commanded tool centre point (FIW)}:
- * access, unit or {@code -}, meaning, source. Any other comment is the meaning as it stands. A data
- * list of KSS has no access rights, so this is a form of our own.
+ * access, unit or {@code -}, meaning, source. Any other comment is the meaning. The form is the
+ * project's own, because a data list of KSS has no access rights.
  *
- * @param access what clients may do; null if it does not say
- * @param unit the unit; empty if it has none or does not say
- * @param meaning what the variable stands for; empty if it does not say
- * @param source where that is known from; empty if it does not say
+ * @param access the access of clients; null if the comment does not contain it
+ * @param unit the unit; empty if there is none
+ * @param meaning the meaning of the variable; empty if there is none
+ * @param source the source of the description; empty if there is none
  */
 public record VariableNote(@Nullable Access access, String unit, String meaning, String source) {
-  /** Says nothing. */
+  /** An empty note. */
   public static final VariableNote NONE = new VariableNote(null, "", "", "");
 
   private static final String NO_UNIT = "-";
 
   /**
-   * Reads a comment.
+   * Parses a comment.
    *
-   * @param comment what stands behind {@code ;}
-   * @return what it says
+   * @param comment the text after {@code ;}
+   * @return the note
    */
   public static VariableNote of(String comment) {
     String text = comment.strip();
@@ -47,7 +47,7 @@ public record VariableNote(@Nullable Access access, String unit, String meaning,
         text.substring(sourceStart + 1, text.length() - 1));
   }
 
-  /** Writes the comment of a variable that clients may access so; empty if there is nothing. */
+  /** Returns the text of a comment with the actual access; empty if there is no note. */
   public String comment(Access actual) {
     boolean plain =
         actual == Access.READ_WRITE

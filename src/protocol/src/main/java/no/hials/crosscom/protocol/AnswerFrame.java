@@ -7,7 +7,7 @@ import no.hials.crosscom.protocol.value.KrlScanner;
  * A view of one answer in a buffer. It can be moved to the next answer without creating objects.
  *
  * <p>The view checks the header and the tail. If the answer has a value, the view is the value as a
- * {@link CharSequence}, without a copy, until the buffer changes. For one thread.
+ * {@link CharSequence}, without a copy, until the buffer changes. Not thread-safe.
  */
 public final class AnswerFrame implements CharSequence {
   /** The length of the shortest answer with a type: header, function and tail. */

@@ -11,7 +11,7 @@ import java.util.Arrays;
  * Splits a stream into frames, whether TCP delivers single bytes, pieces, or several frames at
  * once. A frame that arrives whole costs one read of the stream.
  *
- * <p>For one thread. No byte is lost: bytes after a frame are kept for the next one.
+ * <p>Not thread-safe. No byte is lost: bytes after a frame are kept for the next one.
  */
 public final class FrameReader {
   /** Enough for most answers; the buffer grows if a frame needs more. */

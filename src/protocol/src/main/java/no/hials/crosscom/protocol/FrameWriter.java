@@ -6,7 +6,7 @@ import no.hials.crosscom.protocol.internal.VariableLayouts;
 import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
 
 /**
- * A buffer for write requests that is reused, so that encoding creates no objects. For one thread.
+ * A buffer for write requests that is reused, so that encoding creates no objects. Not thread-safe.
  */
 public final class FrameWriter {
   private final FieldWriter out = new FieldWriter();
@@ -32,7 +32,7 @@ public final class FrameWriter {
   /**
    * Returns the buffer whose first {@link #length} bytes are the frame.
    *
-   * @return the buffer, not a copy; the next frame may be in another one
+   * @return the buffer, not a copy; the next frame may be in another buffer
    */
   public byte[] buffer() {
     return out.buffer();

@@ -20,9 +20,9 @@ public enum MessageType {
   READ_UTF16(4, new Version(1, 0, 0)),
   /** Writes a variable as text in UTF-16. */
   WRITE_UTF16(5, new Version(1, 0, 0)),
-  /** Reads several variables. Wrong in servers before 1.2. */
+  /** Reads several variables. Has errors in servers before 1.2. */
   READ_MULTIPLE(6, new Version(1, 2, 0)),
-  /** Writes several variables. Wrong in servers before 1.3. */
+  /** Writes several variables. Has errors in servers before 1.3. */
   WRITE_MULTIPLE(7, new Version(1, 3, 0)),
   /** Selects, starts and stops programs. Has two layouts, by the command. */
   PROGRAM_CONTROL(10, new Version(1, 0, 0)),
@@ -123,7 +123,7 @@ public enum MessageType {
     return Optional.ofNullable(find(code));
   }
 
-  /** As {@link #from}, without creating an object. */
+  /** Works like {@link #from}, without creating an object. */
   static @Nullable MessageType find(int code) {
     return code < 0 || code >= BY_CODE.length ? null : BY_CODE[code];
   }

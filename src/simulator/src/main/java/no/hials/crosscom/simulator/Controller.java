@@ -23,11 +23,11 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A simulated KR C4 with its pendant. It loads data lists and programs, runs them with a robot
- * interpreter and a submit interpreter, moves a simulated robot, and shows all that in its system
+ * interpreter and a submit interpreter, moves a simulated robot, and shows its state in the system
  * variables.
  *
  * <p>Time passes in cycles of 12 ms, at the pace of the {@link SimulationClock}. With {@link
- * SimulationClock#stepped} the same calls give the same trajectory, bit by bit.
+ * SimulationClock#stepped} the same calls produce the same trajectory, bit by bit.
  *
  * <p>Operating modes: in T1 the robot is slow ({@code $RED_T1}, {@code $VEL_CP_T1}, {@code
  * $SPEED_LIMIT_TEACH_MODE}). In T1 and T2 {@link ProgramControl#start} stands for holding the
@@ -37,12 +37,11 @@ import org.jspecify.annotations.Nullable;
  * and waits).
  *
  * <p>An error that stops a program is a {@link Message}, which has to be confirmed before the next
- * start; {@code $STOPMESS} is TRUE until then. KSS's message numbers are not known; those from 9001
- * on are this simulation's own. A target out of reach stops the program at its motion statement; a
- * path that cannot be followed to its end, after it.
+ * start; {@code $STOPMESS} is TRUE until then. The message numbers of KSS are not known; the
+ * numbers from 9001 are this simulation's own. A target out of reach stops the program at its
+ * motion statement; a path that cannot be followed to its end, after it.
  *
- * <p>Threads: one daemon, unless the clock is stepped; {@link #close} ends it. All methods are safe
- * for use by several threads.
+ * <p>Thread-safe. It has one daemon thread, unless the clock is stepped; {@link #close} ends it.
  */
 public final class Controller implements AutoCloseable {
   /**
@@ -84,7 +83,7 @@ public final class Controller implements AutoCloseable {
         clock instanceof SimulationClock.Stepped ? null : new Pacemaker(core, clock, threadName);
   }
 
-  /** Stops the programs and ends the thread. Does nothing the second time. */
+  /** Stops the programs and ends the thread. A second call does nothing. */
   @Override
   public void close() {
     core.close();
@@ -105,8 +104,8 @@ public final class Controller implements AutoCloseable {
   // files
 
   /**
-   * Connects a file tree. Programs that are loaded from now on appear in it as files, and {@link
-   * #loadFromFiles} loads its programs.
+   * Connects a file tree. Programs loaded later appear in it as files, and {@link #loadFromFiles}
+   * loads its programs.
    *
    * @param files the files of the controller
    */
@@ -147,9 +146,9 @@ public final class Controller implements AutoCloseable {
 
   /**
    * Loads a data list or a program. A list whose name begins with {@code $} belongs to the
-   * controller: its declarations are global. Any other belongs to the module of its name, whichever
-   * is loaded first; the module's variables then have their initial values. A module replaces an
-   * older one; a selected program keeps the old module until it is selected again.
+   * controller: its declarations are global. Any other list belongs to the module of the same name,
+   * in either order of loading; the module's variables then have their initial values. A module
+   * replaces an older one; a selected program keeps the old module until it is selected again.
    *
    * @param fileName the file's name, for messages
    * @param text its contents
@@ -236,7 +235,7 @@ public final class Controller implements AutoCloseable {
 
   /**
    * Turns the key switch. On entry to T2 {@code $OV_PRO} falls to 10 if {@code $T2_OV_REDUCE} is
-   * TRUE, as it is at first.
+   * TRUE, its initial value.
    *
    * @param mode the new mode
    */
@@ -265,7 +264,7 @@ public final class Controller implements AutoCloseable {
   /**
    * Confirms all messages.
    *
-   * @return the number of messages that were waiting for it
+   * @return the number of confirmed messages
    */
   public int confirmAll() {
     return core.confirmAll();
@@ -274,8 +273,8 @@ public final class Controller implements AutoCloseable {
   // the robot
 
   /**
-   * Moves the robot without a program, as a motion statement does: after motions that are still
-   * under way, exactly to the target.
+   * Moves the robot without a program, as a motion statement does: after the current motions,
+   * exactly to the target.
    *
    * @param kind the kind of motion, not a circle
    * @param target the position of the statement: an E6POS, E6AXIS, or for a relative motion a
@@ -302,7 +301,7 @@ public final class Controller implements AutoCloseable {
     core.jog(kind, target);
   }
 
-  /** Releases the jog key: a robot that is jogged slows down and stands. */
+  /** Releases the jog key: a jogged robot slows down and stops. */
   public void releaseJog() {
     core.releaseJog();
   }
@@ -372,7 +371,7 @@ public final class Controller implements AutoCloseable {
    * Advances the time until a condition is true. Only with {@link SimulationClock#stepped}.
    *
    * @param condition called before each cycle of 12 ms; it may read variables over the network
-   * @param limit the most simulated time
+   * @param limit the maximum simulated time
    * @return whether it became true within the limit
    * @throws IllegalStateException if the clock is not stepped, or the controller is closed
    */

@@ -9,7 +9,7 @@ import java.util.Optional;
 import no.hials.crosscom.simulator.internal.files.ControllerFileSystem;
 
 /**
- * The files of the simulated controller. Clients reach them with messages 20 to 30 of C3 Bridge,
+ * The files of the simulated controller. Clients access them with messages 20 to 30 of C3 Bridge,
  * Java code with this interface.
  *
  * <p>A name is {@code KRC:\R1\Program\X.SRC}, in any case and with either kind of slash, or {@code
@@ -38,8 +38,8 @@ public interface FileTree {
    * Creates a tree in memory, as {@link #inMemory()} does.
    *
    * @param clock the source of the files' times, and of the controller's time zone
-   * @param capacity the most bytes it holds, 1 MiB or more; a file counts 512 bytes more than its
-   *     content. Transfers have as much again
+   * @param capacity the maximum bytes, 1 MiB or more; each file counts 512 bytes more than its
+   *     content. Transfers can use as much again
    * @return the tree
    */
   static FileTree inMemory(java.time.Clock clock, long capacity) {
@@ -51,9 +51,9 @@ public interface FileTree {
   }
 
   /**
-   * Opens a folder of this machine as a tree. Clients change its files. They never reach anything
-   * outside: names with {@code ..} and the like are refused, and links are not followed. Folders of
-   * a KR C4 that are missing are created.
+   * Opens a folder of this machine as a tree. Clients change its files. They cannot access anything
+   * outside: names with {@code ..} are refused, and links are not followed. Missing folders of a KR
+   * C4 are created.
    *
    * <p>The attributes that clients set, read-only too, are kept in memory only.
    *
@@ -70,7 +70,8 @@ public interface FileTree {
    *
    * @param folder the folder that becomes {@code KRC:\}
    * @param clock the source of the controller's time zone; the times are those of the files
-   * @param capacity as for {@link #inMemory(java.time.Clock, long)}; the files in the folder count
+   * @param capacity as for {@link #inMemory(java.time.Clock, long)}; includes the files in the
+   *     folder
    * @return the tree
    * @throws IOException if the folder cannot be used
    */
@@ -89,7 +90,7 @@ public interface FileTree {
    * Writes a file, even if it is read-only or selected, and creates missing folders.
    *
    * @param name its full or KRC name
-   * @param content all of it
+   * @param content the whole content
    * @throws IOException if the name is invalid or that of a folder, or the tree is full
    */
   void put(String name, byte[] content) throws IOException;
@@ -98,7 +99,7 @@ public interface FileTree {
    * Writes a file of text, as {@link #put(String, byte[])} does.
    *
    * @param name its full or KRC name
-   * @param text all of it; written as ISO 8859-1, as KRL is
+   * @param text the whole text; written as ISO 8859-1
    * @throws IOException if the name is invalid or that of a folder, or the tree is full
    */
   default void put(String name, String text) throws IOException {
@@ -141,7 +142,7 @@ public interface FileTree {
    *
    * @param folder its full or KRC name
    * @return the names in it, without that of the folder; sorted, ignoring case
-   * @throws IOException if it does not exist or is no folder
+   * @throws IOException if it does not exist or is not a folder
    */
   List<String> list(String folder) throws IOException;
 

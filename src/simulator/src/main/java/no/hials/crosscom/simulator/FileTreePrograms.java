@@ -19,8 +19,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Loads the programs and data lists of the file tree before one of them is selected. All that are
- * new or have changed are loaded, because one may call another. A program cannot be selected any
+ * Loads the programs and data lists of the file tree before one of them is selected. It loads all
+ * new and changed files, because programs may call each other. A program cannot be selected any
  * more when its file is deleted, but its module stays loaded.
  *
  * <p>The lists of the controller, {@code $config.dat} and the like, are loaded if they have changed
@@ -32,7 +32,7 @@ final class FileTreePrograms {
   private static final Logger log = LoggerFactory.getLogger(FileTreePrograms.class);
 
   /**
-   * The largest file that is loaded, so that a text that is no program cannot fill the memory;
+   * The largest file that is loaded, so that a file that is not a program cannot fill the memory;
    * assumed.
    */
   private static final int MAX_LENGTH = 4 << 20;
@@ -127,7 +127,7 @@ final class FileTreePrograms {
   }
 
   /**
-   * Shows a module that was loaded otherwise as a file, which is not loaded again.
+   * Shows a module loaded from elsewhere as a file, which is not loaded again.
    *
    * @param ending src, sub or dat
    */
@@ -213,8 +213,8 @@ final class FileTreePrograms {
           try {
             module.name = loader.take(file, text);
           } catch (KrlFileException e) {
-            // a new list is taken by the module of a loaded program, with errors until that is
-            // loaded too
+            // a new list applies to the module of a loaded program, with errors until the new
+            // program is loaded too
             boolean followed = program && end.equals("dat");
             errors.addAll(followed ? KrlParser.parse(file, text).errors() : e.errors());
           }

@@ -15,7 +15,7 @@ public final class KrlExecutionException extends Exception {
   /** A value is of the wrong type. */
   public static final int WRONG_TYPE = 9003;
 
-  /** A value is of the right type but not possible. */
+  /** A value is of the right type but not allowed. */
   public static final int OUT_OF_RANGE = 9004;
 
   /** A number is divided by zero. */
@@ -45,7 +45,7 @@ public final class KrlExecutionException extends Exception {
    * @param text the rule that broke, expected and actual
    */
   public KrlExecutionException(int number, String text) {
-    // without a stack trace: the position in the program is what matters
+    // without a stack trace: only the position in the program matters
     super(text, null, false, false);
     this.number = number;
   }

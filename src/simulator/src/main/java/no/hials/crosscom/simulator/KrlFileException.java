@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.stream.Collectors;
 import no.hials.crosscom.lang.KrlError;
 
-/** Thrown with all errors of a data list or a program; nothing of it has been loaded. */
+/** Thrown if a data list or a program has errors; nothing has been loaded. */
 public final class KrlFileException extends Exception {
   private static final long serialVersionUID = 1L;
 
-  /** The number of errors in the message; a file that is no data list has hundreds. */
+  /** The number of errors in the message; a file that is not a data list has hundreds. */
   private static final int SHOWN = 20;
 
   private final transient List<KrlError> errors;

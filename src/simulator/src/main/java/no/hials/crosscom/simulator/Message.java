@@ -5,8 +5,8 @@ import java.time.Duration;
 /**
  * A message of the simulated controller, as the pendant would show it.
  *
- * @param kind what a person has to do
- * @param number its number; few of KSS's are known, see {@link Controller}
+ * @param kind the kind, which tells whether the operator must act
+ * @param number its number; few numbers of KSS are known, see {@link Controller}
  * @param text the text, with file and line if it concerns a program
  * @param time the simulated time of the message since the start
  */

@@ -22,10 +22,10 @@ public final class ProgramControl {
   }
 
   /**
-   * Selects a program, in place of one that is not active.
+   * Selects a program, which replaces a selected program that is not active.
    *
    * @param name the name of its module, in any case
-   * @throws KrlFileException if the module does not exist, or it or one that it calls has errors
+   * @throws KrlFileException if the module or one of its callees has errors or does not exist
    */
   public void select(String name) throws KrlFileException {
     select(name, List.of());
@@ -36,7 +36,7 @@ public final class ProgramControl {
    *
    * @param name the name of its module, in any case
    * @param arguments the values
-   * @throws KrlFileException if the module does not exist, or it or one that it calls has errors
+   * @throws KrlFileException if the module or one of its callees has errors or does not exist
    * @throws IllegalArgumentException if the values do not match the parameters
    */
   public void select(String name, List<KrlValue> arguments) throws KrlFileException {

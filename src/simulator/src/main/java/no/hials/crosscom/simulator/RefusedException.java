@@ -13,7 +13,7 @@ public final class RefusedException extends Exception {
    * @param message the rule, expected and actual
    */
   public RefusedException(Refusal reason, String message) {
-    // without a stack trace: controllers refuse accesses all the time, and it should be quick
+    // without a stack trace: refusals are frequent and must be fast
     super(message, null, false, false);
     this.reason = reason;
   }

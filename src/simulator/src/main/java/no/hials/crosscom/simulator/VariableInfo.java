@@ -10,7 +10,7 @@ import no.hials.crosscom.lang.Access;
  * @param type the name of its type, or of the type of an element; {@code SIGNAL} for a signal
  * @param dimensions the length of each dimension; empty without an array; the last length of a CHAR
  *     array is the length of its texts
- * @param access what clients may do
+ * @param access the access of clients
  * @param unit the unit of its values, such as {@code mm/deg}; empty without one
  * @param meaning the meaning; for a variable from a user's data list the comment after its
  *     declaration; empty without one
@@ -27,7 +27,7 @@ public record VariableInfo(
     String meaning,
     String source) {
 
-  /** Keeps a copy of the dimensions. */
+  /** Copies the dimensions. */
   public VariableInfo {
     dimensions = List.copyOf(dimensions);
   }

@@ -264,7 +264,7 @@ public final class VariableTable {
    * @param name the name, for an array with its dimensions: {@code MYPOINTS[10]}
    * @param type {@code INT}, {@code REAL}, {@code BOOL}, {@code CHAR}, a declared type, or {@code
    *     SIGNAL}
-   * @param access what clients may do
+   * @param access the access of clients
    * @param value the initial value as KRL text; for an array all elements separated by blanks, or
    *     one value for every element; for a SIGNAL its wiring, {@code $OUT[5] TO $OUT[8]}; null for
    *     an uninitialised variable

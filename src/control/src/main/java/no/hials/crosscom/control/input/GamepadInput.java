@@ -20,10 +20,10 @@ import org.jspecify.annotations.Nullable;
  *
  * <table>
  *   <caption>The axes</caption>
- *   <tr><th>axis</th><th>what</th><th>+</th></tr>
+ *   <tr><th>axis</th><th>control</th><th>+</th></tr>
  *   <tr><td>1</td><td>left stick</td><td>up</td></tr>
  *   <tr><td>2</td><td>left stick</td><td>left</td></tr>
- *   <tr><td>3</td><td>triggers</td><td>the right one; the left one is -</td></tr>
+ *   <tr><td>3</td><td>triggers</td><td>right trigger</td></tr>
  *   <tr><td>4</td><td>right stick</td><td>left</td></tr>
  *   <tr><td>5</td><td>right stick</td><td>up</td></tr>
  *   <tr><td>6</td><td>cross</td><td>right</td></tr>
@@ -60,7 +60,7 @@ public final class GamepadInput implements InputDevice {
     boolean button(ControllerButton button) throws ControllerUnpluggedException;
   }
 
-  /** Has only SDL's own list of gamepads; with the default list it prints warnings to stderr. */
+  /** Uses only SDL's own list of gamepads; the default list causes warnings on stderr. */
   private static final class Manager extends ControllerManager {
     Manager() {
       super(new Configuration());

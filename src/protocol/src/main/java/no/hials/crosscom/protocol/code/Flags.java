@@ -16,7 +16,7 @@ import java.util.StringJoiner;
 public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
 
   /**
-   * Returns flags of which none is set.
+   * Returns flags without any bit set.
    *
    * @param type the enum
    * @param <E> the enum
@@ -27,7 +27,7 @@ public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
   }
 
   /**
-   * Returns flags of which all known ones are set.
+   * Returns flags with all known flags set.
    *
    * @param type the enum
    * @param <E> the enum
@@ -38,10 +38,10 @@ public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
   }
 
   /**
-   * Returns flags of which some are set.
+   * Returns flags with some flags set.
    *
    * @param type the enum
-   * @param constants those that are set
+   * @param constants the flags to set
    * @param <E> the enum
    * @return the flags
    */
@@ -54,10 +54,10 @@ public record Flags<E extends Enum<E> & WireCode>(Class<E> type, int bits) {
   }
 
   /**
-   * Returns flags of which some are set.
+   * Returns flags with some flags set.
    *
-   * @param first one that is set
-   * @param others more that are set
+   * @param first a flag to set
+   * @param others more flags to set
    * @param <E> the enum
    * @return the flags
    */

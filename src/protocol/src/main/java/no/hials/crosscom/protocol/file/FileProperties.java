@@ -30,7 +30,7 @@ public record FileProperties(
   /** The length of all properties but the name. */
   static final int FIXED_LENGTH = 4 + 8 + 4 + 3 * 12 + 4;
 
-  /** All 0 and empty, as the answer has it for a file that does not exist. */
+  /** All 0 and empty, as in the answer for a file that does not exist. */
   public static final FileProperties NONE =
       new FileProperties(
           Code.of(ItemType.UNKNOWN),

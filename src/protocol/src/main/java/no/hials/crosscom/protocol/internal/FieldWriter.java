@@ -23,7 +23,7 @@ public final class FieldWriter {
     return buffer;
   }
 
-  /** Returns how many bytes were written. */
+  /** Returns the number of bytes written. */
   public int length() {
     return length;
   }

@@ -14,8 +14,8 @@ import no.hials.crosscom.protocol.TextResponse;
 import no.hials.crosscom.protocol.TypedResponse;
 
 /**
- * The layouts of all messages: how their fields lie between the function byte and the end of a
- * request or the tail of an answer.
+ * The layouts of all messages: their fields between the function byte and the end of a request or
+ * the tail of an answer.
  *
  * <p>A message is written by its class and read by its type, since some types have several classes,
  * and some classes serve several types.

@@ -8,7 +8,7 @@ import java.util.Optional;
 import no.hials.crosscom.protocol.internal.Ranges;
 
 /**
- * A time in UTC as eight numbers, as the controller's operating system has it.
+ * A time in UTC as eight numbers, as in the controller's operating system.
  *
  * @param year u16
  * @param month u16; from 1

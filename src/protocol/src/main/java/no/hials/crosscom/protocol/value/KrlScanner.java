@@ -5,8 +5,8 @@ package no.hials.crosscom.protocol.value;
  *
  * <p>The caller calls the method for the value it expects: {@link #readInt()}, {@link #readReal()},
  * or for an aggregate {@link #openStruct()} and then {@link #nextField()} before each value. Other
- * text is a {@link KrlSyntaxException} with the position. A scanner is for one thread, and can be
- * reused after {@link #reset}.
+ * text is a {@link KrlSyntaxException} with the position. A scanner is not thread-safe; {@link
+ * #reset} reuses it.
  *
  * <p>The class is longer than others because its methods share one position and one text: a part of
  * it in another class would need an object for the position, and reading must not create objects.

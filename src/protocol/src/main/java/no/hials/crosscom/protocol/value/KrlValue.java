@@ -52,7 +52,7 @@ public sealed interface KrlValue
 
   /**
    * Returns the value as the shortest text that keeps every number, for writing it: a controller
-   * accepts 255 bytes of an aggregate at most (docs/reference/krl-values.md#lengths).
+   * accepts an aggregate of at most 255 bytes (docs/reference/krl-values.md#lengths).
    *
    * @return the text
    */

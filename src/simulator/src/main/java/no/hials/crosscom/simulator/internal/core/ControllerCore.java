@@ -126,12 +126,6 @@ public final class ControllerCore {
     return locked(() -> work.apply(library));
   }
 
-  /**
-   * Selects a program.
-   *
-   * @throws KrlFileException if the program does not exist or has errors
-   * @throws KrlExecutionException if the arguments do not match its parameters
-   */
   public void select(Interpreter kind, String name, List<KrlValue> arguments)
       throws KrlFileException, KrlExecutionException {
     lock.lock();
@@ -186,7 +180,6 @@ public final class ControllerCore {
     interpreter.start();
   }
 
-  /** Stops the program; the robot slows down on its path. */
   public void stop(Interpreter kind) {
     change(
         () -> {
@@ -197,7 +190,6 @@ public final class ControllerCore {
         });
   }
 
-  /** Stops the program and sets it back to its beginning. */
   public void reset(Interpreter kind) {
     change(
         () -> {
@@ -212,7 +204,6 @@ public final class ControllerCore {
         });
   }
 
-  /** Stops the program and deselects it. */
   public void cancel(Interpreter kind) {
     change(
         () -> {
@@ -242,7 +233,6 @@ public final class ControllerCore {
     return locked(panel::mode);
   }
 
-  /** Turns the key switch, which stops a running program. */
   public void setMode(OperatingMode newMode) {
     change(() -> panel.setMode(newMode, this::stopRobot));
   }
@@ -261,7 +251,6 @@ public final class ControllerCore {
     return locked(panel::messages);
   }
 
-  /** Confirms all messages, and returns how many were waiting. */
   public int confirmAll() {
     return locked(
         () -> {
@@ -271,7 +260,6 @@ public final class ControllerCore {
         });
   }
 
-  /** Puts the robot at a position immediately. */
   public void place(Axes axes) {
     change(
         () -> {
@@ -370,7 +358,6 @@ public final class ControllerCore {
 
   // the cycle
 
-  /** Runs one cycle. */
   public void cycle() {
     lock.lock();
     try {

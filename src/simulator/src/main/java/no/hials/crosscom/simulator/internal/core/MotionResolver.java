@@ -74,7 +74,6 @@ final class MotionResolver {
     return access.frame("$TOOL");
   }
 
-  /** Creates the motion of a statement. */
   MotionCommand plan(MotionOrder order) throws KrlExecutionException {
     planned++;
     return switch (order.kind()) {

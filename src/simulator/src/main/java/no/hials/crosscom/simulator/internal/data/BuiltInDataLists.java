@@ -16,7 +16,6 @@ public final class BuiltInDataLists {
 
   private BuiltInDataLists() {}
 
-  /** Returns the text of a data list. */
   public static String text(String name) throws IOException {
     try (InputStream in = BuiltInDataLists.class.getResourceAsStream(FOLDER + name)) {
       if (in == null) {

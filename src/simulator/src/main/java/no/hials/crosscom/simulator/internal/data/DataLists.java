@@ -45,7 +45,6 @@ public final class DataLists {
     return KrlParser.parse(file);
   }
 
-  /** Writes the text of a data list; replaces the file. */
   public static void write(java.nio.file.Path file, String text) throws IOException {
     Files.writeString(file, text, StandardCharsets.ISO_8859_1);
   }

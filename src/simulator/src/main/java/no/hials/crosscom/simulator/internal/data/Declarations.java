@@ -16,7 +16,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Declares types, variables and signals in a scope. Type names and constants are looked up in that
  * scope and around it. A declaration replaces an earlier one of the same name in the same scope;
- * variables declared before keep their type.
+ * variables declared before keep their type. A wrong declaration is an exception and changes
+ * nothing.
  */
 public final class Declarations {
   /** The position of a declaration that comes from Java code. */
@@ -24,11 +25,6 @@ public final class Declarations {
 
   private Declarations() {}
 
-  /**
-   * Declares a structure type.
-   *
-   * @throws KrlErrorException if it is wrong; then nothing has changed
-   */
   public static void declare(Scope scope, Declaration.Struc struc) throws KrlErrorException {
     List<Type.Component> components = new ArrayList<>();
     for (Declaration.Component component : struc.components()) {
@@ -49,11 +45,6 @@ public final class Declarations {
         declarator.name(), DeclaredType.of(scope, component.type(), declarator));
   }
 
-  /**
-   * Declares an enumeration type.
-   *
-   * @throws KrlErrorException if it is wrong; then nothing has changed
-   */
   public static void declare(Scope scope, Declaration.Enumeration enumeration)
       throws KrlErrorException {
     declareType(
@@ -71,11 +62,6 @@ public final class Declarations {
     }
   }
 
-  /**
-   * Declares a signal.
-   *
-   * @throws KrlErrorException if its wiring is wrong; then nothing has changed
-   */
   public static void declare(Scope scope, Declaration.Signal signal, Access access)
       throws KrlErrorException {
     scope.put(VariableEntry.signal(signal.name(), access, SignalWiring.of(scope, signal)));
@@ -119,12 +105,6 @@ public final class Declarations {
     }
   }
 
-  /**
-   * Declares an enumeration type.
-   *
-   * @param constants the constants, without {@code #}
-   * @throws IllegalArgumentException if it is wrong; then nothing has changed
-   */
   public static void declareEnum(Scope scope, String name, List<String> constants) {
     scope.declareType(Type.Enumeration.of(name, constants));
   }

@@ -9,18 +9,12 @@ public final class KrlErrorException extends Exception {
 
   private final transient KrlError error;
 
-  /**
-   * Creates the exception.
-   *
-   * @param message the rule, expected and actual
-   */
   public KrlErrorException(Position position, String message) {
     // without a stack trace: the position in the file matters
     super(position + ": " + message, null, false, false);
     this.error = new KrlError(position, message);
   }
 
-  /** Returns the position and the message. */
   public KrlError error() {
     return error;
   }

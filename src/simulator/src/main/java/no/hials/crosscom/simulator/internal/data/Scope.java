@@ -64,11 +64,6 @@ public final class Scope {
     }
   }
 
-  /**
-   * Creates an empty scope.
-   *
-   * @param parent the scope around it
-   */
   public Scope(Scope parent) {
     this.parent = parent;
   }

@@ -68,7 +68,6 @@ public final class ControllerFileSystem implements FileTree {
     }
   }
 
-  /** Creates the files of {@link FileTree#inMemory(Clock, long)}. */
   public static ControllerFileSystem inMemory(Clock clock, long capacity) throws IOException {
     ControllerFileSystem files = new ControllerFileSystem(new MemoryStore(clock), clock, capacity);
     files.put("KRC:\\R1\\Mada\\$machine.dat", BuiltInDataLists.text("$MACHINE.DAT"));
@@ -76,13 +75,11 @@ public final class ControllerFileSystem implements FileTree {
     return files;
   }
 
-  /** Opens the files of {@link FileTree#over(Path, Clock, long)}. */
   public static ControllerFileSystem over(Path folder, Clock clock, long capacity)
       throws IOException {
     return new ControllerFileSystem(new FolderStore(folder, capacity), clock, capacity);
   }
 
-  /** Returns the implementation of a file tree. */
   public static ControllerFileSystem of(FileTree files) {
     return (ControllerFileSystem) files;
   }

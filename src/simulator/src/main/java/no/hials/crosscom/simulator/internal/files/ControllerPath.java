@@ -24,7 +24,6 @@ public record ControllerPath(List<String> names) {
 
   private static final Set<String> DEVICES = Set.of("CON", "PRN", "AUX", "NUL");
 
-  /** Copies the names. */
   public ControllerPath {
     names = List.copyOf(names);
   }

@@ -9,18 +9,11 @@ public final class FileRefusedException extends IOException {
 
   private final ErrorCode code;
 
-  /**
-   * Creates the exception.
-   *
-   * @param code the answer of C3 Bridge, not {@link ErrorCode#SUCCESS}
-   * @param message the rule, expected and actual
-   */
   public FileRefusedException(ErrorCode code, String message) {
     super(message);
     this.code = code;
   }
 
-  /** Returns the answer of C3 Bridge, never {@link ErrorCode#SUCCESS}. */
   public ErrorCode code() {
     return code;
   }

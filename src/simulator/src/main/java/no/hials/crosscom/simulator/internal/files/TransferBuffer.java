@@ -17,11 +17,6 @@ public final class TransferBuffer {
   private int size;
   private boolean open;
 
-  /**
-   * Creates an empty buffer.
-   *
-   * @param tree the file system that limits the bytes in transfer
-   */
   public TransferBuffer(ControllerFileSystem tree) {
     this.tree = tree;
   }

@@ -16,7 +16,6 @@ public sealed interface ApproximationZone {
    * @param percent the part, {@code $APO.CPTP}, 0 to 100 %
    */
   record AxisDistance(double percent) implements ApproximationZone {
-    /** Checks the range. */
     public AxisDistance {
       requirePercentage("C_PTP", percent);
     }
@@ -28,7 +27,6 @@ public sealed interface ApproximationZone {
    * @param mm the distance, {@code $APO.CDIS}
    */
   record Distance(double mm) implements ApproximationZone {
-    /** Checks the range. */
     public Distance {
       requireNotNegative("C_DIS", mm);
     }
@@ -40,7 +38,6 @@ public sealed interface ApproximationZone {
    * @param percent the part, {@code $APO.CVEL}, 0 to 100 %
    */
   record Speed(double percent) implements ApproximationZone {
-    /** Checks the range. */
     public Speed {
       requirePercentage("C_VEL", percent);
     }
@@ -52,7 +49,6 @@ public sealed interface ApproximationZone {
    * @param degrees the angle, {@code $APO.CORI}
    */
   record Orientation(double degrees) implements ApproximationZone {
-    /** Checks the range. */
     public Orientation {
       requireNotNegative("C_ORI", degrees);
     }

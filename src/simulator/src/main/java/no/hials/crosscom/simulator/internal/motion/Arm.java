@@ -15,7 +15,6 @@ import no.hials.crosscom.simulator.internal.motion.MotionProblem.OutOfReach;
  * the axis and the angle beyond its limit.
  */
 final class Arm {
-  /** The number of axes. */
   static final int AXES = 6;
 
   /**

@@ -9,13 +9,11 @@ import no.hials.crosscom.kinematics.Axes;
  * @param acceleration the part of each axis' highest acceleration, above 0 to 100 %
  */
 public record AxisRates(Axes velocity, Axes acceleration) {
-  /** Checks the range. */
   public AxisRates {
     requirePercentages("velocity", velocity);
     requirePercentages("acceleration", acceleration);
   }
 
-  /** Creates the same rates for all axes. */
   public static AxisRates of(double velocity, double acceleration) {
     return new AxisRates(all(velocity), all(acceleration));
   }

@@ -31,7 +31,6 @@ final class Blend {
     this.arm = arm;
   }
 
-  /** Returns the axes at a cursor. */
   Axes axes(PathCursor at) throws MotionRefusedException {
     return arm.clamped(unlimited(at));
   }

@@ -63,7 +63,6 @@ public final class Interpolator {
   private double rate;
   private @Nullable SuspendedPlan returning;
 
-  /** Creates an interpolator for a robot at a standstill. */
   public Interpolator(RobotModel robot, Axes start) {
     widest = robot;
     arm = new Arm(robot);

@@ -7,7 +7,6 @@ import no.hials.crosscom.kinematics.Frame;
  * The axes along a motion, over a parameter from 0 to 1 or to the point where the path has to end.
  */
 sealed interface JointPath permits JointPath.OfAxes, JointPath.OfTcp {
-  /** Returns the axes at a parameter. */
   Axes at(double parameter) throws MotionRefusedException;
 
   /** Returns axes near enough to those at a parameter to start an inverse from. */

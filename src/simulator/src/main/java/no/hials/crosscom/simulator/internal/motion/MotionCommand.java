@@ -66,7 +66,6 @@ public sealed interface MotionCommand {
       OrientationControl orientation,
       ApproximationZone approximation)
       implements MotionCommand {
-    /** Checks that the angle is finite. */
     public Circular {
       if (angle.isPresent() && !Double.isFinite(angle.getAsDouble())) {
         throw new IllegalArgumentException(

@@ -20,7 +20,6 @@ public sealed interface MotionProblem extends Serializable {
   /** The number of the message for a motion statement that makes no sense. */
   int BAD_MOTION = 9106;
 
-  /** Returns the number of the message. */
   int number();
 
   /**

@@ -10,7 +10,6 @@ package no.hials.crosscom.simulator.internal.motion;
  */
 public record PathRates(
     double velocity, double acceleration, double turnVelocity, double turnAcceleration) {
-  /** Checks that each rate is above 0. */
   public PathRates {
     requireRate("velocity", velocity);
     requireRate("acceleration", acceleration);

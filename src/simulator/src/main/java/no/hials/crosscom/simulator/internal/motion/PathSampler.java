@@ -62,7 +62,6 @@ final class PathSampler {
     return parameters.clone();
   }
 
-  /** Returns the axes at the points. */
   List<Axes> axes() {
     return axes;
   }

@@ -16,7 +16,6 @@ public record SuspendedPlan(
     List<PathSegment> planned,
     Axes plannedEnd,
     @Nullable SuspendedPlan before) {
-  /** Copies the list. */
   public SuspendedPlan {
     planned = List.copyOf(planned);
   }

@@ -37,7 +37,6 @@ record Builtin(String name, boolean function, List<Kind> parameters, int optiona
   /** The code of a built-in routine. */
   @FunctionalInterface
   interface Body {
-    /** Executes the routine; returns the value of a function. */
     @Nullable KrlValue run(Call call) throws KrlExecutionException;
   }
 

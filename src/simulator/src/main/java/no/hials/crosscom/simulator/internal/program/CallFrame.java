@@ -19,7 +19,6 @@ final class CallFrame {
   private int next;
   private long deadline;
 
-  /** Creates the frame of a routine. */
   CallFrame(
       CompiledRoutine routine, @Nullable CallFrame caller, boolean resultWanted, int stackBase) {
     this.routine = routine;

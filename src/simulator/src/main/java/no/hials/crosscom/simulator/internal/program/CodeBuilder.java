@@ -15,7 +15,6 @@ final class CodeBuilder {
     private int target = -1;
   }
 
-  /** Starts a statement. */
   void statement() {
     statement = steps.size();
   }

@@ -34,12 +34,6 @@ public final class KrlInterpreter {
   private @Nullable Program program;
   private List<KrlValue> arguments = List.of();
 
-  /**
-   * Creates an interpreter without a program.
-   *
-   * @param kind which interpreter; only the robot interpreter can move the robot
-   * @param environment the controller
-   */
   public KrlInterpreter(Interpreter kind, ProgramEnvironment environment) {
     this.environment = environment;
     this.machine = new KrlVirtualMachine(kind, environment);
@@ -163,7 +157,6 @@ public final class KrlInterpreter {
     return state;
   }
 
-  /** Returns the selected program; empty in state FREE. */
   public Optional<Program> program() {
     return Optional.ofNullable(program);
   }

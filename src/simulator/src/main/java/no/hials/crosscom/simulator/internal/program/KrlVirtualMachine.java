@@ -66,7 +66,6 @@ final class KrlVirtualMachine {
     halted = false;
   }
 
-  /** Goes to the start of a routine. */
   void begin(CompiledRoutine routine, List<KrlValue> arguments) throws KrlExecutionException {
     if (arguments.size() > routine.parameters().size()) {
       throw new KrlExecutionException(
@@ -479,7 +478,6 @@ final class KrlVirtualMachine {
     return triggers;
   }
 
-  /** Returns the module of the current routine. */
   String module() {
     return frame().routine().module();
   }

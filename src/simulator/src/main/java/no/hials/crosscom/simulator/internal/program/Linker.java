@@ -66,7 +66,6 @@ final class Linker {
     return (position, message) -> errors.add(new KrlError(position, message));
   }
 
-  /** Declares the routines of a module and returns the errors. */
   private List<KrlError> declare(String key, KrlModule module) {
     List<KrlError> errors = new ArrayList<>();
     Map<String, CompiledRoutine> own = new HashMap<>();

@@ -79,13 +79,11 @@ public final class ProgramLibrary {
     return module == null ? List.of() : put(module.source(), data);
   }
 
-  /** Removes a module; returns false if it does not exist. */
   public boolean remove(String name) {
     linked = null;
     return modules.remove(Scope.key(name)) != null;
   }
 
-  /** Returns a sorted copy of the names of the modules, as written. */
   public SortedSet<String> names() {
     SortedSet<String> names = new TreeSet<>();
     modules.values().forEach(module -> names.add(module.name()));

@@ -106,7 +106,6 @@ final class StatementCompiler {
     this.motions = new MotionCompiler(code, expressions);
   }
 
-  /** Compiles the body of a routine. */
   CompiledCode routine(String name, List<Statement> body, Position end) {
     statements(body);
     code.statement();

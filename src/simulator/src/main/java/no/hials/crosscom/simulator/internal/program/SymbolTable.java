@@ -72,12 +72,6 @@ final class SymbolTable {
   private final Map<String, StorageLocation> locations = new HashMap<>();
   private final List<Storage> locals = new ArrayList<>();
 
-  /**
-   * @param module the module of the routine
-   * @param globals the variables of the controller
-   * @param modules all modules by their names in upper case
-   * @param errors gets the errors
-   */
   SymbolTable(
       KrlModule module,
       Scope globals,

@@ -2,7 +2,7 @@ package no.hials.crosscom.cli.base;
 
 import java.io.IOException;
 import java.util.concurrent.Callable;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import no.hials.crosscom.cell.Printable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -95,9 +95,9 @@ public abstract class ConsoleCommand implements Callable<Integer> {
   }
 
   /** Parses the argument of an option as picocli does, after all options are known. */
-  protected final <T> T argument(String option, Supplier<T> parsing) {
+  protected final <T> T argument(String option, String text, Function<String, T> parser) {
     try {
-      return parsing.get();
+      return parser.apply(text);
     } catch (IllegalArgumentException e) {
       throw wrongUsage("invalid value for option '" + option + "': " + e.getMessage());
     }

@@ -170,7 +170,7 @@ public final class BenchCommand extends ControllerCommand {
     if (target.host() != null) {
       throw wrongUsage("--latency goes with --mock");
     }
-    Latency times = argument("--latency", () -> Latency.parse(latency, 1));
+    Latency times = argument("--latency", latency, text -> Latency.parse(text, 1));
     try (RobotConnection controller =
         Robots.open(target, Robot.ONE_SHOT, cfg -> cfg.latency(times))) {
       return measure(controller);

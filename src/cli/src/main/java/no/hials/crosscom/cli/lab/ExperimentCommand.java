@@ -210,7 +210,7 @@ public final class ExperimentCommand extends ConsoleCommand {
     checkCycle("--period", period);
     checkCycle("--step", step);
     if (latency != null) {
-      argument("--latency", () -> Latency.parse(latency, 1));
+      argument("--latency", latency, text -> Latency.parse(text, 1));
     }
   }
 

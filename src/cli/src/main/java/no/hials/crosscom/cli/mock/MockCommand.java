@@ -188,10 +188,10 @@ public final class MockCommand extends ConsoleCommand {
             mistake -> {
               throw wrongUsage(mistake);
             });
-    Latency times = argument("--latency", () -> Latency.parse(latency, seed));
+    Latency times = argument("--latency", latency, text -> Latency.parse(text, seed));
     List<FaultRule> rules = new ArrayList<>();
     for (String fault : faults) {
-      rules.add(argument("--fault", () -> FaultRule.parse(fault, seed)));
+      rules.add(argument("--fault", fault, text -> FaultRule.parse(text, seed)));
     }
     InetAddress address = addressOf(host);
     // in this order: a signal after the first line finds both there

@@ -10,10 +10,11 @@ import org.jspecify.annotations.Nullable;
  * @param time when it happened
  * @param cause why the connection was lost, or connecting failed; null otherwise
  */
-public record ConnectionEvent(Kind kind, Instant time, @Nullable CrossComException cause) {
+public record ConnectionEvent(
+    ConnectionChange kind, Instant time, @Nullable CrossComException cause) {
 
   /** What happened. */
-  public enum Kind {
+  public enum ConnectionChange {
     /** The client has connected for the first time. */
     CONNECTED,
     /**

@@ -6,7 +6,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
-import no.hials.crosscom.ConnectionEvent.Kind;
+import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
@@ -62,7 +62,7 @@ final class ReconnectingConnection {
 
   /** Starts the keep-alive thread. */
   void start() {
-    tell(Kind.CONNECTED, null);
+    tell(ConnectionChange.CONNECTED, null);
     if (keeper != null) {
       keeper.start();
     }
@@ -226,7 +226,7 @@ final class ReconnectingConnection {
     if (why instanceof CrossComConnectionLostException && connection.wasClosedAtOnce()) {
       delayNextAttempt();
     }
-    tell(Kind.LOST, why);
+    tell(ConnectionChange.LOST, why);
   }
 
   private void delayNextAttempt() {
@@ -249,7 +249,7 @@ final class ReconnectingConnection {
       }
       lostBy = e;
       delayNextAttempt();
-      tell(Kind.RECONNECT_FAILED, e);
+      tell(ConnectionChange.RECONNECT_FAILED, e);
       throw e;
     } finally {
       connecting = null;
@@ -260,7 +260,7 @@ final class ReconnectingConnection {
       made.close(); // the program closed the client while this connected
       throw new CrossComClosedException("the client is closed", null, false);
     }
-    tell(Kind.RECONNECTED, null);
+    tell(ConnectionChange.RECONNECTED, null);
   }
 
   private void connecting(SocketChannel channel) {
@@ -305,7 +305,7 @@ final class ReconnectingConnection {
     return connection.lastEnd() + config.keepAlive().toNanos() - now;
   }
 
-  private void tell(Kind kind, @Nullable CrossComException cause) {
+  private void tell(ConnectionChange kind, @Nullable CrossComException cause) {
     ConnectionListener listener = config.listener();
     if (listener == ClientConfig.NO_LISTENER) {
       return;
@@ -336,7 +336,7 @@ final class ReconnectingConnection {
     if (keeper != null) {
       LockSupport.unpark(keeper);
     }
-    tell(Kind.CLOSED, null);
+    tell(ConnectionChange.CLOSED, null);
     events.shutdown();
   }
 }

@@ -21,7 +21,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
-import no.hials.crosscom.ConnectionEvent.Kind;
+import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
@@ -239,14 +239,19 @@ class ReconnectTest extends RobotTest {
       robot.enqueue(Fault.closeBefore());
       assertThat(its.readText("$OV_PRO")).isEqualTo("100");
     }
-    List<Kind> kinds = new ArrayList<>();
+    List<ConnectionChange> kinds = new ArrayList<>();
     for (int i = 0; i < 4; i++) {
       ConnectionEvent event = events.poll(60, TimeUnit.SECONDS);
       assertThat(event).isNotNull();
       kinds.add(event.kind());
-      assertThat(event.cause() != null).isEqualTo(event.kind() == Kind.LOST);
+      assertThat(event.cause() != null).isEqualTo(event.kind() == ConnectionChange.LOST);
     }
-    assertThat(kinds).containsExactly(Kind.CONNECTED, Kind.LOST, Kind.RECONNECTED, Kind.CLOSED);
+    assertThat(kinds)
+        .containsExactly(
+            ConnectionChange.CONNECTED,
+            ConnectionChange.LOST,
+            ConnectionChange.RECONNECTED,
+            ConnectionChange.CLOSED);
   }
 
   @Test
@@ -311,7 +316,7 @@ class ReconnectTest extends RobotTest {
       do {
         event = events.poll(60, TimeUnit.SECONDS);
         assertThat(event).isNotNull();
-      } while (event.kind() != Kind.RECONNECTED);
+      } while (event.kind() != ConnectionChange.RECONNECTED);
       its.writeText("MYINT", "6");
     }
     assertThat(robot.variables().get("MYINT")).isEqualTo("6");
@@ -396,7 +401,7 @@ class ReconnectTest extends RobotTest {
       do {
         event = events.poll(60, TimeUnit.SECONDS);
         assertThat(event).isNotNull();
-      } while (event.kind() != Kind.LOST);
+      } while (event.kind() != ConnectionChange.LOST);
       its.close();
 
       assertThatExceptionOfType(ExecutionException.class)

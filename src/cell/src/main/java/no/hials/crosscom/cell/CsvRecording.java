@@ -13,7 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import no.hials.crosscom.ConnectionEvent;
-import no.hials.crosscom.ConnectionEvent.Kind;
+import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Sample.Reading;
@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * of {@code record} describes it. {@link RecordedData} reads it.
  */
 public final class CsvRecording implements Recording {
-  private final Sink sink;
+  private final RecordingOutput output;
   private final List<SampledRobot> robots;
   private final boolean severalRobots;
 
@@ -55,8 +55,8 @@ public final class CsvRecording implements Recording {
    *
    * @param robots the robots, which must have been read once
    */
-  public CsvRecording(Sink sink, List<SampledRobot> robots) {
-    this.sink = sink;
+  public CsvRecording(RecordingOutput output, List<SampledRobot> robots) {
+    this.output = output;
     this.robots = robots;
     this.severalRobots = robots.size() > 1;
     int column = severalRobots ? 3 : 2;
@@ -109,7 +109,7 @@ public final class CsvRecording implements Recording {
     for (Map.Entry<String, Reading> reading : sample.readings().entrySet()) {
       fill(cells, robot, reading.getKey(), reading.getValue(), notes);
     }
-    cells[cells.length - 2] = Times.millis(sample.duration());
+    cells[cells.length - 2] = TimeText.millis(sample.duration());
     cells[cells.length - 1] = String.join("; ", notes);
     write(Arrays.asList(cells));
     past.number = sample.number();
@@ -121,8 +121,8 @@ public final class CsvRecording implements Recording {
   private String[] cells(SampledRobot robot, Instant time, Duration since) {
     String[] cells = new String[columns.size() + (severalRobots ? 5 : 4)];
     Arrays.fill(cells, "");
-    cells[0] = Times.instant(time);
-    cells[1] = Times.seconds(since);
+    cells[0] = TimeText.instant(time);
+    cells[1] = TimeText.seconds(since);
     if (severalRobots) {
       cells[2] = robot.name();
     }
@@ -171,7 +171,7 @@ public final class CsvRecording implements Recording {
   public void connectionChanged(SampledRobot robot, ConnectionEvent event) {
     Past past = past(robot);
     // the gap begins at the first loss
-    if (event.kind() == Kind.LOST && past.lost == null && !past.isOld(event)) {
+    if (event.kind() == ConnectionChange.LOST && past.lost == null && !past.isOld(event)) {
       past.lost = event;
     }
   }
@@ -193,13 +193,13 @@ public final class CsvRecording implements Recording {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    sink.write(row.toString());
+    output.write(row.toString());
     row.getBuffer().setLength(0);
   }
 
   @Override
   public void close() throws IOException {
     csv.close();
-    sink.close();
+    output.close();
   }
 }

@@ -80,11 +80,11 @@ public final class JsonLine {
 
   /** Writes the fields of an object. */
   @FunctionalInterface
-  public interface Content {
+  public interface JsonFields {
     void write(JsonGenerator json) throws IOException;
   }
 
-  private static String line(String robot, String name, Content content) {
+  private static String line(String robot, String name, JsonFields content) {
     return object(
         json -> {
           if (!robot.isEmpty()) {
@@ -96,7 +96,7 @@ public final class JsonLine {
   }
 
   /** Returns an object on one line. */
-  public static String object(Content content) {
+  public static String object(JsonFields content) {
     StringWriter text = new StringWriter();
     try (JsonGenerator json = FACTORY.createGenerator(text)) {
       json.writeStartObject();

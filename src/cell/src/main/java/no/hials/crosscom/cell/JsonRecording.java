@@ -6,19 +6,19 @@ import no.hials.crosscom.Sample;
 
 /** Writes a line of JSON for each sample, which also has the number of failed readings. */
 public final class JsonRecording implements Recording {
-  private final Sink sink;
+  private final RecordingOutput output;
 
-  public JsonRecording(Sink sink) {
-    this.sink = sink;
+  public JsonRecording(RecordingOutput output) {
+    this.output = output;
   }
 
   @Override
   public void add(SampledRobot robot, Sample sample, Duration since) {
-    sink.write(SampleJson.of(robot, sample, since) + "\n");
+    output.write(SampleJson.of(robot, sample, since) + "\n");
   }
 
   @Override
   public void close() throws IOException {
-    sink.close();
+    output.close();
   }
 }

@@ -30,10 +30,11 @@ public final class RecordedData {
   static final String STATUS = "status";
 
   private final Instant start;
-  private final List<Series> series;
-  private final List<Series> accessTimes;
+  private final List<RecordedColumn> series;
+  private final List<RecordedColumn> accessTimes;
 
-  private RecordedData(Instant start, List<Series> series, List<Series> accessTimes) {
+  private RecordedData(
+      Instant start, List<RecordedColumn> series, List<RecordedColumn> accessTimes) {
     this.start = start;
     this.series = List.copyOf(series);
     this.accessTimes = List.copyOf(accessTimes);
@@ -45,17 +46,17 @@ public final class RecordedData {
   }
 
   /** Returns the recorded columns, in the order of the file. */
-  public List<Series> series() {
+  public List<RecordedColumn> series() {
     return series;
   }
 
   /** Finds a column by its name, whatever its case. */
-  public Optional<Series> find(String name) {
+  public Optional<RecordedColumn> find(String name) {
     return series.stream().filter(one -> one.name().equalsIgnoreCase(name)).findFirst();
   }
 
   /** Returns the access times in ms: one series for each robot. */
-  public List<Series> accessTimes() {
+  public List<RecordedColumn> accessTimes() {
     return accessTimes;
   }
 
@@ -145,7 +146,7 @@ public final class RecordedData {
 
     RecordedData data() {
       int access = header.size() - 2;
-      List<Series> series = new ArrayList<>();
+      List<RecordedColumn> series = new ArrayList<>();
       for (int column = severalRobots ? 3 : 2; column < access; column++) {
         String name = header.get(column);
         series.add(series(name, column, robotOf(name)));
@@ -153,7 +154,7 @@ public final class RecordedData {
       return new RecordedData(start, series, accessTimes(access));
     }
 
-    private List<Series> accessTimes(int column) {
+    private List<RecordedColumn> accessTimes(int column) {
       if (!severalRobots) {
         return List.of(series(ACCESS, column, ""));
       }
@@ -168,7 +169,7 @@ public final class RecordedData {
       return severalRobots ? column.substring(0, Math.max(0, column.indexOf(':'))) : "";
     }
 
-    private Series series(String name, int column, String robot) {
+    private RecordedColumn series(String name, int column, String robot) {
       List<CsvRecord> own =
           severalRobots
               ? rows.stream().filter(row -> row.getField(2).equals(robot)).toList()
@@ -185,7 +186,7 @@ public final class RecordedData {
         values[i] = number(text);
         numeric &= text.isEmpty() || !Double.isNaN(values[i]);
       }
-      return new Series(name, numeric, seconds, values, texts);
+      return new RecordedColumn(name, numeric, seconds, values, texts);
     }
 
     private static double seconds(CsvRecord row) {
@@ -213,14 +214,14 @@ public final class RecordedData {
   }
 
   /** A column over time. */
-  public static final class Series {
+  public static final class RecordedColumn {
     private final String name;
     private final boolean numeric;
     private final double[] seconds;
     private final double[] values;
     private final List<String> texts;
 
-    private Series(
+    private RecordedColumn(
         String name, boolean numeric, double[] seconds, double[] values, List<String> texts) {
       this.name = name;
       this.numeric = numeric;

@@ -9,7 +9,7 @@ import no.hials.crosscom.Sample;
 public interface Recording extends Closeable {
 
   /** The destination of the text of a recording. */
-  interface Sink extends Closeable {
+  interface RecordingOutput extends Closeable {
     /**
      * Writes a text.
      *

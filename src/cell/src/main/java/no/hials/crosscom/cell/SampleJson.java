@@ -21,12 +21,12 @@ public final class SampleJson {
   public static String of(SampledRobot robot, Sample sample, Duration since) {
     return JsonLine.object(
         json -> {
-          json.writeStringField("time", Times.instant(sample.time()));
-          writeNumber(json, "seconds", Times.seconds(since));
+          json.writeStringField("time", TimeText.instant(sample.time()));
+          writeNumber(json, "seconds", TimeText.seconds(since));
           if (!robot.name().isEmpty()) {
             json.writeStringField("robot", robot.name());
           }
-          writeNumber(json, "access_ms", Times.millis(sample.duration()));
+          writeNumber(json, "access_ms", TimeText.millis(sample.duration()));
           json.writeNumberField("missed", sample.missedPeriods());
           json.writeNumberField("failed", sample.failedPolls());
           writeValues(json, sample);

@@ -224,9 +224,9 @@ public final class SampledRobot implements Closeable {
       text.append(String.format(Locale.ROOT, ", %.1f/s", rate));
     }
     text.append(", access ")
-        .append(Times.roughMillis(meanAccess()))
+        .append(TimeText.roughMillis(meanAccess()))
         .append(" ms (at most ")
-        .append(Times.roughMillis(greatestAccess))
+        .append(TimeText.roughMillis(greatestAccess))
         .append("), missed ")
         .append(missedPeriods())
         .append(", reconnects ")
@@ -240,7 +240,7 @@ public final class SampledRobot implements Closeable {
   /** Returns the text of a connection event. */
   public static String text(ConnectionEvent event) {
     CrossComException cause = event.cause();
-    return event.kind() == ConnectionEvent.Kind.RECONNECTED
+    return event.kind() == ConnectionEvent.ConnectionChange.RECONNECTED
         ? "connected again"
         : String.valueOf(cause == null ? "the connection is lost" : cause.getMessage());
   }

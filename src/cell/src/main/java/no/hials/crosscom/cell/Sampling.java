@@ -30,7 +30,7 @@ public final class Sampling implements Closeable {
   /** The maximum time to wait at the end for readings in progress. */
   private static final long MAX_MILLIS_TO_END = 3_000;
 
-  private final Plan plan;
+  private final SamplingPlan plan;
   private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>();
   private final List<SampledRobot> robots = new ArrayList<>();
   private @Nullable Instant start;
@@ -45,7 +45,8 @@ public final class Sampling implements Closeable {
    * @param length the maximum duration; null if there is no limit
    * @param count the maximum number of samples of each robot
    */
-  public record Plan(List<String> names, Duration period, @Nullable Duration length, long count) {}
+  public record SamplingPlan(
+      List<String> names, Duration period, @Nullable Duration length, long count) {}
 
   /**
    * A robot that could not be reached, or a variable that could not be read.
@@ -82,12 +83,12 @@ public final class Sampling implements Closeable {
     void handle(Listener listener) throws IOException;
   }
 
-  private Sampling(Plan plan) {
+  private Sampling(SamplingPlan plan) {
     this.plan = plan;
   }
 
   /** Connects to robots; {@link #readFirst} returns those that cannot be reached. */
-  public static Sampling open(Plan plan, List<Robot> robots, RobotConnection.Opener opener)
+  public static Sampling open(SamplingPlan plan, List<Robot> robots, RobotConnection.Opener opener)
       throws IOException {
     Sampling sampling = new Sampling(plan);
     try {

@@ -16,10 +16,10 @@ public final class WritePermission {
 
   private final boolean yes;
   private final boolean readOnly;
-  private final Questions questions;
+  private final Confirmation questions;
 
   /** Asks the user. */
-  public interface Questions {
+  public interface Confirmation {
     /** Returns whether a person can be asked. */
     boolean isInteractive();
 
@@ -34,7 +34,7 @@ public final class WritePermission {
    * @param readOnly whether nothing may be changed
    * @param questions asks the user
    */
-  public WritePermission(boolean yes, boolean readOnly, Questions questions) {
+  public WritePermission(boolean yes, boolean readOnly, Confirmation questions) {
     this.yes = yes;
     this.readOnly = readOnly;
     this.questions = questions;

@@ -33,26 +33,26 @@ class RecordedDataTest {
 
     assertThat(data.start()).isEqualTo(Instant.parse(FIRST));
     assertThat(data.series())
-        .extracting(RecordedData.Series::name)
+        .extracting(RecordedData.RecordedColumn::name)
         .containsExactly("$POS_ACT.X", "$MODE_OP");
-    RecordedData.Series x = data.find("$pos_act.x").orElseThrow();
+    RecordedData.RecordedColumn x = data.find("$pos_act.x").orElseThrow();
     assertThat(x.isNumeric()).isTrue();
     assertThat(x.seconds()).containsExactly(0, 0.1);
     assertThat(x.values()).containsExactly(525, 1.5e-5);
-    RecordedData.Series mode = data.find("$MODE_OP").orElseThrow();
+    RecordedData.RecordedColumn mode = data.find("$MODE_OP").orElseThrow();
     assertThat(mode.isNumeric()).isFalse();
     assertThat(mode.texts()).containsExactly("#T1", "a \"b\", c");
     assertThat(mode.values()).containsExactly(Double.NaN, Double.NaN);
     assertThat(data.accessTimes())
         .singleElement()
-        .extracting(RecordedData.Series::values)
+        .extracting(RecordedData.RecordedColumn::values)
         .isEqualTo(new double[] {2.125, 3});
     assertThat(data.find("access_ms")).isEmpty();
   }
 
   @Test
   void takesAnEmptyCellForNoNumber() throws IOException {
-    RecordedData.Series series =
+    RecordedData.RecordedColumn series =
         read(
                 "time,seconds,R,access_ms,status",
                 FIRST + ",0.0,1,2,",
@@ -78,7 +78,7 @@ class RecordedDataTest {
     assertThat(data.find("a:$R").orElseThrow().values()).containsExactly(1, 3);
     assertThat(data.find("b:$R").orElseThrow().values()).containsExactly(2);
     assertThat(data.accessTimes())
-        .extracting(RecordedData.Series::name)
+        .extracting(RecordedData.RecordedColumn::name)
         .containsExactly("a:access_ms", "b:access_ms");
     assertThat(data.accessTimes().get(0).values()).containsExactly(10, 11);
   }

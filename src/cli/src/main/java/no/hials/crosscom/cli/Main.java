@@ -63,7 +63,7 @@ public final class Main {
     Commands.addTo(main, args);
     Handlers handlers = new Handlers(console);
     return main.registerConverter(Duration.class, new Converters.Time())
-        .registerConverter(ServerType.class, new Converters.Server())
+        .registerConverter(ServerType.class, new Converters.ServerName())
         // an argument @NAME is not a file with arguments
         .setExpandAtFiles(false)
         .setOut(console.out())

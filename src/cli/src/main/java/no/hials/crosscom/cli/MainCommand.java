@@ -1,9 +1,9 @@
 package no.hials.crosscom.cli;
 
 import java.util.List;
+import no.hials.crosscom.cli.base.CommandTree;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.Program;
 import no.hials.crosscom.cli.base.VersionProvider;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -48,7 +48,7 @@ import picocli.CommandLine.Command;
       "",
       "'jopenshowvar COMMAND --help' tells more, and the exit codes."
     })
-final class MainCommand implements Program {
+final class MainCommand implements CommandTree {
   private final Console console;
 
   MainCommand(Console console) {

@@ -150,10 +150,26 @@ class ArchitectureTest {
 
   private static Stream<String> ourNames() {
     return CLASSES.stream()
-        .filter(ArchitectureTest::isTopLevel)
-        .filter(type -> type.getModifiers().contains(JavaModifier.PUBLIC))
+        .filter(type -> isTopLevel(type) || isNamedAlone(type))
+        .filter(ArchitectureTest::isPublic)
         .filter(type -> !isOriginal(type))
-        .map(JavaClass::getName);
+        .map(type -> type.getName().replace('$', '.'));
+  }
+
+  /**
+   * Returns whether a nested type has to differ from all others: not a builder, and not a node of
+   * the syntax trees, whose names are those of KRL.
+   */
+  private static boolean isNamedAlone(JavaClass type) {
+    return type.isMemberClass()
+        && !type.getSimpleName().equals("Builder")
+        && !type.getPackageName().equals(ROOT + ".lang");
+  }
+
+  /** Returns whether a type and the types around it are public. */
+  private static boolean isPublic(JavaClass type) {
+    return type.getModifiers().contains(JavaModifier.PUBLIC)
+        && type.getEnclosingClass().map(ArchitectureTest::isPublic).orElse(true);
   }
 
   /** Names of JOpenShowVar 0.2.2 stay. */
@@ -173,14 +189,14 @@ class ArchitectureTest {
             .map(file -> file.getFileName().toString())
             .filter(file -> file.endsWith(".class") && file.indexOf('$') < 0)
             .map(file -> folder.replace('/', '.') + "." + file.replace(".class", ""))
-            .filter(name -> isPublic(name))
+            .filter(name -> isPublicInJdk(name))
             .forEach(names::add);
       }
     }
     return names.stream();
   }
 
-  private static boolean isPublic(String name) {
+  private static boolean isPublicInJdk(String name) {
     try {
       return java.lang.reflect.Modifier.isPublic(Class.forName(name).getModifiers());
     } catch (ClassNotFoundException e) {

@@ -12,7 +12,7 @@ import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.VariableResult;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.protocol.code.OperatingMode;
@@ -81,7 +81,7 @@ final class Channel {
 
   private static ControlRefusedException failed(Exception e) {
     return new ControlRefusedException(
-        new StopReason(Kind.ACCESS, Objects.requireNonNull(e.getMessage()), e));
+        new StopReason(StopKind.ACCESS, Objects.requireNonNull(e.getMessage()), e));
   }
 
   int readInt(String name) throws ControlRefusedException {
@@ -128,7 +128,7 @@ final class Channel {
       return new AxisLimits(minimum, maximum);
     } catch (IllegalArgumentException e) {
       throw new ControlRefusedException(
-          Kind.ACCESS, "$SOFTN_END and $SOFTP_END: " + e.getMessage());
+          StopKind.ACCESS, "$SOFTN_END and $SOFTP_END: " + e.getMessage());
     }
   }
 
@@ -138,7 +138,7 @@ final class Channel {
     double[] values = array.getValue();
     if (values == null || values.length < 6) {
       throw new ControlRefusedException(
-          Kind.ACCESS,
+          StopKind.ACCESS,
           name + " must have at least 6 elements, has " + (values == null ? 0 : values.length));
     }
     return new Axes(values[0], values[1], values[2], values[3], values[4], values[5]);
@@ -153,7 +153,7 @@ final class Channel {
       }
     }
     throw new ControlRefusedException(
-        Kind.MODE,
+        StopKind.MODE,
         MODE + " must be one of " + safety.modes().stream().sorted().toList() + ", is " + found);
   }
 
@@ -162,7 +162,7 @@ final class Channel {
     String found = program.stringValue();
     if (!found.equalsIgnoreCase(RUNNING)) {
       throw new ControlRefusedException(
-          Kind.PROGRAM, PROGRAM + " must be " + RUNNING + ", is " + found);
+          StopKind.PROGRAM, PROGRAM + " must be " + RUNNING + ", is " + found);
     }
   }
 }

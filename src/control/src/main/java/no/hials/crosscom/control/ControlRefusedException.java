@@ -18,7 +18,7 @@ public final class ControlRefusedException extends IOException {
     this.reason = reason;
   }
 
-  ControlRefusedException(StopReason.Kind kind, String message) {
+  ControlRefusedException(StopReason.StopKind kind, String message) {
     this(new StopReason(kind, message));
   }
 

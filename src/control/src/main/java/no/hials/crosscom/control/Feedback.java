@@ -2,7 +2,7 @@ package no.hials.crosscom.control;
 
 import java.util.ArrayDeque;
 import no.hials.crosscom.control.Space.Quantity;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -87,7 +87,7 @@ final class Feedback<P> {
       double limit = quantity.limits().speed() * CATCHING_UP;
       double speed = differences[i] / seconds;
       Guard.checkAtMost(
-          Kind.SPEED,
+          StopKind.SPEED,
           "the measured speed of %s must be at most %s %s/s, is %s",
           quantity.name(),
           limit,
@@ -106,7 +106,7 @@ final class Feedback<P> {
     unchanged += Math.min(since, maxStall / READINGS_OF_STALL);
     if (unchanged > maxStall) {
       throw new ControlRefusedException(
-          Kind.STALLED_FEEDBACK,
+          StopKind.STALLED_FEEDBACK,
           space.feedback.getName()
               + " must change within "
               + maxStall / 1_000_000
@@ -132,7 +132,7 @@ final class Feedback<P> {
     for (int i = 0; i < differences.length; i++) {
       Quantity quantity = space.quantities.get(i);
       Guard.checkAtMost(
-          Kind.TRACKING_ERROR,
+          StopKind.TRACKING_ERROR,
           "the tracking error of %s must be at most %s %s, is %s",
           quantity.name(),
           quantity.limits().trackingError(),

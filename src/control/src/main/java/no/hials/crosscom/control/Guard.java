@@ -2,7 +2,7 @@ package no.hials.crosscom.control;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
@@ -32,7 +32,7 @@ final class Guard {
       double angle = axes.get(i);
       if (angle < least || angle > most) {
         throw outside(
-            Kind.AXIS_LIMIT, "A" + (i + 1), "degrees", least, most, margin, angle, actual);
+            StopKind.AXIS_LIMIT, "A" + (i + 1), "degrees", least, most, margin, angle, actual);
       }
     }
   }
@@ -51,13 +51,13 @@ final class Guard {
       double place = i == 0 ? position.x() : i == 1 ? position.y() : position.z();
       if (place < least || place > most) {
         String name = XYZ.substring(i, i + 1) + " of the workspace";
-        throw outside(Kind.WORKSPACE, name, "mm", least, most, margin, place, actual);
+        throw outside(StopKind.WORKSPACE, name, "mm", least, most, margin, place, actual);
       }
     }
   }
 
   private static ControlRefusedException outside(
-      Kind kind,
+      StopKind kind,
       String name,
       String unit,
       double least,
@@ -86,7 +86,7 @@ final class Guard {
    *     limit is exceeded
    */
   static void checkAtMost(
-      Kind kind, String words, String name, double limit, String unit, double value)
+      StopKind kind, String words, String name, double limit, String unit, double value)
       throws ControlRefusedException {
     if (value > limit * (1 + ROUNDING)) {
       throw new ControlRefusedException(

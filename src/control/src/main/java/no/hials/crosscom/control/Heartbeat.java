@@ -2,7 +2,7 @@ package no.hials.crosscom.control;
 
 import java.time.Duration;
 import no.hials.crosscom.KRL.KRLInt;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 
 /** The heartbeat for the watchdog of {@code krl/jov_sps.sub}. */
 final class Heartbeat {
@@ -53,7 +53,7 @@ final class Heartbeat {
     } catch (ControlRefusedException e) {
       throw new ControlRefusedException(
           new StopReason(
-              Kind.WATCHDOG,
+              StopKind.WATCHDOG,
               "the watchdog of krl/config.dat is not on this controller (noWatchdog() works without"
                   + " it): "
                   + e.getMessage(),
@@ -65,7 +65,7 @@ final class Heartbeat {
       if (i == ATTEMPTS) {
         end();
         throw new ControlRefusedException(
-            Kind.WATCHDOG,
+            StopKind.WATCHDOG,
             "the watchdog does not see the heartbeat: "
                 + SEEN
                 + " must become "
@@ -104,7 +104,7 @@ final class Heartbeat {
   void checkLimit() throws ControlRefusedException {
     if (limit.intValue() != limitMillis) {
       throw new ControlRefusedException(
-          Kind.WATCHDOG,
+          StopKind.WATCHDOG,
           LIMIT
               + " must be "
               + limitMillis
@@ -120,7 +120,7 @@ final class Heartbeat {
     long behind = Math.floorMod(beat.intValue() - (long) seen.intValue(), 1L << 31);
     if (behind > BEATS) {
       throw new ControlRefusedException(
-          Kind.WATCHDOG,
+          StopKind.WATCHDOG,
           "the watchdog no longer sees the heartbeat: "
               + SEEN
               + " must be at most "

@@ -8,7 +8,7 @@ import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLPos;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
@@ -130,7 +130,7 @@ public final class PathPlayer {
       done = result == DONE;
       if (!done) {
         throw new ControlRefusedException(
-            Kind.PROGRAM,
+            StopKind.PROGRAM,
             "the result of PLAY_PATH must be "
                 + DONE
                 + " (done), is "
@@ -165,7 +165,7 @@ public final class PathPlayer {
       long now = time.nanoTime();
       if (now > end) {
         throw new ControlRefusedException(
-            Kind.PROGRAM, what + " within " + limit + ", JOV_RESULT is still " + BUSY);
+            StopKind.PROGRAM, what + " within " + limit + ", JOV_RESULT is still " + BUSY);
       }
       if (Thread.interrupted()) {
         throw new InterruptedException("interrupted while waiting: " + what);

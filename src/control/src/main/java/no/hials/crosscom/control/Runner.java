@@ -2,7 +2,7 @@ package no.hials.crosscom.control;
 
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.control.Space.Quantity;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.control.input.Input;
 import org.jspecify.annotations.Nullable;
 
@@ -119,7 +119,7 @@ final class Runner<P> {
     } catch (ControlRefusedException e) {
       return e.reason();
     } catch (RuntimeException | Error e) {
-      return new StopReason(Kind.ERROR, "the loop failed: " + e, e);
+      return new StopReason(StopKind.ERROR, "the loop failed: " + e, e);
     }
   }
 
@@ -136,7 +136,7 @@ final class Runner<P> {
       }
       if (!config.duration().isZero() && now - start >= config.duration().toNanos()) {
         return new StopReason(
-            Kind.TIME_OVER, "the time of " + config.duration().toMillis() + " ms is over");
+            StopKind.TIME_OVER, "the time of " + config.duration().toMillis() + " ms is over");
       }
       cycle(now, now - next, elapsed);
       long end = time.nanoTime();
@@ -148,7 +148,7 @@ final class Runner<P> {
       elapsed = missed + 1;
       next += elapsed * period;
     }
-    return new StopReason(Kind.ASKED, "the loop was asked to stop");
+    return new StopReason(StopKind.ASKED, "the loop was asked to stop");
   }
 
   private void cycle(long begin, long late, long elapsed) throws ControlRefusedException {
@@ -217,7 +217,7 @@ final class Runner<P> {
   private void checkAge(String words, long begin) throws ControlRefusedException {
     double limit = safety.maxFeedbackAge().toNanos() / 1e6;
     double age = (time.nanoTime() - begin) / 1e6;
-    Guard.checkAtMost(Kind.STALE_FEEDBACK, words, space.feedback.getName(), limit, "ms", age);
+    Guard.checkAtMost(StopKind.STALE_FEEDBACK, words, space.feedback.getName(), limit, "ms", age);
   }
 
   /** Returns the input; null if the robot must stand. */
@@ -230,7 +230,7 @@ final class Runner<P> {
       input = config.input().read();
     } catch (Throwable e) { // see the law
       throw new ControlRefusedException(
-          new StopReason(Kind.INPUT, "the input device failed: " + e, e));
+          new StopReason(StopKind.INPUT, "the input device failed: " + e, e));
     }
     if (!input.deadMan()) {
       return null;
@@ -238,7 +238,7 @@ final class Runner<P> {
     long age = time.nanoTime() - input.nanoTime();
     if (age < 0) { // for example from another clock: it would be fresh forever
       throw new ControlRefusedException(
-          Kind.INPUT,
+          StopKind.INPUT,
           "the time of the input must be from System.nanoTime, is "
               + -age / 1_000_000
               + " ms ahead of it");
@@ -284,10 +284,11 @@ final class Runner<P> {
     try {
       desired = space.ask(state, actual);
     } catch (Throwable e) { // other languages than Java have no checked exceptions
-      throw new ControlRefusedException(new StopReason(Kind.LAW, "the law failed: " + e, e));
+      throw new ControlRefusedException(new StopReason(StopKind.LAW, "the law failed: " + e, e));
     }
     if (desired == null) {
-      throw new ControlRefusedException(Kind.LAW, "the law must return a command, returned null");
+      throw new ControlRefusedException(
+          StopKind.LAW, "the law must return a command, returned null");
     }
     return desired;
   }
@@ -298,7 +299,7 @@ final class Runner<P> {
       Quantity quantity = space.quantities.get(i);
       MotionLimits limits = quantity.limits();
       Guard.checkAtMost(
-          Kind.STEP,
+          StopKind.STEP,
           "the step of %s in one cycle must be at most %s %s, is %s",
           quantity.name(),
           limits.step(),
@@ -306,7 +307,7 @@ final class Runner<P> {
           differences[i]);
       double speed = differences[i] / (periods * period / 1e9);
       Guard.checkAtMost(
-          Kind.SPEED,
+          StopKind.SPEED,
           "the speed of %s must be at most %s %s/s, is %s",
           quantity.name(),
           limits.speed(),
@@ -337,7 +338,7 @@ final class Runner<P> {
   boolean halt(StopReason reason) throws ControlRefusedException {
     if (target.increment()) {
       space.setTarget(ZEROS);
-    } else if (reason.kind() == Kind.STALLED_FEEDBACK) {
+    } else if (reason.kind() == StopKind.STALLED_FEEDBACK) {
       return false; // the position of the robot is not known; it stops at its last target
     } else {
       channel.read(space.feedback);

@@ -9,10 +9,10 @@ import org.jspecify.annotations.Nullable;
  * @param message the limit or rule, with the actual and the allowed value
  * @param cause the exception, if there was one
  */
-public record StopReason(Kind kind, String message, @Nullable Throwable cause) {
+public record StopReason(StopKind kind, String message, @Nullable Throwable cause) {
 
   /** The kinds of reasons. */
-  public enum Kind {
+  public enum StopKind {
     /** The loop was stopped or closed. */
     ASKED,
     /** The configured time is over. */
@@ -47,16 +47,16 @@ public record StopReason(Kind kind, String message, @Nullable Throwable cause) {
     ERROR
   }
 
-  StopReason(Kind kind, String message) {
+  StopReason(StopKind kind, String message) {
     this(kind, message, null);
   }
 
   /**
-   * Returns whether the loop ended as planned: true for {@link Kind#ASKED} and {@link
-   * Kind#TIME_OVER}.
+   * Returns whether the loop ended as planned: true for {@link StopKind#ASKED} and {@link
+   * StopKind#TIME_OVER}.
    */
   public boolean isPlanned() {
-    return kind == Kind.ASKED || kind == Kind.TIME_OVER;
+    return kind == StopKind.ASKED || kind == StopKind.TIME_OVER;
   }
 
   @Override

@@ -5,7 +5,7 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.KRLBool;
 import no.hials.crosscom.KRL.KRLEnum;
 import no.hials.crosscom.KRL.KRLInt;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 
 /**
  * Switches outputs and reads inputs through global variables, which {@code krl/jov_sps.sub} copies
@@ -50,13 +50,13 @@ public final class SubmitOutputs {
     client.readVariable(state);
     if (!state.stringValue().equals("#P_ACTIVE")) {
       throw new ControlRefusedException(
-          Kind.PROGRAM,
+          StopKind.PROGRAM,
           "$PRO_STATE0 must be #P_ACTIVE, so that JOV_SPS sets the output, is "
               + state.stringValue());
     }
     if (!read(READY)) {
       throw new ControlRefusedException(
-          Kind.PROGRAM,
+          StopKind.PROGRAM,
           READY + " must be TRUE, so that JOV_SPS does not overwrite the output, is FALSE");
     }
     KRLBool output = new KRLBool("JOV_OUT[" + number + "]");

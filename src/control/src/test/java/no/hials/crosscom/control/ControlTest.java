@@ -145,7 +145,7 @@ abstract class ControlTest {
     return reason;
   }
 
-  static void assertReason(StopReason reason, StopReason.Kind kind, String message) {
+  static void assertReason(StopReason reason, StopReason.StopKind kind, String message) {
     assertThat(reason.message()).isEqualTo(message);
     assertThat(reason.kind()).isEqualTo(kind);
   }

@@ -9,7 +9,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
@@ -107,7 +107,7 @@ class ConvenienceTest extends ControlTest {
 
     assertThatExceptionOfType(ControlRefusedException.class)
         .isThrownBy(() -> writer.writeAxes("JOV_AXIS", START.with(0, 166)))
-        .satisfies(e -> assertThat(e.reason().kind()).isEqualTo(Kind.AXIS_LIMIT));
+        .satisfies(e -> assertThat(e.reason().kind()).isEqualTo(StopKind.AXIS_LIMIT));
     controller.step(Duration.ofSeconds(1));
     assertThat(controller.axes().a1()).isCloseTo(20, within(0.001));
   }
@@ -125,7 +125,7 @@ class ConvenienceTest extends ControlTest {
 
     assertThatExceptionOfType(ControlRefusedException.class)
         .isThrownBy(() -> writer.writePosition("JOV_POS", Twist.linear(0, 0, -300).move(target, 1)))
-        .satisfies(e -> assertThat(e.reason().kind()).isEqualTo(Kind.WORKSPACE));
+        .satisfies(e -> assertThat(e.reason().kind()).isEqualTo(StopKind.WORKSPACE));
   }
 
   @Test
@@ -194,7 +194,7 @@ class ConvenienceTest extends ControlTest {
 
     StopReason reason = runLoop(config(cfg -> cfg.duration(Duration.ofSeconds(4))), law);
 
-    assertThat(reason.kind()).isEqualTo(Kind.TIME_OVER);
+    assertThat(reason.kind()).isEqualTo(StopKind.TIME_OVER);
     Frame wanted = along.move(start, 4);
     assertThat(robot.forward(controller.axes()).distance(wanted)).isLessThan(5);
     assertThat(robot.forward(controller.axes()).angle(wanted)).isLessThan(0.5);

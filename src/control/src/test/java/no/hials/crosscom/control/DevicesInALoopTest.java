@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.control.input.CsvReplay;
 import no.hials.crosscom.control.input.Input;
 import no.hials.crosscom.control.input.InputDevice;
@@ -53,7 +53,7 @@ class DevicesInALoopTest extends ControlTest {
     LoopConfig config =
         with(device, cfg -> cfg.duration(java.time.Duration.ofMillis((long) (seconds * 1000))));
     try (ControlLoop loop = start(config, alongX())) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.TIME_OVER);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       return loop.trace().cycles();
     }
   }
@@ -111,7 +111,7 @@ class DevicesInALoopTest extends ControlTest {
 
     StopReason reason = runLoop(with(device, cfg -> {}), alongX());
 
-    assertThat(reason.kind()).isEqualTo(Kind.INPUT);
+    assertThat(reason.kind()).isEqualTo(StopKind.INPUT);
     assertThat(reason.message()).contains("the gamepad was unplugged");
     assertThat(controller.stepUntil(controller::standing, LIMIT)).isTrue();
     assertThat(position().x()).isBetween(start.x() + 0.5 * SPEED, start.x() + 1.5 * SPEED);

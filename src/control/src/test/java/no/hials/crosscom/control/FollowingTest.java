@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.time.Duration;
 import java.util.List;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import org.junit.jupiter.api.Test;
@@ -31,7 +31,7 @@ class FollowingTest extends ControlTest {
   /** Runs a loop for one period of the sinusoid, and returns its cycles. */
   private List<Trace.Cycle> follow(LoopConfig config, Law law) throws Exception {
     try (ControlLoop loop = start(config, law)) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.TIME_OVER);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       assertThat(loop.toldToStand()).isTrue();
       LoopStatistics statistics = loop.statistics();
       assertThat(statistics.cycles()).isEqualTo(334);
@@ -128,7 +128,7 @@ class FollowingTest extends ControlTest {
             config,
             Law.jointVelocity(
                 s -> Axes.ZERO.with(0, DEGREES * OMEGA * Math.cos(OMEGA * s.time()))))) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.TIME_OVER);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       assertThat(amplitude(loop.trace().cycles(), 0)).isBetween(0.7 * DEGREES, 1.05 * DEGREES);
     }
   }
@@ -146,7 +146,7 @@ class FollowingTest extends ControlTest {
                     .target(Target.increment("MYAXIS"))
                     .safety(s -> inAutomatic(s).axes(30, 5, 15)));
     try (ControlLoop loop = start(config, sinusoidOfA1())) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.TIME_OVER);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       assertThat(amplitude(loop.trace().cycles(), 0)).isCloseTo(DEGREES, within(0.1));
       assertThat(largestError(loop.trace().cycles(), 0)).isLessThan(1.5);
     }

@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.Fault;
@@ -27,7 +27,7 @@ class LimitsTest extends ControlTest {
             "ext_move_axis.src",
             Law.jointVelocity(s -> Axes.ZERO.with(2, s.time() < 1 ? 10 : 30.1)));
 
-    assertReason(reason, Kind.SPEED, "the speed of A3 must be at most 30 degrees/s, is 30.1");
+    assertReason(reason, StopKind.SPEED, "the speed of A3 must be at most 30 degrees/s, is 30.1");
     assertThat(controller.axes().a3()).isGreaterThan(95);
     assertThat(writesTo("MYAXIS")).last().asString().contains("A3 0");
     assertThat(controller.robot().state()).isEqualTo(ProgramState.STOP); // by the watchdog
@@ -40,7 +40,7 @@ class LimitsTest extends ControlTest {
             "actuator.src",
             Law.cartesianVelocity(s -> Twist.linear(0, s.time() < 1 ? 50 : 100.1, 0)));
 
-    assertReason(reason, Kind.SPEED, "the speed of path must be at most 100 mm/s, is 100.1");
+    assertReason(reason, StopKind.SPEED, "the speed of path must be at most 100 mm/s, is 100.1");
   }
 
   @Test
@@ -51,7 +51,7 @@ class LimitsTest extends ControlTest {
             Law.cartesianVelocity(s -> new Twist(0, 0, 0, 18, 0, s.time() < 0.5 ? 0 : 25)));
 
     assertReason(
-        reason, Kind.SPEED, "the speed of rotation must be at most 30 degrees/s, is 30.806");
+        reason, StopKind.SPEED, "the speed of rotation must be at most 30 degrees/s, is 30.806");
   }
 
   @Test
@@ -63,7 +63,8 @@ class LimitsTest extends ControlTest {
             "follow_pos.src",
             Law.cartesianPosition(s -> Twist.linear(0, 0, s.time() < 0.5 ? 0 : 40).move(start, 1)));
 
-    assertReason(reason, Kind.STEP, "the step of path in one cycle must be at most 5 mm, is 40");
+    assertReason(
+        reason, StopKind.STEP, "the step of path in one cycle must be at most 5 mm, is 40");
     assertThat(position().distance(start)).isCloseTo(0, within(0.01));
   }
 
@@ -71,7 +72,8 @@ class LimitsTest extends ControlTest {
   void aFirstTargetFarFromWhereTheRobotStandsIsNotSent() throws Exception {
     StopReason reason = runToStop("follow_axis.src", Law.jointPosition(s -> START.with(0, 3)));
 
-    assertReason(reason, Kind.STEP, "the step of A1 in one cycle must be at most 2 degrees, is 3");
+    assertReason(
+        reason, StopKind.STEP, "the step of A1 in one cycle must be at most 2 degrees, is 3");
     assertThat(controller.axes()).isEqualTo(START);
   }
 
@@ -81,7 +83,7 @@ class LimitsTest extends ControlTest {
     StopReason reason =
         runToStop("ext_move_axis.src", Law.jointVelocity(s -> Axes.ZERO.with(2, 10)));
 
-    assertThat(reason.kind()).isEqualTo(Kind.AXIS_LIMIT);
+    assertThat(reason.kind()).isEqualTo(StopKind.AXIS_LIMIT);
     assertThat(reason.message())
         .startsWith("A3 must be -115 to 151 degrees (limits minus a margin of 5), would be 151.");
     assertThat(controller.axes().a3()).isBetween(150.0, 152.0);
@@ -95,7 +97,7 @@ class LimitsTest extends ControlTest {
             safe(s -> s.axisLimits(new AxisLimits(START.plus(five(-10)), START.plus(five(10))))),
             Law.cartesianVelocity(s -> Twist.linear(-20, 0, 0)));
 
-    assertThat(reason.kind()).isEqualTo(Kind.AXIS_LIMIT);
+    assertThat(reason.kind()).isEqualTo(StopKind.AXIS_LIMIT);
     assertThat(reason.message()).contains("(limits minus a margin of 5), would be");
     for (int i = 0; i < 6; i++) {
       assertThat(controller.axes().get(i)).isBetween(START.get(i) - 10, START.get(i) + 10);
@@ -117,7 +119,7 @@ class LimitsTest extends ControlTest {
                   return Twist.linear(-20, 0, 0);
                 }));
 
-    assertThat(reason.kind()).isEqualTo(Kind.AXIS_LIMIT);
+    assertThat(reason.kind()).isEqualTo(StopKind.AXIS_LIMIT);
   }
 
   private static Axes five(double angle) {
@@ -134,7 +136,7 @@ class LimitsTest extends ControlTest {
             safe(s -> s.workspace(Workspace.around(start, 60))),
             Law.cartesianVelocity(s -> Twist.linear(0, 40, 0)));
 
-    assertThat(reason.kind()).isEqualTo(Kind.WORKSPACE);
+    assertThat(reason.kind()).isEqualTo(StopKind.WORKSPACE);
     assertThat(reason.message())
         .startsWith(
             "Y of the workspace must be -50 to 50 mm (limits minus a margin of 10), would be 50.");
@@ -151,7 +153,7 @@ class LimitsTest extends ControlTest {
             safe(s -> s.path(100, 5, 60)),
             Law.cartesianPosition(s -> Twist.linear(0, 0, -90 * s.time()).move(start, 1)));
 
-    assertThat(reason.kind()).isEqualTo(Kind.WORKSPACE);
+    assertThat(reason.kind()).isEqualTo(StopKind.WORKSPACE);
     assertThat(reason.message()).startsWith("Z of the workspace must be ");
     assertThat(start.z() - position().z()).isBetween(250.0, 295.0);
   }
@@ -166,7 +168,7 @@ class LimitsTest extends ControlTest {
             safe(s -> s.workspace(Workspace.around(start, 60))),
             Law.jointVelocity(s -> TURNING));
 
-    assertThat(reason.kind()).isEqualTo(Kind.WORKSPACE);
+    assertThat(reason.kind()).isEqualTo(StopKind.WORKSPACE);
     assertThat(position().y()).isBetween(-60.0, -50.0);
   }
 
@@ -188,7 +190,7 @@ class LimitsTest extends ControlTest {
                   return START.with(0, 4.9 * s.time());
                 }));
 
-    assertThat(reason.kind()).isEqualTo(Kind.SPEED);
+    assertThat(reason.kind()).isEqualTo(StopKind.SPEED);
     assertThat(reason.message())
         .startsWith("the measured speed of A1 must be at most 7.5 degrees/s, is ");
   }
@@ -205,7 +207,7 @@ class LimitsTest extends ControlTest {
     StopReason reason =
         runToStop(config(cfg -> {}), Law.jointPosition(s -> START.with(0, 29 * s.time())));
 
-    assertThat(reason.kind()).isEqualTo(Kind.TRACKING_ERROR);
+    assertThat(reason.kind()).isEqualTo(StopKind.TRACKING_ERROR);
     assertThat(reason.message())
         .startsWith("the tracking error of A1 must be at most 15 degrees, is 15.");
   }
@@ -225,7 +227,7 @@ class LimitsTest extends ControlTest {
             config,
             Law.jointPosition(
                 s -> START.plus(new Axes(12 * s.time(), 0, 0, 0, 0, 6 * s.time()))))) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.TIME_OVER);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       assertThat(loop.statistics().saturated()).isPositive();
       assertThat(loop.trace().cycles())
           .allSatisfy(
@@ -255,7 +257,7 @@ class LimitsTest extends ControlTest {
 
     assertReason(
         reason,
-        Kind.STALLED_FEEDBACK,
+        StopKind.STALLED_FEEDBACK,
         "$AXIS_ACT must change within 500 ms when the robot is told to move,"
             + " was the same for 504 ms");
     assertThat(writesTo("MYAXIS")).last().asString().startsWith("{A1 0");
@@ -290,7 +292,7 @@ class LimitsTest extends ControlTest {
                                 inAutomatic(s).noWatchdog().maxFeedbackAge(Duration.ofSeconds(1)))),
             Law.jointVelocity(s -> TURNING));
 
-    assertThat(reason.kind()).as(reason.message()).isEqualTo(Kind.TIME_OVER);
+    assertThat(reason.kind()).as(reason.message()).isEqualTo(StopKind.TIME_OVER);
   }
 
   @Test
@@ -300,7 +302,7 @@ class LimitsTest extends ControlTest {
     server.fault(r -> r.name().equals("$AXIS_ACT"), Fault.answer(stuck, Tail.SUCCESS));
     try (ControlLoop loop =
         start(config(cfg -> {}), Law.jointPosition(s -> START.with(0, 10 * s.time())))) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.STALLED_FEEDBACK);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.STALLED_FEEDBACK);
       assertThat(loop.toldToStand()).isFalse();
     }
     assertStandsForGood();
@@ -320,7 +322,7 @@ class LimitsTest extends ControlTest {
                   return START.with(0, 10 * s.time());
                 }));
 
-    assertThat(reason.kind()).isEqualTo(Kind.LAW);
+    assertThat(reason.kind()).isEqualTo(StopKind.LAW);
     assertThat(controller.axes().a1()).isBetween(9.0, 10.1);
     assertThat(server.variables().get("JOV_TIMEOUT")).isEqualTo("TRUE");
   }
@@ -341,7 +343,7 @@ class LimitsTest extends ControlTest {
 
     assertReason(
         reason,
-        Kind.STALE_FEEDBACK,
+        StopKind.STALE_FEEDBACK,
         "the time of reading $AXIS_ACT must be at most 100 ms, is 101");
   }
 
@@ -352,7 +354,7 @@ class LimitsTest extends ControlTest {
 
     assertReason(
         reason,
-        Kind.STALE_FEEDBACK,
+        StopKind.STALE_FEEDBACK,
         "the age of $AXIS_ACT after the law must be at most 100 ms, is 101");
   }
 }

@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.MockServerConfig;
@@ -39,7 +39,7 @@ class MeasuringTest extends ControlTest {
                   }
                   return Axes.ZERO;
                 }))) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.TIME_OVER);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       LoopStatistics statistics = loop.statistics();
       assertThat(statistics.missed()).isEqualTo(2);
       assertThat(statistics.missedByAccess()).isZero();
@@ -62,7 +62,7 @@ class MeasuringTest extends ControlTest {
           return Optional.empty();
         });
     try (ControlLoop loop = start(forASecond(), TURNING)) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.TIME_OVER);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       LoopStatistics statistics = loop.statistics();
       assertThat(statistics.missed()).isEqualTo(4);
       assertThat(statistics.missedByAccess()).isEqualTo(4);
@@ -85,7 +85,7 @@ class MeasuringTest extends ControlTest {
                   return START.with(0, 29 * s.time());
                 }));
 
-    assertThat(reason.kind()).isEqualTo(Kind.TIME_OVER);
+    assertThat(reason.kind()).isEqualTo(StopKind.TIME_OVER);
   }
 
   @Test
@@ -161,7 +161,7 @@ class MeasuringTest extends ControlTest {
                     .safety(
                         s -> inAutomatic(s).noWatchdog().maxFeedbackAge(Duration.ofSeconds(10))));
     try (ControlLoop loop = ControlLoop.start(client, config, Law.jointVelocity(s -> Axes.ZERO))) {
-      assertThat(loop.ended().get().kind()).isEqualTo(Kind.TIME_OVER);
+      assertThat(loop.ended().get().kind()).isEqualTo(StopKind.TIME_OVER);
       assertThat(loop.statistics().cycles()).isPositive();
     }
   }
@@ -176,7 +176,7 @@ class MeasuringTest extends ControlTest {
             Law.jointVelocity(s -> Axes.ZERO));
     loop.close();
 
-    assertThat(loop.stopReason()).map(StopReason::kind).contains(Kind.ASKED);
+    assertThat(loop.stopReason()).map(StopReason::kind).contains(StopKind.ASKED);
     assertThat(loop.toldToStand()).isTrue();
   }
 
@@ -222,7 +222,7 @@ class MeasuringTest extends ControlTest {
               config(cfg -> cfg.duration(Duration.ofSeconds(1))),
               Law.cartesianPosition(s -> Twist.linear(0, 20, 0).move(start, s.time())));
 
-      assertThat(reason.kind()).isEqualTo(Kind.TIME_OVER);
+      assertThat(reason.kind()).isEqualTo(StopKind.TIME_OVER);
       assertThat(server.requests())
           .filteredOn(r -> r.request() instanceof WriteMultipleRequest)
           .hasSize(8)

@@ -8,7 +8,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
-import no.hials.crosscom.control.StopReason.Kind;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.control.input.Input;
 import no.hials.crosscom.control.input.InputDevice;
 import no.hials.crosscom.kinematics.Axes;
@@ -47,7 +47,7 @@ class StoppingTest extends ControlTest {
                     .input(silent)
                     .duration(Duration.ofSeconds(6)));
     try (ControlLoop loop = start(config, law)) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.TIME_OVER);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       List<Trace.Cycle> held =
           loop.trace().cycles().stream().filter(cycle -> !cycle.moving()).toList();
       assertThat(held.size()).isBetween(140, 152); // 1.8 s: 200 ms after the last input
@@ -75,7 +75,7 @@ class StoppingTest extends ControlTest {
                   return TURNING;
                 }));
 
-    assertThat(reason.kind()).isEqualTo(Kind.TIME_OVER);
+    assertThat(reason.kind()).isEqualTo(StopKind.TIME_OVER);
     assertThat(first.get()).isZero();
     assertStandsForGood();
   }
@@ -96,7 +96,7 @@ class StoppingTest extends ControlTest {
             config(cfg -> cfg.input(failing)),
             Law.jointVelocity(s -> TURNING));
 
-    assertThat(reason.kind()).isEqualTo(Kind.INPUT);
+    assertThat(reason.kind()).isEqualTo(StopKind.INPUT);
     assertThat(reason.message()).contains("unplugged");
   }
 
@@ -111,7 +111,7 @@ class StoppingTest extends ControlTest {
 
     assertReason(
         reason,
-        Kind.INPUT,
+        StopKind.INPUT,
         "the time of the input must be from System.nanoTime, is 5000 ms ahead of it");
   }
 
@@ -132,7 +132,7 @@ class StoppingTest extends ControlTest {
     assertThatExceptionOfType(ControlRefusedException.class)
         .isThrownBy(() -> start(onlyInT1, Law.jointVelocity(s -> TURNING)))
         .withMessage("$MODE_OP must be one of [T1], is #AUT")
-        .satisfies(e -> assertThat(e.reason().kind()).isEqualTo(Kind.MODE));
+        .satisfies(e -> assertThat(e.reason().kind()).isEqualTo(StopKind.MODE));
 
     assertThat(server.requests()).noneMatch(r -> r.request() instanceof WriteRequest);
   }
@@ -151,7 +151,7 @@ class StoppingTest extends ControlTest {
     StopReason reason =
         runToStop("ext_move_axis.src", afterOneSecond(() -> controller.setMode(OperatingMode.T2)));
 
-    assertReason(reason, Kind.MODE, "$MODE_OP must be one of [AUT], is #T2");
+    assertReason(reason, StopKind.MODE, "$MODE_OP must be one of [AUT], is #T2");
   }
 
   @Test
@@ -169,7 +169,7 @@ class StoppingTest extends ControlTest {
     run("ext_move_axis.src");
     LoopConfig config = config(cfg -> cfg.target(Target.increment("NOSUCH")));
     try (ControlLoop loop = start(config, Law.jointVelocity(s -> TURNING))) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.ACCESS);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.ACCESS);
       assertThat(loop.await().message()).contains("NOSUCH");
       assertThat(loop.toldToStand()).isFalse();
     }
@@ -189,7 +189,7 @@ class StoppingTest extends ControlTest {
                   throw thrown;
                 }));
 
-    assertThat(reason.kind()).isEqualTo(Kind.LAW);
+    assertThat(reason.kind()).isEqualTo(StopKind.LAW);
     assertThat(reason.message()).contains("no plan");
     assertThat(reason.cause()).isSameAs(thrown);
     assertThat(controller.axes().a1()).isGreaterThan(5);
@@ -206,7 +206,7 @@ class StoppingTest extends ControlTest {
                   throw new InterruptedException("no plan");
                 }));
 
-    assertThat(reason.kind()).isEqualTo(Kind.LAW);
+    assertThat(reason.kind()).isEqualTo(StopKind.LAW);
     assertThat(reason.message()).contains("no plan");
   }
 
@@ -217,7 +217,7 @@ class StoppingTest extends ControlTest {
     StopReason reason =
         runToStop("ext_move_axis.src", Law.jointVelocity(s -> throwUndeclared(thrown)));
 
-    assertThat(reason.kind()).isEqualTo(Kind.LAW);
+    assertThat(reason.kind()).isEqualTo(StopKind.LAW);
     assertThat(reason.cause()).isSameAs(thrown);
   }
 
@@ -233,7 +233,7 @@ class StoppingTest extends ControlTest {
             "actuator.src",
             Law.cartesianVelocity(s -> Twist.linear(s.time() < 0.5 ? 10 : 0 / 0.0, 0, 0)));
 
-    assertThat(reason.kind()).isEqualTo(Kind.LAW);
+    assertThat(reason.kind()).isEqualTo(StopKind.LAW);
     assertThat(reason.message()).contains("X must be finite, is NaN");
   }
 
@@ -241,7 +241,7 @@ class StoppingTest extends ControlTest {
   void aLawThatGivesNothingStopsTheRobot() throws Exception {
     StopReason reason = runToStop("follow_axis.src", Law.jointPosition(s -> null));
 
-    assertReason(reason, Kind.LAW, "the law must return a command, returned null");
+    assertReason(reason, StopKind.LAW, "the law must return a command, returned null");
   }
 
   // the connection and the watchdog
@@ -258,7 +258,7 @@ class StoppingTest extends ControlTest {
                       Fault.resetBefore());
                 }));
 
-    assertThat(reason.kind()).isEqualTo(Kind.ACCESS);
+    assertThat(reason.kind()).isEqualTo(StopKind.ACCESS);
     List<String> writes = writesTo("MYAXIS");
     assertThat(writes.get(writes.size() - 2)).startsWith("{A1 0.12");
     assertThat(writes.get(writes.size() - 1)).startsWith("{A1 0.0");
@@ -275,7 +275,7 @@ class StoppingTest extends ControlTest {
                   server.refuseConnections();
                   server.disconnectClients();
                 }))) {
-      assertThat(loop.await().kind()).isEqualTo(Kind.ACCESS);
+      assertThat(loop.await().kind()).isEqualTo(StopKind.ACCESS);
       assertThat(loop.toldToStand()).isFalse();
     }
     controller.step(Duration.ofMillis(240));
@@ -296,7 +296,7 @@ class StoppingTest extends ControlTest {
     assertThatExceptionOfType(ControlRefusedException.class)
         .isThrownBy(() -> start(config(cfg -> {}), Law.jointVelocity(s -> TURNING)))
         .withMessageContaining("JOV_SPS does not run")
-        .satisfies(e -> assertThat(e.reason().kind()).isEqualTo(Kind.WATCHDOG));
+        .satisfies(e -> assertThat(e.reason().kind()).isEqualTo(StopKind.WATCHDOG));
 
     assertThat(server.variables().get("JOV_LIMIT")).isEqualTo("0");
     assertThat(writesTo("MYAXIS")).isEmpty();
@@ -310,7 +310,7 @@ class StoppingTest extends ControlTest {
 
     assertReason(
         reason,
-        Kind.WATCHDOG,
+        StopKind.WATCHDOG,
         "JOV_LIMIT must be 500 as set by this loop, is 0; another client uses the watchdog");
   }
 
@@ -319,7 +319,7 @@ class StoppingTest extends ControlTest {
     StopReason reason =
         runToStop("ext_move_axis.src", afterOneSecond(() -> controller.submit().stop()));
 
-    assertThat(reason.kind()).isEqualTo(Kind.WATCHDOG);
+    assertThat(reason.kind()).isEqualTo(StopKind.WATCHDOG);
     assertThat(reason.message()).contains("JOV_SEEN must be at most 4 behind");
   }
 

@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * Where a command prints: data to one stream, messages to another. Both are flushed line by line,
  * so that their lines come in order where both end up on one terminal.
  */
-public final class Console implements WritePermission.Questions {
+public final class Console implements WritePermission.Confirmation {
   private static final String PROGRAM = "jopenshowvar";
 
   private final Writer data;
@@ -26,11 +26,11 @@ public final class Console implements WritePermission.Questions {
   private final PrintWriter err;
   private final Map<String, String> environment;
   private final Reader in;
-  private final @Nullable Questions questions;
+  private final @Nullable Prompt questions;
 
   /** Asks a person, who is there. */
   @FunctionalInterface
-  public interface Questions {
+  public interface Prompt {
     /** Returns the typed line; null at the end of the input. */
     @Nullable String ask(String question);
   }
@@ -54,7 +54,7 @@ public final class Console implements WritePermission.Questions {
       Writer err,
       Map<String, String> environment,
       Reader in,
-      @Nullable Questions questions) {
+      @Nullable Prompt questions) {
     this.environment = Map.copyOf(environment);
     this.data = out;
     this.out = new PrintWriter(out, true);
@@ -64,7 +64,7 @@ public final class Console implements WritePermission.Questions {
   }
 
   /** Returns the same console whose questions are asked in another way, as by a line editor. */
-  public Console asking(Questions other) {
+  public Console asking(Prompt other) {
     return new Console(data, err, environment, in, other);
   }
 

@@ -64,8 +64,8 @@ public abstract class ConsoleCommand implements Callable<Integer> {
     return run().code();
   }
 
-  protected final Program program() {
-    return (Program) spec.root().userObject();
+  protected final CommandTree program() {
+    return (CommandTree) spec.root().userObject();
   }
 
   public final Console console() {

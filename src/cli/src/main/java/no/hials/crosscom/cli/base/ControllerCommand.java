@@ -48,7 +48,7 @@ public abstract class ControllerCommand extends ConsoleCommand {
   @Option(
       names = "--server",
       paramLabel = "SERVER",
-      completionCandidates = Converters.Server.class,
+      completionCandidates = Converters.ServerName.class,
       description = "Which server the simulated controller has: kukavarproxy, or c3 for C3 Bridge.")
   private @Nullable ServerType server;
 

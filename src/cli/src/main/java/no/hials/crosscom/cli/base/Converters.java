@@ -42,7 +42,7 @@ public final class Converters {
   }
 
   /** The server of a simulated controller. */
-  public static final class Server implements ITypeConverter<ServerType>, Iterable<String> {
+  public static final class ServerName implements ITypeConverter<ServerType>, Iterable<String> {
     @Override
     public Iterator<String> iterator() {
       return List.of("kukavarproxy", "c3").iterator();
@@ -67,7 +67,7 @@ public final class Converters {
   }
 
   /** How fast the time of the simulated controller passes. */
-  public static final class Speed implements ITypeConverter<SimulationClock> {
+  public static final class ClockSpeed implements ITypeConverter<SimulationClock> {
     @Override
     public SimulationClock convert(String text) {
       try {

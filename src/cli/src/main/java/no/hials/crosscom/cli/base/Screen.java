@@ -33,7 +33,7 @@ public final class Screen implements AutoCloseable {
 
   /** Supplies the lines of the screen. */
   @FunctionalInterface
-  public interface Content {
+  public interface ScreenLines {
     /** Returns at most as many lines as fit, none wider than the screen. */
     List<AttributedString> lines(int columns, int rows, boolean colours);
   }
@@ -70,7 +70,7 @@ public final class Screen implements AutoCloseable {
   }
 
   /** Shows what is to be seen now, ten times a second; between that, nothing. */
-  public void show(Content content) throws IOException {
+  public void show(ScreenLines content) throws IOException {
     try {
       readKeys();
       if (System.nanoTime() - next >= 0) {
@@ -83,7 +83,7 @@ public final class Screen implements AutoCloseable {
     }
   }
 
-  private void showNow(Content content) {
+  private void showNow(ScreenLines content) {
     Size now = terminal.getSize();
     if (now.getRows() != size.getRows() || now.getColumns() != size.getColumns()) {
       size = now;

@@ -90,7 +90,7 @@ final class DriveEnd {
         // its message says all
       }
     }
-    if (!hints.isEmpty() && reason.kind() != StopReason.Kind.MODE) {
+    if (!hints.isEmpty() && reason.kind() != StopReason.StopKind.MODE) {
       hints.add(PAGE + "; without a controller, try --mock");
     }
     return hints;

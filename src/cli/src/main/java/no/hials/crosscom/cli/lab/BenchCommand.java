@@ -246,8 +246,8 @@ public final class BenchCommand extends ControllerCommand {
       throws IOException {
     Long rounds = length == null ? Long.valueOf(count == null ? USUAL_ROUNDS : count) : null;
     try (BenchCsv csv = out == null ? null : new BenchCsv(out)) {
-      Bench.Sink sink = csv == null ? (nanos, client, access, took, failure) -> {} : csv;
-      Bench.Plan plan = new Bench.Plan(accesses, clients, rounds, length, warmUp, sink);
+      Bench.BenchListener sink = csv == null ? (nanos, client, access, took, failure) -> {} : csv;
+      Bench.BenchPlan plan = new Bench.BenchPlan(accesses, clients, rounds, length, warmUp, sink);
       Bench.Result result;
       try (StopSignal stop = new StopSignal();
           Bench bench = new Bench(plan, controller.client().getConfig())) {
@@ -267,7 +267,7 @@ public final class BenchCommand extends ControllerCommand {
   }
 
   private void report(
-      RobotConnection controller, Bench.Plan plan, Bench.Result result, BenchReport report)
+      RobotConnection controller, Bench.BenchPlan plan, Bench.Result result, BenchReport report)
       throws IOException {
     try {
       print(report);

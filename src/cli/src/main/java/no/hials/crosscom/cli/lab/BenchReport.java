@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Printable;
-import no.hials.crosscom.cell.Times;
+import no.hials.crosscom.cell.TimeText;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.Table;
 import no.hials.crosscom.lab.bench.Bench;
@@ -31,7 +31,7 @@ final class BenchReport {
   private static final int BAR = 50;
   private static final double NANOS_PER_MILLI = 1e6;
 
-  private final Bench.Plan plan;
+  private final Bench.BenchPlan plan;
   private final Bench.Result result;
   private final Map<String, Double> serverMillis;
 
@@ -41,7 +41,7 @@ final class BenchReport {
    * @param serverMillis how long a read takes the server itself in the mean, by the variable's
    *     name; empty if it does not say
    */
-  BenchReport(Bench.Plan plan, Bench.Result result, Map<String, Double> serverMillis) {
+  BenchReport(Bench.BenchPlan plan, Bench.Result result, Map<String, Double> serverMillis) {
     this.plan = plan;
     this.result = result;
     this.serverMillis = serverMillis;
@@ -278,7 +278,7 @@ final class BenchReport {
     json.writeStringField("type", access.type());
     json.writeNumberField("bytes", access.bytes());
     json.writeNumberField("clients", plan.clients());
-    json.writeNumberField("seconds", Double.parseDouble(Times.seconds(result.duration())));
+    json.writeNumberField("seconds", Double.parseDouble(TimeText.seconds(result.duration())));
     json.writeNumberField("count", times.getTotalCount());
     json.writeObjectFieldStart("failed");
     for (Map.Entry<String, Long> failure : tally.failures().entrySet()) {

@@ -21,7 +21,7 @@ import no.hials.crosscom.cli.base.Table;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.LoopStatistics;
 import no.hials.crosscom.lab.experiment.Experiment;
-import no.hials.crosscom.lab.experiment.Outcome;
+import no.hials.crosscom.lab.experiment.ExperimentResult;
 import no.hials.crosscom.lab.experiment.Run;
 import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.mock.Latency;
@@ -244,7 +244,7 @@ public final class ExperimentCommand extends ConsoleCommand {
 
   private ExitCode run(Experiment experiment) throws IOException {
     Experiment.Settings settings = settings(experiment);
-    Outcome outcome;
+    ExperimentResult outcome;
     try {
       outcome = experiment.run(settings);
     } catch (ControlRefusedException e) {
@@ -276,7 +276,7 @@ public final class ExperimentCommand extends ConsoleCommand {
     return experiment.name() + (loop.isEmpty() ? "" : "-" + loop);
   }
 
-  private void print(Experiment experiment, Outcome outcome) {
+  private void print(Experiment experiment, ExperimentResult outcome) {
     console().print("");
     for (Run run : outcome.runs()) {
       LoopStatistics numbers = run.statistics();
@@ -311,7 +311,7 @@ public final class ExperimentCommand extends ConsoleCommand {
     }
   }
 
-  private static String line(Outcome.Figure figure) {
+  private static String line(ExperimentResult.Figure figure) {
     return figure.name()
         + ": "
         + number(figure)
@@ -319,7 +319,7 @@ public final class ExperimentCommand extends ConsoleCommand {
         + figure.unit();
   }
 
-  private static String number(Outcome.Figure figure) {
+  private static String number(ExperimentResult.Figure figure) {
     String form = figure.unit().isEmpty() ? "%.0f" : "%.2f";
     return String.format(Locale.ROOT, form, figure.value());
   }
@@ -340,7 +340,8 @@ public final class ExperimentCommand extends ConsoleCommand {
 
   // what is written
 
-  private List<Path> writeCsv(Experiment experiment, Outcome outcome) throws FileException {
+  private List<Path> writeCsv(Experiment experiment, ExperimentResult outcome)
+      throws FileException {
     List<Path> files = new ArrayList<>();
     for (Run run : outcome.runs()) {
       files.add(write(csvOf(experiment, run.name()), run.trace()::writeCsv));
@@ -355,8 +356,9 @@ public final class ExperimentCommand extends ConsoleCommand {
     return files;
   }
 
-  private static void writeCsv(List<Outcome.Figure> figures, Appendable text) throws IOException {
-    for (Outcome.Figure figure : figures) {
+  private static void writeCsv(List<ExperimentResult.Figure> figures, Appendable text)
+      throws IOException {
+    for (ExperimentResult.Figure figure : figures) {
       String unit = figure.unit().isEmpty() ? "" : " [" + figure.unit() + "]";
       text.append("\"" + figure.name() + unit + "\"," + number(figure) + "\n");
     }

@@ -148,7 +148,7 @@ public final class MockCommand extends ConsoleCommand {
   @Option(
       names = "--speed",
       paramLabel = "SPEED",
-      converter = Converters.Speed.class,
+      converter = Converters.ClockSpeed.class,
       description =
           "How fast the time of programs and robot passes: 10 for ten times as fast, max for as fast"
               + " as this machine can; real if not given.")

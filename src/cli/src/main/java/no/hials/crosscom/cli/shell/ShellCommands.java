@@ -10,11 +10,11 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.base.CommandTree;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.Program;
 import no.hials.crosscom.cli.base.WriteOptions;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
@@ -33,10 +33,10 @@ final class ShellCommands {
   /** The options that choose a controller. */
   private static final Pattern CONTROLLER = Pattern.compile("--(host|port|mock|robot)(=.*)?");
 
-  private final Program program;
+  private final CommandTree program;
   private final SortedSet<String> names;
 
-  ShellCommands(Program program) {
+  ShellCommands(CommandTree program) {
     this.program = program;
     this.names = new TreeSet<>(program.commands());
     names.removeAll(LEFT_OUT);

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import no.hials.crosscom.ConnectionEvent;
-import no.hials.crosscom.ConnectionEvent.Kind;
+import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.cell.CsvRecording;
 import no.hials.crosscom.cell.FileException;
@@ -21,7 +21,7 @@ import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.Recording;
 import no.hials.crosscom.cell.SampledRobot;
 import no.hials.crosscom.cell.Sampling;
-import no.hials.crosscom.cell.Times;
+import no.hials.crosscom.cell.TimeText;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LiveLine;
@@ -138,7 +138,8 @@ public final class RecordCommand extends SamplingCommand {
   }
 
   private Recording open(boolean jsonLines, Sampling sampling) throws FileException {
-    Recording.Sink sink = out.equals(STDOUT) ? new StdoutSink(console()) : FileSink.open(out, yes);
+    Recording.RecordingOutput sink =
+        out.equals(STDOUT) ? new StdoutSink(console()) : FileSink.open(out, yes);
     return jsonLines ? new JsonRecording(sink) : new CsvRecording(sink, sampling.robots());
   }
 
@@ -170,7 +171,7 @@ public final class RecordCommand extends SamplingCommand {
     @Override
     public void connectionChanged(SampledRobot robot, ConnectionEvent event) {
       recording.connectionChanged(robot, event);
-      if (event.kind() == Kind.LOST || event.kind() == Kind.RECONNECTED) {
+      if (event.kind() == ConnectionChange.LOST || event.kind() == ConnectionChange.RECONNECTED) {
         line.clear();
         console().error(robot.label() + SampledRobot.text(event));
       }
@@ -180,7 +181,7 @@ public final class RecordCommand extends SamplingCommand {
     public boolean tick() {
       if (line.isDue()) {
         line.show(
-            Times.roughSeconds(sampling.since(Instant.now()))
+            TimeText.roughSeconds(sampling.since(Instant.now()))
                 + " s | "
                 + sampling.robots().stream()
                     .map(robot -> robot.label() + robot.summary())
@@ -191,7 +192,7 @@ public final class RecordCommand extends SamplingCommand {
   }
 
   /** Writes to stdout. */
-  private record StdoutSink(Console console) implements Recording.Sink {
+  private record StdoutSink(Console console) implements Recording.RecordingOutput {
     @Override
     public void write(String text) {
       console.write(text);
@@ -204,7 +205,7 @@ public final class RecordCommand extends SamplingCommand {
   }
 
   /** Writes to a file, without a buffer: what is written survives the end of this process. */
-  private record FileSink(String name, OutputStream file) implements Recording.Sink {
+  private record FileSink(String name, OutputStream file) implements Recording.RecordingOutput {
     static FileSink open(String name, boolean overwrite) throws FileException {
       Path path = Path.of(name);
       boolean replaces = overwrite || (Files.exists(path) && !Files.isRegularFile(path));

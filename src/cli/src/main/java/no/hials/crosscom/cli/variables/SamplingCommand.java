@@ -46,7 +46,7 @@ abstract class SamplingCommand extends ControllerCommand {
   final Sampling sampling() throws IOException {
     check();
     return Sampling.open(
-        new Sampling.Plan(
+        new Sampling.SamplingPlan(
             names.stream().distinct().toList(),
             period,
             length,

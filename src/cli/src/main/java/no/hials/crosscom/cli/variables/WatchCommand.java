@@ -3,7 +3,7 @@ package no.hials.crosscom.cli.variables;
 import java.io.IOException;
 import java.util.Map;
 import no.hials.crosscom.ConnectionEvent;
-import no.hials.crosscom.ConnectionEvent.Kind;
+import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Sample.Reading;
@@ -11,7 +11,7 @@ import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.SampleJson;
 import no.hials.crosscom.cell.SampledRobot;
 import no.hials.crosscom.cell.Sampling;
-import no.hials.crosscom.cell.Times;
+import no.hials.crosscom.cell.TimeText;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Screen;
 import no.hials.crosscom.cli.base.StopSignal;
@@ -93,7 +93,7 @@ public final class WatchCommand extends SamplingCommand {
   private abstract class Printed implements Sampling.Listener {
     @Override
     public final void connectionChanged(SampledRobot robot, ConnectionEvent event) {
-      if (event.kind() == Kind.LOST || event.kind() == Kind.RECONNECTED) {
+      if (event.kind() == ConnectionChange.LOST || event.kind() == ConnectionChange.RECONNECTED) {
         console().error(robot.label() + SampledRobot.text(event));
       }
     }
@@ -108,7 +108,7 @@ public final class WatchCommand extends SamplingCommand {
   private final class Lines extends Printed {
     @Override
     public void sampled(SampledRobot robot, Sample sample) {
-      String time = Times.instant(sample.time());
+      String time = TimeText.instant(sample.time());
       for (Map.Entry<String, Reading> entry : sample.readings().entrySet()) {
         String name = entry.getKey();
         boolean changed = sample.changed().contains(name);

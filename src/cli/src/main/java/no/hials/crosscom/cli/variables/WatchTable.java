@@ -16,7 +16,7 @@ import no.hials.crosscom.Sample.Reading;
 import no.hials.crosscom.cell.Leaf;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.SampledRobot;
-import no.hials.crosscom.cell.Times;
+import no.hials.crosscom.cell.TimeText;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -224,7 +224,7 @@ final class WatchTable {
   }
 
   private static String age(Duration age) {
-    return Times.roughSeconds(age) + " s";
+    return TimeText.roughSeconds(age) + " s";
   }
 
   private static String left(String text, int width) {

@@ -22,8 +22,7 @@ public final class ShellInput {
    *
    * @param questions answers questions; null if there is nobody to do that
    */
-  public static Cli.Result run(
-      String input, Console.@Nullable Questions questions, String... args) {
+  public static Cli.Result run(String input, Console.@Nullable Prompt questions, String... args) {
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();
     Console console = new Console(out, err, Map.of(), new StringReader(input), questions);

@@ -419,8 +419,8 @@ class DriveCommandTest {
   }
 
   @ParameterizedTest
-  @EnumSource(StopReason.Kind.class)
-  void onlyAPlannedEndHasExitCodeZero(StopReason.Kind kind) {
+  @EnumSource(StopReason.StopKind.class)
+  void onlyAPlannedEndHasExitCodeZero(StopReason.StopKind kind) {
     StopReason reason = new StopReason(kind, "why", null);
 
     assertThat(DriveEnd.code(reason) == ExitCode.DONE).isEqualTo(reason.isPlanned());

@@ -131,7 +131,7 @@ class RunCommandTest {
   @Test
   void asksOnceForEachWriteInEveryMode() {
     List<String> questions = new ArrayList<>();
-    Console.Questions twice =
+    Console.Prompt twice =
         question -> {
           questions.add(question);
           return questions.size() < 2 ? "y" : "n";

@@ -9,8 +9,8 @@ import java.util.Map;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.Main;
+import no.hials.crosscom.cli.base.CommandTree;
 import no.hials.crosscom.cli.base.Console;
-import no.hials.crosscom.cli.base.Program;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
@@ -45,7 +45,7 @@ class ShellCompleterTest {
     controller = Robots.open(target, Robot.LASTING);
     symbols = new ShellSymbols(controller);
     Console console = new Console(new StringWriter(), new StringWriter(), Map.of());
-    Program program = Main.commandLine(console).getCommand();
+    CommandTree program = Main.commandLine(console).getCommand();
     completer = new ShellCompleter(new ShellCommands(program), symbols);
   }
 

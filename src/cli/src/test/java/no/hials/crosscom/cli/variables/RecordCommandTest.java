@@ -117,7 +117,7 @@ class RecordCommandTest {
     RecordedData data = RecordedData.read(file);
     assertThat(data.series())
         .singleElement()
-        .extracting(RecordedData.Series::values)
+        .extracting(RecordedData.RecordedColumn::values)
         .isEqualTo(new double[] {1, -2.5, 3});
     assertThat(data.accessTimes().get(0).values()).hasSize(3).doesNotContain(Double.NaN);
   }

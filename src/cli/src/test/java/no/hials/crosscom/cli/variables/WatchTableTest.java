@@ -30,7 +30,8 @@ class WatchTableTest {
   private WatchTable table;
 
   private static Sampling sampling() throws IOException {
-    Sampling.Plan plan = new Sampling.Plan(List.of("MYINT"), Duration.ofSeconds(1), null, 1);
+    Sampling.SamplingPlan plan =
+        new Sampling.SamplingPlan(List.of("MYINT"), Duration.ofSeconds(1), null, 1);
     return Sampling.open(plan, List.of(), Robots::open);
   }
 
@@ -146,13 +147,14 @@ class WatchTableTest {
   void saysThatTheConnectionIsLostUntilItIsThereAgain() {
     add("5", "{X 1.5}");
     Instant now = Instant.now();
-    ConnectionEvent lost = new ConnectionEvent(ConnectionEvent.Kind.LOST, now, null);
+    ConnectionEvent lost = new ConnectionEvent(ConnectionEvent.ConnectionChange.LOST, now, null);
     robot.count(lost);
     table.connectionChanged(robot, lost);
 
     assertThat(table.text()).last().isEqualTo("the connection is lost");
 
-    ConnectionEvent again = new ConnectionEvent(ConnectionEvent.Kind.RECONNECTED, now, null);
+    ConnectionEvent again =
+        new ConnectionEvent(ConnectionEvent.ConnectionChange.RECONNECTED, now, null);
     robot.count(again);
     table.connectionChanged(robot, again);
 

@@ -27,7 +27,7 @@ public final class Bench implements Closeable {
   /** A client gives up after this number of failures in succession. */
   private static final int MAX_FAILURES = 10;
 
-  private final Plan plan;
+  private final BenchPlan plan;
   private final List<Client> clients = new ArrayList<>();
   private final CountDownLatch warm;
   private final CountDownLatch go = new CountDownLatch(1);
@@ -49,17 +49,17 @@ public final class Bench implements Closeable {
    * @param warmUp the number of rounds per client before the measurement starts
    * @param sink receives each measured access
    */
-  public record Plan(
+  public record BenchPlan(
       List<BenchAccess> accesses,
       int clients,
       @Nullable Long rounds,
       @Nullable Duration length,
       int warmUp,
-      Sink sink) {}
+      BenchListener sink) {}
 
   /** Receives each measured access, from the threads of all clients. */
   @FunctionalInterface
-  public interface Sink {
+  public interface BenchListener {
     /**
      * Called after each measured access.
      *
@@ -86,7 +86,7 @@ public final class Bench implements Closeable {
    *
    * @throws CrossComException if a client cannot connect
    */
-  public Bench(Plan plan, ClientConfig config) throws CrossComException {
+  public Bench(BenchPlan plan, ClientConfig config) throws CrossComException {
     this.plan = plan;
     this.warm = new CountDownLatch(plan.clients());
     this.done = new CountDownLatch(plan.clients());

@@ -9,10 +9,10 @@ import java.util.Objects;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.OutputException;
-import no.hials.crosscom.cell.Times;
+import no.hials.crosscom.cell.TimeText;
 
 /** Writes each access that {@code bench} measures as a line of a CSV file. */
-public final class BenchCsv implements Bench.Sink, AutoCloseable {
+public final class BenchCsv implements Bench.BenchListener, AutoCloseable {
   private final Path file;
   private final CsvWriter csv;
   private final ReentrantLock lock = new ReentrantLock();
@@ -32,11 +32,11 @@ public final class BenchCsv implements Bench.Sink, AutoCloseable {
     lock.lock();
     try {
       csv.writeRecord(
-          Times.seconds(Duration.ofNanos(nanos)),
+          TimeText.seconds(Duration.ofNanos(nanos)),
           Integer.toString(client),
           access.verb(),
           access.name(),
-          failure.isEmpty() ? Times.millis(Duration.ofNanos(took)) : "",
+          failure.isEmpty() ? TimeText.millis(Duration.ofNanos(took)) : "",
           failure);
     } catch (UncheckedIOException e) {
       throw new OutputException(file.toString(), Objects.requireNonNull(e.getCause()));

@@ -42,7 +42,7 @@ final class Endurance implements Experiment {
   }
 
   @Override
-  public Outcome run(Settings settings) throws ControlRefusedException, IOException {
+  public ExperimentResult run(Settings settings) throws ControlRefusedException, IOException {
     try (Pauses pauses = new Pauses()) {
       Law.CartesianPosition circles =
           (Law.CartesianPosition) CONTROL.law(Shape.CIRCLE, settings.lapSeconds());
@@ -57,7 +57,8 @@ final class Endurance implements Experiment {
       // the first call of the law follows the first reading
       List<Pauses.Pause> seen = pauses.seen(run.cycles().get(0).read() / 1e3);
       Misses misses = Misses.of(run.cycles(), seen, settings.period());
-      return new Outcome(List.of(run), figures(misses, seen), chart(run, seen, settings), HEIGHT);
+      return new ExperimentResult(
+          List.of(run), figures(misses, seen), chart(run, seen, settings), HEIGHT);
     }
   }
 
@@ -67,22 +68,22 @@ final class Endurance implements Experiment {
         -state.period(), state.period(), state.axes(), state.position(), state.input());
   }
 
-  private static List<Outcome.Figure> figures(Misses misses, List<Pauses.Pause> pauses) {
+  private static List<ExperimentResult.Figure> figures(Misses misses, List<Pauses.Pause> pauses) {
     double[] lengths = pauses.stream().mapToDouble(pause -> pause.length() * 1e3).toArray();
     double sum = 0;
     for (double length : lengths) {
       sum += length;
     }
     return List.of(
-        new Outcome.Figure(
+        new ExperimentResult.Figure(
             "missed, the accesses left less than 0.2 ms of the period", misses.byAccess(), ""),
-        new Outcome.Figure(
+        new ExperimentResult.Figure(
             "missed, woken too late by the computer for the accesses", misses.byWaking(), ""),
-        new Outcome.Figure("missed, garbage collection", misses.byCollection(), ""),
-        new Outcome.Figure("missed, anything else", misses.byOther(), ""),
-        new Outcome.Figure("garbage collections", lengths.length, ""),
-        new Outcome.Figure("garbage collections, together", sum, "ms"),
-        new Outcome.Figure("garbage collections, longest", Errors.most(lengths), "ms"));
+        new ExperimentResult.Figure("missed, garbage collection", misses.byCollection(), ""),
+        new ExperimentResult.Figure("missed, anything else", misses.byOther(), ""),
+        new ExperimentResult.Figure("garbage collections", lengths.length, ""),
+        new ExperimentResult.Figure("garbage collections, together", sum, "ms"),
+        new ExperimentResult.Figure("garbage collections, longest", Errors.most(lengths), "ms"));
   }
 
   private static Chart chart(Run run, List<Pauses.Pause> pauses, Settings settings) {

@@ -23,9 +23,9 @@ final class Errors {
   }
 
   /** Returns the RMS and the maximum. */
-  static List<Outcome.Figure> figures(String name, String unit, double... errors) {
+  static List<ExperimentResult.Figure> figures(String name, String unit, double... errors) {
     return List.of(
-        new Outcome.Figure(name + ", RMS", rootMeanSquare(errors), unit),
-        new Outcome.Figure(name + ", max", most(errors), unit));
+        new ExperimentResult.Figure(name + ", RMS", rootMeanSquare(errors), unit),
+        new ExperimentResult.Figure(name + ", max", most(errors), unit));
   }
 }

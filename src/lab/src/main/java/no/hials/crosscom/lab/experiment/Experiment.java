@@ -64,7 +64,7 @@ public interface Experiment {
    * @throws ControlRefusedException if a loop did not start
    * @throws IOException if the simulated controller cannot be started or reached
    */
-  Outcome run(Settings settings) throws ControlRefusedException, IOException;
+  ExperimentResult run(Settings settings) throws ControlRefusedException, IOException;
 
   /**
    * The settings of an experiment.

@@ -79,7 +79,7 @@ final class FollowLine implements Experiment {
   }
 
   @Override
-  public Outcome run(Settings settings) throws ControlRefusedException, IOException {
+  public ExperimentResult run(Settings settings) throws ControlRefusedException, IOException {
     double lap = settings.lapSeconds();
     Run krc =
         Run.of(
@@ -179,8 +179,8 @@ final class FollowLine implements Experiment {
     return lag;
   }
 
-  private static Outcome outcome(Motion krc, Motion own, Settings settings) {
-    List<Outcome.Figure> figures = new ArrayList<>();
+  private static ExperimentResult outcome(Motion krc, Motion own, Settings settings) {
+    List<ExperimentResult.Figure> figures = new ArrayList<>();
     for (Motion motion : List.of(krc, own)) {
       String name = ", " + motion.run.name();
       figures.addAll(
@@ -189,7 +189,7 @@ final class FollowLine implements Experiment {
       figures.addAll(
           Errors.figures("rotation" + name, "°", motion.each(tool -> tool.angle(START))));
     }
-    return new Outcome(
+    return new ExperimentResult(
         List.of(krc.run, own.run),
         figures,
         new Chart(settings.title("line-dls: two kinematics"), panels(krc, own, settings), 2),

@@ -48,7 +48,7 @@ record FollowShape(Control control, Shape shape) implements Experiment {
   }
 
   @Override
-  public Outcome run(Settings settings) throws ControlRefusedException, IOException {
+  public ExperimentResult run(Settings settings) throws ControlRefusedException, IOException {
     Run run =
         Run.of(
             "",
@@ -58,7 +58,7 @@ record FollowShape(Control control, Shape shape) implements Experiment {
             control.law(shape, settings.lapSeconds()));
     List<Trace.Cycle> cycles = run.cycles();
     double[] errors = Plots.values(cycles, cycle -> error(cycle, settings));
-    return new Outcome(
+    return new ExperimentResult(
         List.of(run),
         Errors.figures("tracking error", control.unit(), errors),
         new Chart(settings.title(name() + ": " + control.program()), panels(cycles, settings), 2),

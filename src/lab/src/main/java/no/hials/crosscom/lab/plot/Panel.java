@@ -13,7 +13,7 @@ import java.util.List;
  * @param scale how the scales of the axes relate
  */
 public record Panel(
-    String title, Axis x, Axis y, List<Series> series, List<Label> labels, Scale scale) {
+    String title, Axis x, Axis y, List<Series> series, List<PanelText> labels, Scale scale) {
 
   /** How the scales of the two axes relate. */
   public enum Scale {
@@ -32,7 +32,7 @@ public record Panel(
    * @param x the x coordinate of its centre
    * @param y the y coordinate of its centre
    */
-  public record Label(String text, double x, double y) {}
+  public record PanelText(String text, double x, double y) {}
 
   /** Keeps copies of the lists. */
   public Panel {

@@ -79,7 +79,7 @@ final class PanelPainter {
       SeriesPainter.paint(panel.series().get(i), looks.get(i), g, toScreen);
     }
     g.setClip(clip);
-    for (Panel.Label label : panel.labels()) {
+    for (Panel.PanelText label : panel.labels()) {
       double[] at = {label.x(), label.y()};
       toScreen.transform(at, 0, at, 0, 1);
       double half = Typeface.width(label.text(), Typeface.HEADING) / 2;

@@ -164,7 +164,7 @@ public final class PathCharts {
   }
 
   /** Returns the names of the three edges at the front. */
-  private static List<Panel.Label> axisNames(Range x, Range y, Range z) {
+  private static List<Panel.PanelText> axisNames(Range x, Range y, Range z) {
     double out = -0.11 * Math.max(x.span(), Math.max(y.span(), z.span()));
     double[][] at = {
       {x.min() + x.span() / 2, y.min() + out, z.min()},
@@ -172,11 +172,11 @@ public final class PathCharts {
       {x.min() + out / 2, y.min() + out / 2, z.min() + z.span() / 2}
     };
     String[] names = {"X", "Y", "Z"};
-    List<Panel.Label> labels = new ArrayList<>();
+    List<Panel.PanelText> labels = new ArrayList<>();
     for (int i = 0; i < names.length; i++) {
       Flat flat =
           isometric(new double[] {at[i][0]}, new double[] {at[i][1]}, new double[] {at[i][2]});
-      labels.add(new Panel.Label(names[i], flat.u[0], flat.v[0]));
+      labels.add(new Panel.PanelText(names[i], flat.u[0], flat.v[0]));
     }
     return labels;
   }

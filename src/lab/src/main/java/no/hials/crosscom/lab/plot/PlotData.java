@@ -161,10 +161,10 @@ public final class PlotData {
   private static PlotData of(Path file, RecordedData data) {
     List<Column> columns = new ArrayList<>();
     Units units = new Units();
-    for (RecordedData.Series series : data.series()) {
+    for (RecordedData.RecordedColumn series : data.series()) {
       columns.add(column(series.name(), units.of(series.name()), series.seconds(), series.texts()));
     }
-    for (RecordedData.Series series : data.accessTimes()) {
+    for (RecordedData.RecordedColumn series : data.accessTimes()) {
       columns.add(new Column(series.name(), "ms", series.seconds(), series.values(), "", true));
     }
     return new PlotData(title(file, data.start()), new Axis("time", "s"), columns);

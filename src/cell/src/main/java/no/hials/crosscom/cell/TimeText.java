@@ -8,11 +8,11 @@ import java.time.format.DateTimeFormatterBuilder;
 import java.util.Locale;
 
 /** Prints times with a fixed number of digits after the point. */
-public final class Times {
+public final class TimeText {
   private static final DateTimeFormatter INSTANT =
       new DateTimeFormatterBuilder().appendInstant(6).toFormatter(Locale.ROOT);
 
-  private Times() {}
+  private TimeText() {}
 
   /** Prints a time as {@code 2026-05-04T10:15:30.123456Z}. */
   public static String instant(Instant time) {

@@ -11,10 +11,10 @@ import no.hials.crosscom.lab.plot.Chart;
  * @param chart the chart
  * @param height the height of a picture that is 1000 pixels wide, in pixels
  */
-public record Outcome(List<Run> runs, List<Figure> figures, Chart chart, int height) {
+public record ExperimentResult(List<Run> runs, List<Figure> figures, Chart chart, int height) {
 
   /** Keeps copies of the lists. */
-  public Outcome {
+  public ExperimentResult {
     runs = List.copyOf(runs);
     figures = List.copyOf(figures);
   }

@@ -4,7 +4,7 @@ import java.util.List;
 import picocli.CommandLine;
 
 /** The program as its commands see it: the root of their tree. */
-public interface Program {
+public interface CommandTree {
   Console console();
 
   /** Returns the names of all commands. */

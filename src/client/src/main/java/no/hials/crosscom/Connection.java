@@ -69,7 +69,7 @@ final class Connection {
   private volatile boolean dozing;
   private long lastEnd = System.nanoTime();
 
-  /** The time of a check that no exchange followed yet; 0 if there is none. */
+  /** The time of a check that no exchange has followed yet; otherwise 0. */
   private long checked;
 
   private boolean answered;

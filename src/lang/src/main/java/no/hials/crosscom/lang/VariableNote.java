@@ -10,9 +10,9 @@ import org.jspecify.annotations.Nullable;
  * project's own, because a data list of KSS has no access rights.
  *
  * @param access the access of clients; null if the comment does not contain it
- * @param unit the unit; empty if there is none
- * @param meaning the meaning of the variable; empty if there is none
- * @param source the source of the description; empty if there is none
+ * @param unit the unit; empty without a unit
+ * @param meaning the meaning of the variable; empty if unknown
+ * @param source the source of the description; empty if unknown
  */
 public record VariableNote(@Nullable Access access, String unit, String meaning, String source) {
   /** An empty note. */

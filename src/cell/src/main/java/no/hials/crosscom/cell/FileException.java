@@ -27,8 +27,8 @@ public final class FileException extends IOException {
   /** Returns the reason; the message of most such exceptions is only the file name. */
   static String reason(IOException e) {
     return switch (e.getClass().getSimpleName()) {
-      case "NoSuchFileException" -> "there is no such file";
-      case "FileAlreadyExistsException" -> "there is a file of that name";
+      case "NoSuchFileException" -> "file not found";
+      case "FileAlreadyExistsException" -> "the file already exists";
       case "AccessDeniedException" -> "access is denied";
       case "MalformedInputException" -> "it is not in UTF-8";
       default -> String.valueOf(e.getMessage());

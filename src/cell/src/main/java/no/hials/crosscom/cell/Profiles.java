@@ -66,7 +66,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
         return null;
       }
       throw new FileException(
-          "cannot read " + file + ", which " + FILE_VARIABLE + " names: there is no such file", e);
+          "cannot read " + file + ", which " + FILE_VARIABLE + " names: file not found", e);
     } catch (CharacterCodingException e) {
       throw new FileException("cannot read " + file + ": it must be UTF-8", e);
     } catch (FileException e) {

@@ -56,7 +56,7 @@ public final class WritePermission {
       String reason =
           readOnly
               ? "--read-only is given"
-              : "by JOPENSHOWVAR_READ_ONLY or the configuration file it is for reading only";
+              : "it is read-only by JOPENSHOWVAR_READ_ONLY or the configuration file";
       throw new NotSentException(target.label() + "did not " + what + ": " + reason);
     }
   }
@@ -77,7 +77,7 @@ public final class WritePermission {
    * Works like {@link #check(RobotConnection, String)}, and asks in any mode if there are other
    * reasons.
    *
-   * @param reasons the other reasons to ask, such as {@code X.SRC is there already}
+   * @param reasons the other reasons to ask, such as {@code X.SRC already exists}
    */
   public void check(RobotConnection controller, String what, List<String> reasons)
       throws IOException {

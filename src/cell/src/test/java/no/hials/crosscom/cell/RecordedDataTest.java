@@ -143,6 +143,6 @@ class RecordedDataTest {
   void saysThatThereIsNoFile() {
     assertThatThrownBy(() -> RecordedData.read(dir.resolve("none.csv")))
         .isInstanceOf(FileException.class)
-        .hasMessageEndingWith("none.csv: there is no such file");
+        .hasMessageEndingWith("none.csv: file not found");
   }
 }

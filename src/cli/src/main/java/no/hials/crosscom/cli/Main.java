@@ -119,7 +119,7 @@ public final class Main {
     if (verbose) {
       e.printStackTrace(console.err());
     } else {
-      console.hint("with --verbose it says where");
+      console.hint("--verbose prints the stack trace");
     }
     return ExitCode.INTERNAL_ERROR;
   }

@@ -43,7 +43,7 @@ import picocli.CommandLine.Command;
       "",
       "The controller is the first that is given of: --host, --mock or @NAME; JOPENSHOWVAR_HOST,"
           + " with JOPENSHOWVAR_PORT; default of the file. The timeout is the first of: --timeout;"
-          + " that of @NAME; JOPENSHOWVAR_TIMEOUT; that of the default robot. It is for reading only"
+          + " that of @NAME; JOPENSHOWVAR_TIMEOUT; that of the default robot. It is read-only"
           + " if any of --read-only, JOPENSHOWVAR_READ_ONLY=true and the robot of the file says so.",
       "",
       "'jopenshowvar COMMAND --help' tells more, and the exit codes."

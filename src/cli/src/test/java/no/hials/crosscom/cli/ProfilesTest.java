@@ -232,7 +232,7 @@ class ProfilesTest {
 
       assertThat(result.err())
           .startsWith("jopenshowvar: cell1: did not write MYINT: ")
-          .contains("for reading only");
+          .contains("read-only by JOPENSHOWVAR_READ_ONLY");
       assertThat(result.code()).isEqualTo(5);
     }
     assertThat(run("read", "MYINT").lines()).containsExactly("MYINT = 1");
@@ -370,7 +370,7 @@ class ProfilesTest {
     assertThat(result.err())
         .startsWith("jopenshowvar: cannot read " + dir.resolve("gone.toml"))
         .contains("JOPENSHOWVAR_CONFIG")
-        .contains("there is no such file");
+        .contains("file not found");
     assertThat(result.code()).isEqualTo(2);
   }
 

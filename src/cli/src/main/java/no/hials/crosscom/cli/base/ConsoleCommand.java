@@ -22,7 +22,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       "2:wrong usage, or a file with errors",
       "3:could not connect, or not listen",
       "4:connection lost, timed out or not this protocol",
-      "5:not sent: for reading only, or not confirmed",
+      "5:not sent: read-only, or not confirmed",
       "70:internal error, please report it",
       "74:stdout or a file could not be written"
     })
@@ -81,7 +81,7 @@ public abstract class ConsoleCommand implements Callable<Integer> {
     if (e instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
       String argument = "'" + unmatched.getUnmatched().get(0) + "'";
       return e.getCommandLine().getSubcommands().isEmpty()
-          ? "there is an argument too many, " + argument + "; one with blanks needs quotes"
+          ? "too many arguments: " + argument + "; an argument with blanks needs quotes"
           : "unknown command: " + argument;
     }
     return Printable.lowerFirst(String.valueOf(e.getMessage()));

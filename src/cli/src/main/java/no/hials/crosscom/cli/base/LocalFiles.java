@@ -52,7 +52,7 @@ public final class LocalFiles {
   }
 
   /**
-   * Refuses a file that is there already, or cannot be.
+   * Refuses a file that already exists, or cannot be.
    *
    * @param overwrite whether the user wants it written over
    */
@@ -63,7 +63,7 @@ public final class LocalFiles {
     }
     // not a device or a pipe, which has nothing to lose
     if (Files.isRegularFile(file) && !overwrite) {
-      throw new FileException("there is a file " + file + " already; --yes overwrites it");
+      throw new FileException(file + " already exists; --yes overwrites it");
     }
   }
 

@@ -59,16 +59,15 @@ public final class DiscoverCommand extends ConsoleCommand {
   @Option(
       names = "--address",
       paramLabel = "HOST",
-      description =
-          "Ask this IPv4 address, of a host or for broadcast. It may stand there several times.")
+      description = "Ask this IPv4 address, of a host or for broadcast. Can be repeated.")
   private List<String> addresses = new ArrayList<>();
 
   @Option(
       names = "--interface",
       paramLabel = "NAME",
       description =
-          "Ask all hosts that this network interface reaches by broadcast, such as eth0. It may stand"
-              + " there several times. If neither this nor --address is given, all interfaces.")
+          "Ask all hosts that this network interface reaches by broadcast, such as eth0. Can be repeated. "
+              + "If neither this nor --address is given, all interfaces.")
   private List<String> interfaces = new ArrayList<>();
 
   @Option(
@@ -97,7 +96,7 @@ public final class DiscoverCommand extends ConsoleCommand {
     }
     List<FoundServer> servers = find();
     if (servers.isEmpty()) {
-      console().error("nobody answered within " + timeout.toMillis() + " ms");
+      console().error("no server answered within " + timeout.toMillis() + " ms");
       return ExitCode.NOT_CONNECTED;
     }
     if (json) {

@@ -68,7 +68,7 @@ final class FileCopy extends FileSubcommand {
       boolean there = files.exists(name);
       writeOptions
           .permission(console())
-          .check(controller, what, there ? List.of(name + " is there already") : List.of());
+          .check(controller, what, there ? List.of(name + " already exists") : List.of());
       copy.send(files, source, name, there ? new CopyFlag[] {CopyFlag.OVERWRITE} : new CopyFlag[0]);
       String line = Printable.of(source) + " -> " + Printable.of(name);
       print(line, "command", command, "source", source, "name", name);

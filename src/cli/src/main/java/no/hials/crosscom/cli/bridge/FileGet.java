@@ -133,7 +133,7 @@ final class FileGet extends FileSubcommand {
     String there =
         jobs.stream()
             .filter(Job::isThere)
-            .map(job -> job.local() + " is there already")
+            .map(job -> job.local() + " already exists")
             .collect(Collectors.joining(", "));
     if (!yes && !there.isEmpty()) {
       new WritePermission(false, false, console()).confirm(target.label(), "overwrite it", there);

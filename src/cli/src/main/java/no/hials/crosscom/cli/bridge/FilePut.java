@@ -39,7 +39,7 @@ import picocli.CommandLine.Parameters;
       "REMOTE is a folder, or for one LOCAL the name that it is to have. One that ends with a slash"
           + " or backslash is a folder; of another one the controller is asked.",
       "",
-      "A file that is there already is overwritten only after a question, or with --yes. Of a file"
+      "An existing file is overwritten only after a question, or with --yes. Of a file"
           + " whose upload fails the controller has nothing, unless the message says otherwise;"
           + " those after it are not uploaded.",
       "",
@@ -108,7 +108,7 @@ final class FilePut extends FileSubcommand {
       ControllerFiles files = controller.client().files();
       List<Job> jobs = jobs(files, sources, remote);
       List<String> reasons =
-          jobs.stream().filter(Job::there).map(job -> job.name() + " is there already").toList();
+          jobs.stream().filter(Job::there).map(job -> job.name() + " already exists").toList();
       writeOptions.permission(console()).check(controller, what, reasons);
       ExitCode code =
           transfer("uploaded", jobs, Job::name, (job, stop) -> upload(files, job, stop));

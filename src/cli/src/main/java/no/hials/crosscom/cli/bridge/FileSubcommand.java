@@ -62,7 +62,7 @@ abstract class FileSubcommand extends BridgeCommand {
   /** Reports a failure with possible reasons. */
   final ExitCode failed(CrossComException e) {
     if (e instanceof CrossComRefusedException refused) {
-      return refused(refused, "likely cause: there is no such file or folder");
+      return refused(refused, "likely cause: file or folder not found");
     }
     console().failure(e, isVerbose());
     if (e instanceof CrossComUnsupportedException none
@@ -140,7 +140,7 @@ abstract class FileSubcommand extends BridgeCommand {
 
   @Override
   final String accessHint() {
-    return "likely cause: it is there already, is read-only, or belongs to the selected program"
+    return "likely cause: it already exists, is read-only, or belongs to the selected program"
         + " ('jopenshowvar program cancel' ends that)";
   }
 

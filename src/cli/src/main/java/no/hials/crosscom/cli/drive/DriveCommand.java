@@ -146,7 +146,7 @@ public final class DriveCommand extends ControllerCommand {
       description =
           "Write a CSV file at the end: when each cycle was, how long the accesses took, where the"
               + " robot was to go, what was sent, and where it was. It has the last 200000 cycles."
-              + " One that is there already needs --yes.")
+              + " An existing file needs --yes.")
   private @Nullable Path record;
 
   @Option(

@@ -99,8 +99,7 @@ public final class BenchCommand extends ControllerCommand {
   @Option(
       names = "--write",
       paramLabel = "NAME",
-      description =
-          "Read this variable, and write back what was read. It may stand there several times.")
+      description = "Read this variable, and write back what was read. Can be repeated.")
   private List<String> written = new ArrayList<>();
 
   @Option(

@@ -28,7 +28,7 @@ final class PictureOptions {
   private Chart.@Nullable Size size;
 
   /**
-   * Refuses a file that is no picture, or is there already.
+   * Refuses a file that is no picture, or already exists.
    *
    * @param overwrite whether the user wants it written over
    */

@@ -98,7 +98,7 @@ public final class PlotCommand extends ConsoleCommand {
 
   @Option(
       names = {"-y", "--yes"},
-      description = "Write over the picture if it is there already.")
+      description = "Write over the picture if it exists.")
   private boolean yes;
 
   @Override

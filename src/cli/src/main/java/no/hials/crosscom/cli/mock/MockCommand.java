@@ -122,8 +122,7 @@ public final class MockCommand extends ConsoleCommand {
       names = "--config",
       paramLabel = "FILE.dat",
       description =
-          "Load a data list, such as your own $CONFIG.DAT or $MACHINE.DAT. It may stand there several"
-              + " times.")
+          "Load a data list, such as your own $CONFIG.DAT or $MACHINE.DAT. Can be repeated.")
   private List<Path> configs = new ArrayList<>();
 
   @Option(
@@ -165,7 +164,7 @@ public final class MockCommand extends ConsoleCommand {
   @Option(
       names = "--fault",
       paramLabel = "FAULT",
-      description = "Let something go wrong; see below. It may stand there several times.")
+      description = "Let something go wrong; see below. Can be repeated.")
   private List<String> faults = new ArrayList<>();
 
   @Option(

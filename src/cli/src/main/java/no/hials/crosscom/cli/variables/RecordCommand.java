@@ -88,7 +88,7 @@ public final class RecordCommand extends SamplingCommand {
       names = {"-o", "--out"},
       required = true,
       paramLabel = "FILE",
-      description = "The file to write; - for stdout. One that is there already needs --yes.")
+      description = "The file to write; - for stdout. An existing file needs --yes.")
   private String out = "";
 
   @Option(

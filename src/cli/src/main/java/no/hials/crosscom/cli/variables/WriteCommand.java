@@ -28,7 +28,7 @@ import picocli.CommandLine.Parameters;
       "",
       "Before it writes, it reads $MODE_OP. In T1 it goes on; else, or if that cannot be read, it"
           + " asks on a terminal, and without one does not write. With --yes it neither reads nor"
-          + " asks. A controller for reading only (--read-only, JOPENSHOWVAR_READ_ONLY=true, or"
+          + " asks. A read-only controller (--read-only, JOPENSHOWVAR_READ_ONLY=true, or"
           + " read-only = true of a robot) is not even connected to.",
       "",
       "JSON: the object that read --json prints, of the value that was sent. With --json a VALUE"

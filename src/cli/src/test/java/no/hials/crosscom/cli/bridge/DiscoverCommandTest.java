@@ -79,7 +79,8 @@ class DiscoverCommandTest {
       Cli.Result result = discover(silent.getLocalPort() + "," + silent.getLocalPort() + ",0");
 
       assertThat(result.out()).isEmpty();
-      assertThat(result.errLines()).containsExactly("jopenshowvar: nobody answered within 200 ms");
+      assertThat(result.errLines())
+          .containsExactly("jopenshowvar: no server answered within 200 ms");
       assertThat(result.code()).isEqualTo(3);
     }
   }

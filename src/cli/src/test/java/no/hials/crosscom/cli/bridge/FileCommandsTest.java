@@ -160,7 +160,7 @@ class FileCommandsTest {
         .containsExactly(
             "jopenshowvar: the server refused the request for the properties of /R1/NOPE:"
                 + " code 0 (GENERAL: no reason given)",
-            "likely cause: there is no such file or folder");
+            "likely cause: file or folder not found");
     assertThat(result.code()).isEqualTo(1);
   }
 
@@ -195,7 +195,7 @@ class FileCommandsTest {
         .containsExactly(
             "jopenshowvar: did not "
                 + verb
-                + " /R1/A.SRC to /R1/b.txt: /R1/b.txt is there already, which needs --yes");
+                + " /R1/A.SRC to /R1/b.txt: /R1/b.txt already exists, which needs --yes");
     assertThat(result.code()).isEqualTo(5);
     assertThat(server.requests()).noneMatch(each -> each.request() instanceof CopyFileRequest);
 
@@ -225,7 +225,7 @@ class FileCommandsTest {
   void deletesNothingIfOneIsNotThere() {
     Cli.Result result = run("file rm", "--yes", "/R1/A.SRC", "/R1/NOPE");
 
-    assertThat(result.errLines()).hasSize(2).last().asString().contains("there is no such file");
+    assertThat(result.errLines()).hasSize(2).last().asString().contains("file or folder not found");
     assertThat(result.code()).isEqualTo(1);
     assertThat(server.files().exists("/R1/A.SRC")).isTrue();
   }
@@ -315,7 +315,7 @@ class FileCommandsTest {
       value = {
         "file | missing required subcommand",
         "file list | unknown command: 'list'",
-        "file ls A B --mock | there is an argument too many, 'B'",
+        "file ls A B --mock | too many arguments: 'B'",
         "file stat --mock | missing required parameter: 'NAME'",
         "file rm --mock | missing required parameter: 'NAME'",
         "file cp A --mock | missing required parameter: 'TARGET'",

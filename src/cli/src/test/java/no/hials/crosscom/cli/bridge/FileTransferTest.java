@@ -132,7 +132,7 @@ class FileTransferTest {
         .containsExactly(
             "jopenshowvar: did not upload "
                 + local
-                + ": /R1/a.src is there already, which needs --yes");
+                + ": /R1/a.src already exists, which needs --yes");
     assertThat(result.code()).isEqualTo(5);
     assertThat(server.files().text("/R1/A.SRC")).hasValue("old");
 
@@ -242,7 +242,7 @@ class FileTransferTest {
     String gone = dir.resolve("gone.src").toString();
 
     assertThat(put(file("a.src", A), gone, "/R1/").errLines())
-        .containsExactly("jopenshowvar: cannot read " + gone + ": there is no such file");
+        .containsExactly("jopenshowvar: cannot read " + gone + ": file not found");
     assertThat(put(dir.toString(), "/R1/").errLines())
         .containsExactly("jopenshowvar: cannot read " + dir + ": it is a folder");
     assertThat(put(file("b.txt", ""), "/R1/", "--select").err())
@@ -303,9 +303,7 @@ class FileTransferTest {
 
     assertThat(result.errLines())
         .containsExactly(
-            "jopenshowvar: did not overwrite it: "
-                + local
-                + " is there already, which needs --yes");
+            "jopenshowvar: did not overwrite it: " + local + " already exists, which needs --yes");
     assertThat(result.code()).isEqualTo(5);
     assertThat(Path.of(local)).hasContent("mine");
 
@@ -333,7 +331,7 @@ class FileTransferTest {
   void saysThatItIsNotThere() throws IOException {
     Cli.Result result = get("/R1/NOPE.SRC", dir.toString());
 
-    assertThat(result.errLines()).last().asString().contains("there is no such file or folder");
+    assertThat(result.errLines()).last().asString().contains("file or folder not found");
     assertThat(result.code()).isEqualTo(1);
     assertThat(localFiles()).isEmpty();
   }

@@ -61,7 +61,7 @@ class FilesOnATerminalIT {
 
     assertThat(shown.text())
         .startsWith(
-            "KRC:\\R1\\TP\\a.txt is there already; $MODE_OP is #AUT, not #T1. Really upload "
+            "KRC:\\R1\\TP\\a.txt already exists; $MODE_OP is #AUT, not #T1. Really upload "
                 + local
                 + "? [y/N] ")
         .endsWith("a.txt, 3 bytes\r\n");

@@ -254,9 +254,9 @@ class ProgramCommandsTest {
         "program | missing required subcommand",
         "program go | unknown command: 'go'",
         "program select | missing required parameter: 'PROGRAM'",
-        "program select A B | there is an argument too many, 'B'",
+        "program select A B | too many arguments: 'B'",
         "program start | which controller?",
-        "program start A --mock | there is an argument too many, 'A'"
+        "program start A --mock | too many arguments: 'A'"
       })
   void saysWhatIsWrongWithTheUsage(String arguments, String message) {
     Cli.Result result = Cli.run(arguments.split(" "));

@@ -366,7 +366,7 @@ class DriveCommandTest {
     Cli.Result result = Cli.run(patient("--device=udp:0", "--record=" + record));
 
     assertThat(result.code()).isEqualTo(2);
-    assertThat(result.err()).contains("already; --yes overwrites it");
+    assertThat(result.err()).contains("already exists; --yes overwrites it");
     assertThat(record).hasContent("mine");
   }
 
@@ -376,7 +376,7 @@ class DriveCommandTest {
 
     assertThat(Cli.run(patient("--device=csv:" + folder.resolve("none.csv"))).errLines())
         .containsExactly(
-            "jopenshowvar: cannot read " + folder.resolve("none.csv") + ": there is no such file");
+            "jopenshowvar: cannot read " + folder.resolve("none.csv") + ": file not found");
     Cli.Result result = Cli.run(patient("--device=csv:" + wrong));
     assertThat(result.err()).contains("wrong.csv, line 2: an axis must be -1 to 1, is 2.0");
     assertThat(result.code()).isEqualTo(2);

@@ -168,7 +168,7 @@ class ExperimentCommandTest {
     Cli.Result result = Cli.run("experiment", "position-circle", "--out", occupied.toString());
 
     assertThat(result.code()).isEqualTo(2);
-    assertThat(result.err()).contains("cannot make " + occupied + ": there is a file of that name");
+    assertThat(result.err()).contains("cannot make " + occupied + ": the file already exists");
     assertThat(occupied).hasContent("mine");
   }
 

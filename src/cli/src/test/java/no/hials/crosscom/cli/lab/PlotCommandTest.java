@@ -203,7 +203,7 @@ class PlotCommandTest {
 
     assertThat(refused.code()).isEqualTo(2);
     assertThat(refused.errLines())
-        .containsExactly("jopenshowvar: there is a file " + svg + " already; --yes overwrites it");
+        .containsExactly("jopenshowvar: " + svg + " already exists; --yes overwrites it");
     assertThat(svg).hasContent("mine");
     assertThat(plot("--yes").code()).isZero();
     assertThat(Pictures.texts(svg)).contains("$OV_PRO");
@@ -285,7 +285,7 @@ class PlotCommandTest {
     csv = folder.resolve("none.csv");
 
     assertThat(plot().errLines())
-        .containsExactly("jopenshowvar: cannot read " + csv + ": there is no such file");
+        .containsExactly("jopenshowvar: cannot read " + csv + ": file not found");
     assertThat(plot().code()).isEqualTo(2);
   }
 

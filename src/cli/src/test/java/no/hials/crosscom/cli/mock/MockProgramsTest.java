@@ -160,7 +160,7 @@ class MockProgramsTest {
     assertThat(result.out()).isEmpty();
     assertThat(result.errLines())
         .containsExactly(
-            "jopenshowvar: cannot read " + dir.resolve("gone.src") + ": there is no such file");
+            "jopenshowvar: cannot read " + dir.resolve("gone.src") + ": file not found");
     assertThat(result.code()).isEqualTo(2);
   }
 

@@ -156,7 +156,7 @@ class RunCommandTest {
   @Test
   void callsItWrongUsageIfTheFileCannotBeRead() throws IOException {
     Cli.Result missing = Cli.runOn(server, "run", dir.resolve("none").toString());
-    assertThat(missing.err()).contains("none: there is no such file");
+    assertThat(missing.err()).contains("none: file not found");
     assertThat(missing.code()).isEqualTo(2);
 
     Path latin = Files.write(dir.resolve("latin"), new byte[] {(byte) 0xE4});

@@ -128,7 +128,7 @@ class ShellCommandTest {
 
     assertThat(result.out()).isEmpty();
     assertThat(result.errLines())
-        .containsExactly("jopenshowvar: cannot read no-such-file.dat: there is no such file");
+        .containsExactly("jopenshowvar: cannot read no-such-file.dat: file not found");
     assertThat(result.code()).isEqualTo(2);
   }
 

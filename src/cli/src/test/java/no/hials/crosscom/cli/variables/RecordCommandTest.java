@@ -225,7 +225,7 @@ class RecordCommandTest {
     Cli.Result result = record("--count", "1", "MYINT");
 
     assertThat(result.errLines())
-        .containsExactly("jopenshowvar: there is a file " + file + " already; --yes overwrites it");
+        .containsExactly("jopenshowvar: " + file + " already exists; --yes overwrites it");
     assertThat(result.code()).isEqualTo(2);
     assertThat(file).hasContent("precious");
     assertThat(server.requestCount()).isZero();

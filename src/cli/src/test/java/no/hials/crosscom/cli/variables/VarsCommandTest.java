@@ -119,7 +119,7 @@ class VarsCommandTest {
     assertThat(program.code()).isEqualTo(2);
 
     Cli.Result missing = Cli.run("vars", "--declared", dir.resolve("none.dat").toString());
-    assertThat(missing.err()).contains("none.dat: there is no such file");
+    assertThat(missing.err()).contains("none.dat: file not found");
     assertThat(missing.code()).isEqualTo(2);
   }
 }

@@ -12,6 +12,7 @@ import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Version;
@@ -23,13 +24,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Meets another server on each connection: an older one, or a KUKAVARPROXY. */
 class ChangingServerTest {
+  @KukaController(server = ServerType.C3_BRIDGE)
   private MockServer first;
+
   private Between between;
   private CrossComClient client;
 
   @BeforeEach
   void connect() throws Exception {
-    first = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
     between = new Between(first);
     client =
         new CrossComClient(
@@ -46,7 +48,6 @@ class ChangingServerTest {
   void disconnect() throws Exception {
     client.close();
     between.close();
-    first.close();
   }
 
   /** A server that cannot read or write several variables, or does it wrong. */

@@ -23,13 +23,13 @@ import no.hials.crosscom.c3.KeyAction;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.c3.Verification;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.OperatingMode;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -50,6 +50,7 @@ class HostileBridgeTest {
   private static final TransferConfig COMPARED =
       TransferConfig.create(cfg -> cfg.overwrite(true).verification(Verification.CONTENT));
 
+  @KukaController(server = ServerType.C3_BRIDGE)
   private static MockServer robot;
 
   @TempDir static Path folder;
@@ -60,15 +61,9 @@ class HostileBridgeTest {
   @BeforeAll
   static void start() throws Exception {
     new Random(1).nextBytes(CONTENT);
-    robot = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
     robot.controller().load("WORK.SRC", "DEF WORK()\nEND\n");
     robot.controller().setMode(OperatingMode.AUT);
     robot.variables().set("MYSTRING[]", "\"ready?\"");
-  }
-
-  @AfterAll
-  static void stop() {
-    robot.close();
   }
 
   @BeforeEach

@@ -2,7 +2,6 @@ package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.time.Duration;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
@@ -11,10 +10,9 @@ import no.hials.crosscom.cli.base.PseudoTerminal;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -28,20 +26,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ConfirmationIT {
   private static final String QUESTION = "[y/N] ";
 
+  @KukaController(mode = OperatingMode.AUT)
   private MockServer server;
-
-  @BeforeEach
-  void start() throws IOException {
-    server = MockServer.start();
-    server.controller().setMode(OperatingMode.AUT);
-  }
-
-  @AfterEach
-  void stop() {
-    if (server != null) {
-      server.close();
-    }
-  }
 
   private PseudoTerminal.Shown answer(String term, String keys, String... options)
       throws Exception {

@@ -16,8 +16,8 @@ import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.code.OperatingMode;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,22 +28,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Robots with names, and the environment. */
 class ProfilesTest {
   @TempDir private Path dir;
-  private MockServer one;
-  private MockServer two;
+  @KukaController private MockServer one;
+  @KukaController private MockServer two;
   private final Map<String, String> environment = new HashMap<>();
 
   @BeforeEach
-  void start() throws IOException {
-    one = MockServer.start();
-    two = MockServer.start();
+  void start() {
     one.variables().set("MYINT", "1");
     two.variables().set("MYINT", "2");
-  }
-
-  @AfterEach
-  void stop() {
-    one.close();
-    two.close();
   }
 
   /** Writes the configuration file, and names it to the program. */

@@ -14,6 +14,7 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
@@ -44,14 +45,15 @@ abstract class FilesRobotTest {
   /** Runs out when a test waits for it. */
   static final int SHORT_MILLIS = 150;
 
+  @KukaController(server = ServerType.C3_BRIDGE)
   MockServer robot;
+
   FileTree tree;
   CrossComClient client;
   ControllerFiles files;
 
   @BeforeEach
   final void connect() throws Exception {
-    robot = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
     tree = robot.files();
     client =
         new CrossComClient(
@@ -64,7 +66,6 @@ abstract class FilesRobotTest {
   @AfterEach
   final void disconnect() throws Exception {
     client.close();
-    robot.close();
   }
 
   /** Makes the same bytes each time. */

@@ -7,6 +7,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.junit.KukaController;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -15,18 +16,16 @@ import org.junit.jupiter.api.Test;
 class OriginalProgramsTest {
   private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
   private final PrintStream original = System.out;
-  private MockServer robot;
+  @KukaController private MockServer robot;
 
   @BeforeEach
   void start() throws Exception {
-    robot = MockServer.start();
     System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
   }
 
   @AfterEach
   void stop() {
     System.setOut(original);
-    robot.close();
   }
 
   private String output() {

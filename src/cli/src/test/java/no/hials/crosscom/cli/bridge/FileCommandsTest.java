@@ -6,11 +6,11 @@ import java.io.IOException;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.file.FileRequest.CopyFileRequest;
 import no.hials.crosscom.protocol.file.FileRequest.DeleteFileRequest;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,18 +21,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 class FileCommandsTest {
   private static final String TIME = "\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d";
 
+  @KukaController(server = ServerType.C3_BRIDGE)
   private MockServer server;
 
   @BeforeEach
   void start() throws IOException {
-    server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
     server.files().put("KRC:\\R1\\Program\\A.SRC", "DEF A ( )\nEND\n");
     server.files().put("KRC:\\R1\\Program\\b.txt", "12345");
-  }
-
-  @AfterEach
-  void stop() {
-    server.close();
   }
 
   private Cli.Result run(String command, String... args) {

@@ -13,13 +13,12 @@ import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.Progress;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.file.FileRequest.EndWriteRequest;
 import no.hials.crosscom.protocol.file.FileRequest.ReadDataRequest;
 import no.hials.crosscom.protocol.file.FileRequest.WriteDataRequest;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,17 +31,8 @@ class FileTransferTest {
 
   @TempDir private Path dir;
 
+  @KukaController(server = ServerType.C3_BRIDGE)
   private MockServer server;
-
-  @BeforeEach
-  void start() throws IOException {
-    server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
-  }
-
-  @AfterEach
-  void stop() {
-    server.close();
-  }
 
   private Cli.Result put(String... args) {
     return Cli.runOn(server, "file put", args);

@@ -10,10 +10,10 @@ import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.PseudoTerminal;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.file.FileRequest.WriteDataRequest;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -29,19 +29,12 @@ class FilesOnATerminalIT {
 
   @TempDir private Path dir;
 
+  @KukaController(server = ServerType.C3_BRIDGE)
   private MockServer server;
 
   @BeforeEach
   void start() throws IOException {
-    server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
     server.files().put("KRC:\\R1\\TP\\a.txt", "old");
-  }
-
-  @AfterEach
-  void stop() {
-    if (server != null) {
-      server.close();
-    }
   }
 
   private PseudoTerminal.Shown run(String keys, String command, String... args) throws Exception {

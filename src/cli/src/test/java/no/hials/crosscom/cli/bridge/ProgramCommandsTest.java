@@ -6,13 +6,12 @@ import java.io.IOException;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.program.ProgramRequest.ProgramControlRequest;
 import no.hials.crosscom.protocol.program.ProgramRequest.ProgramSelectRequest;
-import no.hials.crosscom.simulator.SimulationClock;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,19 +22,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ProgramCommandsTest {
   private static final String WAITS = "DEF WAITS ( )\n  WAIT FOR $IN[1]\nEND\n";
 
+  @KukaController(server = ServerType.C3_BRIDGE, mode = OperatingMode.AUT, clock = "stepped")
   private MockServer server;
 
   @BeforeEach
   void start() throws IOException {
-    server =
-        MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).clock(SimulationClock.stepped()));
     server.files().put("/R1/WAITS.SRC", WAITS);
-    server.controller().setMode(OperatingMode.AUT);
-  }
-
-  @AfterEach
-  void stop() {
-    server.close();
   }
 
   private Cli.Result run(String command, String... args) {

@@ -16,11 +16,10 @@ import no.hials.crosscom.lab.plot.Pictures;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.code.OperatingMode;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -30,17 +29,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class BenchCommandTest {
   @TempDir private Path folder;
-  private MockServer server;
-
-  @BeforeEach
-  void start() throws IOException {
-    server = MockServer.start();
-  }
-
-  @AfterEach
-  void stop() {
-    server.close();
-  }
+  @KukaController private MockServer server;
 
   private Cli.Result bench(String... args) {
     return Cli.runOn(server, "bench", args);

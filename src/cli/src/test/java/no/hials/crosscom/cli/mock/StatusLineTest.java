@@ -2,15 +2,12 @@ package no.hials.crosscom.cli.mock;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.io.StringWriter;
 import java.time.Duration;
 import java.util.Map;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.simulator.SimulationClock;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import no.hials.crosscom.mock.junit.KukaController;
 import org.junit.jupiter.api.Test;
 
 class StatusLineTest {
@@ -18,17 +15,9 @@ class StatusLineTest {
 
   private final StringWriter out = new StringWriter();
   private final StringWriter err = new StringWriter();
+
+  @KukaController(clock = "stepped")
   private MockServer server;
-
-  @BeforeEach
-  void start() throws IOException {
-    server = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
-  }
-
-  @AfterEach
-  void stop() {
-    server.close();
-  }
 
   private StatusLine line(boolean line) {
     return new StatusLine(new Console(out, err, Map.of()), server, () -> line);

@@ -12,26 +12,15 @@ import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ShellInput;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.code.OperatingMode;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class RunCommandTest {
   @TempDir private Path dir;
 
-  private MockServer server;
-
-  @BeforeEach
-  void start() throws IOException {
-    server = MockServer.start();
-  }
-
-  @AfterEach
-  void stop() {
-    server.close();
-  }
+  @KukaController private MockServer server;
 
   private String file(String... lines) throws IOException {
     return Files.write(dir.resolve("test.jov"), List.of(lines)).toString();

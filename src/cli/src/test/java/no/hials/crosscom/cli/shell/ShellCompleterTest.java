@@ -13,6 +13,7 @@ import no.hials.crosscom.cli.base.CommandTree;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import org.jline.reader.Candidate;
 import org.jline.reader.Parser.ParseContext;
@@ -21,14 +22,15 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class ShellCompleterTest {
+  @KukaController(server = ServerType.C3_BRIDGE)
   private MockServer server;
+
   private RobotConnection controller;
   private ShellSymbols symbols;
   private ShellCompleter completer;
 
   @BeforeEach
   void start() throws IOException {
-    server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
     server
         .files()
         .put(
@@ -52,7 +54,6 @@ class ShellCompleterTest {
   @AfterEach
   void stop() throws IOException {
     controller.close();
-    server.close();
   }
 
   private List<Candidate> candidates(String line) {

@@ -14,9 +14,8 @@ import no.hials.crosscom.cli.base.PseudoTerminal;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.code.OperatingMode;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -33,19 +32,7 @@ class ShellIT {
 
   @TempDir private Path state;
 
-  private MockServer server;
-
-  @BeforeEach
-  void start() throws IOException {
-    server = MockServer.start();
-  }
-
-  @AfterEach
-  void stop() {
-    if (server != null) {
-      server.close();
-    }
-  }
+  @KukaController private MockServer server;
 
   /** Runs the shell on a terminal of 100 columns. */
   private PseudoTerminal shell(Map<String, String> environment, String... options)

@@ -19,8 +19,8 @@ import no.hials.crosscom.cell.RecordedData;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.Tail;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,18 +29,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class RecordCommandTest {
   @TempDir private Path dir;
-  private MockServer server;
+  @KukaController private MockServer server;
   private Path file;
 
   @BeforeEach
-  void start() throws IOException {
-    server = MockServer.start();
+  void start() {
     file = dir.resolve("run.csv");
-  }
-
-  @AfterEach
-  void stop() {
-    server.close();
   }
 
   /** Records into the file at 5 ms. */

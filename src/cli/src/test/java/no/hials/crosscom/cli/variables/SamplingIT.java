@@ -12,8 +12,7 @@ import no.hials.crosscom.cell.RecordedData;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.PseudoTerminal;
 import no.hials.crosscom.mock.MockServer;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import no.hials.crosscom.mock.junit.KukaController;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -25,17 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(120)
 class SamplingIT {
   @TempDir private Path dir;
-  private MockServer server;
-
-  @BeforeEach
-  void start() throws IOException {
-    server = MockServer.start();
-  }
-
-  @AfterEach
-  void stop() {
-    server.close();
-  }
+  @KukaController private MockServer server;
 
   private List<String> command(String name, String... args) {
     List<String> command = new ArrayList<>();

@@ -2,32 +2,20 @@ package no.hials.crosscom.cli.variables;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.io.Writer;
 import java.util.List;
 import no.hials.crosscom.cli.Main;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.Tail;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class WatchCommandTest {
   private static final String TIME = "20\\d\\d-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\d\\.\\d{6}Z ";
 
-  private MockServer server;
-
-  @BeforeEach
-  void start() throws IOException {
-    server = MockServer.start();
-  }
-
-  @AfterEach
-  void stop() {
-    server.close();
-  }
+  @KukaController private MockServer server;
 
   private Cli.Result watch(String... args) {
     String[] all = new String[args.length + 2];

@@ -17,6 +17,7 @@ import no.hials.crosscom.cell.SampledRobot;
 import no.hials.crosscom.cell.Sampling;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jline.utils.AttributedString;
@@ -25,7 +26,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class WatchTableTest {
-  private MockServer server;
+  @KukaController private MockServer server;
   private SampledRobot robot;
   private WatchTable table;
 
@@ -37,7 +38,6 @@ class WatchTableTest {
 
   @BeforeEach
   void start() throws IOException {
-    server = MockServer.start();
     Robot target =
         new Robot("", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
     robot = new SampledRobot(target, Robots::open, sampling());
@@ -48,7 +48,6 @@ class WatchTableTest {
   @AfterEach
   void stop() throws IOException {
     robot.close();
-    server.close();
   }
 
   private void add(Instant time, Map<String, Reading> readings) {

@@ -20,20 +20,15 @@ class EnglishTest {
   private static final Pattern TEXT = Pattern.compile(".*\\.(java|g4|md|xml|sh|yml|src|sub|dat)");
 
   /** May grow. Whole words, in upper or lower case. */
-  private static final List<String> WORDS =
-      List.of("anew", "for want of", "mend", "in vain", "seldom", "whoever", "is none");
+  private static final String WORDS =
+      "anew|for want of|mend|in vain|seldom|whoever|is none|takes the news|(?:end|result) to come"
+          + "|what came of|alike, too|for one thread";
 
   /** May grow. First words of a doc comment. */
-  private static final List<String> FIRST_WORDS = List.of("Gives");
+  private static final String FIRST_WORDS = "Gives|Hears|Says|What";
 
   private static final Pattern WRONG =
-      Pattern.compile(
-          "(?i:\\b("
-              + String.join("|", WORDS)
-              + ")\\b)"
-              + "|/\\*\\* ("
-              + String.join("|", FIRST_WORDS)
-              + ")\\b");
+      Pattern.compile("(?i:\\b(" + WORDS + ")\\b)|/\\*\\* (" + FIRST_WORDS + ")\\b");
 
   @Test
   void nobodySaysSo() throws IOException {
@@ -54,11 +49,12 @@ class EnglishTest {
         """
         /**
          * Gives it. Mended, amend, is
-         * none. Returns it.
+         * none. Returns the result to
+         * come.
          */
         """;
 
-    assertThat(wrongWords(text)).containsExactly("/** Gives", "is none");
+    assertThat(wrongWords(text)).containsExactly("/** Gives", "is none", "result to come");
   }
 
   private static List<String> wrongWords(String text) {

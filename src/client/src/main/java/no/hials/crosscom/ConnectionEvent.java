@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 public record ConnectionEvent(
     ConnectionChange kind, Instant time, @Nullable CrossComException cause) {
 
-  /** What happened. */
+  /** The kinds of events. */
   public enum ConnectionChange {
     /** The client has connected for the first time. */
     CONNECTED,

@@ -86,7 +86,7 @@ class HostileBridgeTest {
     between.close();
   }
 
-  /** What a client does; its checks of the result throw {@link AssertionError}. */
+  /** The work of a client; its checks of the result throw {@link AssertionError}. */
   @FunctionalInterface
   private interface Work {
     void on(CrossComClient client) throws Exception;

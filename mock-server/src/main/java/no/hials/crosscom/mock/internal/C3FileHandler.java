@@ -55,7 +55,7 @@ import no.hials.crosscom.simulator.internal.files.TransferBuffer;
  * (docs/reference/c3-messages.md#files-20-to-28; c3-vectors.tsv). A connection has two buffers, one
  * for writing and one for reading; it is assumed that connections do not share them.
  *
- * <p>For one thread at a time. Other connections can use the same files at the same time.
+ * <p>Not thread-safe. Other connections can use the same files at the same time.
  */
 public final class C3FileHandler implements AutoCloseable {
   private static final TypeSwitch<C3FileHandler, FileRequest, TypedResponse, RuntimeException>

@@ -5,7 +5,7 @@ import java.util.Random;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.mock.Latency;
 
-/** Draws random times of a {@link Latency}, in nanoseconds. For one thread at a time. */
+/** Draws random times of a {@link Latency}, in nanoseconds. Not thread-safe. */
 public final class LatencySampler {
   private LatencySampler() {}
 

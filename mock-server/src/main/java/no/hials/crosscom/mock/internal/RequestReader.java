@@ -8,7 +8,7 @@ import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.FrameReader;
 import org.jspecify.annotations.Nullable;
 
-/** Reads the requests of a connection. For one thread. */
+/** Reads the requests of a connection. Not thread-safe. */
 interface RequestReader {
 
   /** Waits for the next request. Returns null if the client has closed the connection. */

@@ -14,7 +14,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
-/** What a command says of itself, for pages in other forms than {@code --help}. */
+/** The help of a command, for pages in other forms than {@code --help}. */
 final class HelpText {
   private static final String INDENT = "  ";
   private static final int SYNOPSIS_WIDTH = 10_000;

@@ -43,7 +43,7 @@ public interface MessageChannel {
    * one message to the next, such as the content that messages 29 and 30 transfer. The first
    * exchange chooses the connection; once it is lost, each further exchange fails with {@link
    * CrossComConnectionLostException} before anything is sent. Nothing is repeated, and other
-   * threads' exchanges may come in between. For one thread.
+   * threads' exchanges may come in between. Not thread-safe.
    */
   MessageChannel onOneConnection();
 

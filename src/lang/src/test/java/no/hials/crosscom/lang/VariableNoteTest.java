@@ -7,7 +7,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a comment behind a declaration says. */
+/** The comment after a declaration. */
 class VariableNoteTest {
 
   @Test

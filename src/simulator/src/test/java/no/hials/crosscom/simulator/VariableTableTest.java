@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a client may read and write, and how the controller prints it. */
+/** The accesses of clients, and the printed values. */
 class VariableTableTest {
   private final VariableTable table = VariableTable.krc4();
 

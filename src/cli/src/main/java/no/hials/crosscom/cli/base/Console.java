@@ -162,9 +162,9 @@ public final class Console implements WritePermission.Confirmation {
   }
 
   /**
-   * Does the same for one of several robots.
+   * Reports a failure of one of several robots.
    *
-   * @param label says which, as {@link Robot#label}
+   * @param label the text before the message, see {@link Robot#label}
    */
   public void failure(String label, Throwable e, boolean verbose) {
     error(label + e.getMessage());

@@ -11,7 +11,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** What every command has: the standard options, the exit codes, and a console. */
+/** The common parts of all commands: the standard options, the exit codes, and a console. */
 @Command(
     versionProvider = VersionProvider.class,
     sortOptions = false,

@@ -6,7 +6,7 @@ import no.hials.crosscom.cell.SettingText;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the environment says about the controller.
+ * The settings of the controller in the environment.
  *
  * @param host {@code JOPENSHOWVAR_HOST}, the controller if no option names one
  * @param port {@code JOPENSHOWVAR_PORT}, the port there

@@ -14,7 +14,7 @@ public final class Table {
   private static final int GAP = 2;
   private static final String NUMBER = "-?[0-9.]+";
 
-  /** What stands where there is nothing. */
+  /** The text of an empty cell. */
   public static final String NOTHING = "-";
 
   private final int columns;

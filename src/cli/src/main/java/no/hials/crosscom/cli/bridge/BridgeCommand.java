@@ -15,9 +15,9 @@ import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** What the commands have in common that need C3 Bridge, or tell which server there is. */
+/** The common parts of the commands that need C3 Bridge or show the server. */
 public abstract class BridgeCommand extends ControllerCommand {
-  /** More than any name on a controller has; two of them fit into a message. */
+  /** Longer than any name on a controller; two of them fit into a message. */
   private static final int MAX_LENGTH = 10_000;
 
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")

@@ -41,7 +41,7 @@ final class FileStat extends FileSubcommand {
   @Parameters(arity = "1..*", paramLabel = "NAME", description = "A file or folder.")
   private List<String> names = List.of();
 
-  /** What is known about one. */
+  /** The properties and names of a file. */
   private record Details(FileInfo info, @Nullable String path, @Nullable String krcName) {}
 
   @Override

@@ -30,7 +30,7 @@ import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Flags;
 import no.hials.crosscom.protocol.code.WireCode;
 
-/** What the commands of {@link FileCommand} have in common. */
+/** The common parts of the commands of {@link FileCommand}. */
 abstract class FileSubcommand extends BridgeCommand {
   private static final DateTimeFormatter TIME =
       DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss", Locale.ROOT);

@@ -10,9 +10,9 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an interpreter has, as its variables say.
+ * The state of an interpreter, from its variables.
  *
- * @param interpreter which one
+ * @param interpreter the interpreter
  * @param program the name of the selected program, blank if none is; null if it could not be read
  * @param state such as {@code #P_ACTIVE}; null if it could not be read
  */

@@ -8,7 +8,7 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.control.StopReason;
 
-/** What the end of a control loop means to the user: an exit code, and what to do about it. */
+/** The end of a control loop for the user: the exit code and the remedies. */
 final class DriveEnd {
   private static final String PAGE = "see docs/how-to/drive-the-robot.md";
 

@@ -10,7 +10,7 @@ import no.hials.crosscom.control.input.Input;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
-/** What the axes of an input device move, with the KRL program that follows. */
+/** The coordinates that an input device moves, and the KRL program that follows. */
 enum DriveSpace {
   /** Along and about the axes of {@code $BASE}. */
   BASE("actuator", "MYPOS", "mm/s", 25, 250, "X", "Y", "Z", "A", "B", "C"),

@@ -131,7 +131,7 @@ public final class ExperimentCommand extends ConsoleCommand {
               + " not given, krc4 for endurance.")
   private @Nullable String latency;
 
-  /** What may be named. */
+  /** The names of the experiments. */
   static final class Names implements Iterable<String> {
     @Override
     public Iterator<String> iterator() {

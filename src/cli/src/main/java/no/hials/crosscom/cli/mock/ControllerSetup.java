@@ -17,7 +17,7 @@ import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.ProgramControl;
 
 /**
- * What a person would do at the pendant before the robot runs.
+ * The preparations of the operator at the pendant before the robot runs.
  *
  * @param configs data lists
  * @param programs modules, of which the first of each interpreter is selected

@@ -26,7 +26,7 @@ import picocli.CommandLine.ParameterException;
  * not break the shell's.
  */
 final class ShellCommands {
-  /** What the language has another form for, or what has no sense in a shell. */
+  /** Commands with another form in the language, or without a use in a shell. */
   private static final Set<String> LEFT_OUT =
       Set.of("read", "write", "mock", "shell", "run", "drive");
 

@@ -14,7 +14,7 @@ import picocli.CommandLine.TypeConversionException;
 /** One line of the shell language, understood; the same for typed lines, pipes and files. */
 sealed interface ShellLine {
 
-  /** What the language has of its own, with how it is written and what it does. */
+  /** The words of the language itself, with their syntax and effect. */
   Map<String, String> OWN =
       Map.ofEntries(
           Map.entry("get", "get NAME...          reads variables; read is the same"),

@@ -6,7 +6,7 @@ import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
 
-/** What stands before a typed line: which robot it is, and its mode where that is not T1. */
+/** The text before a typed line: the robot, and its mode unless that is T1. */
 final class ShellPrompt {
   private static final String MODE = "$MODE_OP";
   private static final String SAFE_MODE = "#T1";

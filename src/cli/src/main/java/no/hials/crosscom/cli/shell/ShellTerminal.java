@@ -31,7 +31,7 @@ final class ShellTerminal implements Closeable {
   private final LineReader questions;
   private final boolean coloured;
 
-  /** What Ctrl-C did before. */
+  /** The previous handler of Ctrl-C. */
   private final @Nullable Object interruptBefore;
 
   ShellTerminal(Console console, ShellCompleter completer) throws IOException {

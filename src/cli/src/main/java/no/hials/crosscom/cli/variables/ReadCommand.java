@@ -105,7 +105,7 @@ public final class ReadCommand extends ControllerCommand {
     }
   }
 
-  /** What one of several controllers gave. */
+  /** The output for one of several controllers. */
   private record Printed(StringWriter out, StringWriter err, ExitCode result) {}
 
   private Printed readLabelled(Robot target) {

@@ -25,7 +25,7 @@ import org.jline.utils.AttributedStringBuilder;
 import org.jline.utils.AttributedStyle;
 import org.jspecify.annotations.Nullable;
 
-/** What {@code watch} shows on a terminal: a row for each number or text, and how reading goes. */
+/** The table of {@code watch} on a terminal: a row for each number or text, and a summary. */
 final class WatchTable {
   private static final String GAP = "  ";
 

@@ -22,7 +22,7 @@ public final class Cli {
 
   private Cli() {}
 
-  /** What a run gave. */
+  /** The result of a run. */
   public record Result(int code, String out, String err) {
     public List<String> lines() {
       return out.lines().toList();

@@ -32,7 +32,7 @@ public final class PseudoTerminal implements AutoCloseable {
   private int seen;
 
   /**
-   * What was shown.
+   * The output of the terminal.
    *
    * @param code the exit code
    * @param text all that came, with the echo of what was typed

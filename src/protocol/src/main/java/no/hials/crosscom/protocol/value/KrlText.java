@@ -5,7 +5,7 @@ import java.util.Arrays;
 
 /**
  * A text of ASCII characters that is printed as bytes and reused, so that printing numbers creates
- * no objects. For one thread.
+ * no objects. Not thread-safe.
  */
 public final class KrlText implements CharSequence {
   private byte[] bytes = new byte[32];

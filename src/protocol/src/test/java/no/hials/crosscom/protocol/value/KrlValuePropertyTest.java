@@ -18,7 +18,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 
 final class KrlValuePropertyTest {
-  /** What KRL texts are made of, and a little that they are not. */
+  /** The characters of KRL texts, and some others. */
   private static final String ALPHABET = "{}[]:,\"'#+-. \t\nETFBHX$_0159abe!\u00E5\u20AC";
 
   private static final String LETTERS = "ABCXYZabcxyz_$TEFH";
@@ -106,7 +106,7 @@ final class KrlValuePropertyTest {
     }
   }
 
-  /** What is left when an aggregate is written without its type's name. */
+  /** Returns a value without the type names of its aggregates. */
   private static KrlValue withoutTypes(KrlValue value) {
     if (value instanceof KrlStruct struct) {
       List<KrlStruct.Field> fields = new ArrayList<>();

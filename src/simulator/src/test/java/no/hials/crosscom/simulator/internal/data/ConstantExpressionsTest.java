@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What may stand where a declaration needs a value. */
+/** The expressions allowed as values of declarations. */
 class ConstantExpressionsTest {
   private final Scope scope = new Scope();
 

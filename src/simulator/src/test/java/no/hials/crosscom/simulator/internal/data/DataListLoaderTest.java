@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What data lists declare, where, and what is wrong in them. */
+/** The declarations of data lists, their scope, and their errors. */
 class DataListLoaderTest {
   private final Scope globals = new Scope();
   private final Scope module = new Scope(globals);

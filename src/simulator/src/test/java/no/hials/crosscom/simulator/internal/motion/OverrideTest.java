@@ -19,7 +19,7 @@ class OverrideTest {
   private static final Frame FROM = ROBOT.forward(START);
   private static final Axes FAR = new Axes(120, -30, 60, 80, -50, 100);
 
-  /** What the system says of itself. */
+  /** The tolerance of the system itself. */
   private static final double TOLERANCE = 1.021;
 
   @Test
@@ -266,7 +266,7 @@ class OverrideTest {
     }
   }
 
-  /** Says that all axes have done the same part of their way. */
+  /** Asserts that all axes have moved by the same part of their distance. */
   private static void assertIsStraight(List<Axes> positions) {
     for (Axes position : positions) {
       double part = (position.a1() - HOME.a1()) / (FAR.a1() - HOME.a1());

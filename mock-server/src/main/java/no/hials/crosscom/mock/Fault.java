@@ -16,7 +16,7 @@ import no.hials.crosscom.protocol.Tail;
  * <p>A fault is set with {@link MockServer#enqueue}, {@link MockServer#fault} or {@link
  * MockServer#faults}; a {@link FaultRule} chooses the requests by number, name or probability, and
  * can be parsed from text. {@link #executes} decides the value that a client finds when it reads
- * again after a lost write. Delays and pauses delay one connection, not the server; {@link
+ * again after a lost write. Delays and pauses affect one connection, not the server; {@link
  * MockServer#close} ends them.
  */
 public sealed interface Fault {

@@ -383,9 +383,9 @@ final class Connection {
   /**
    * Closes the socket if an exchange is overdue.
    *
-   * <p>To wake this thread for every exchange would cost more than the exchange, so it sleeps for
-   * as long as the limit even if none is under way: one that begins meanwhile is due later than
-   * that. It dozes only after such a time without an exchange; the next exchange wakes it.
+   * <p>Waking this thread for every exchange would cost more than the exchange. So it sleeps for
+   * the time limit even without an exchange: an exchange that begins meanwhile is due later. It
+   * dozes only after such a time without an exchange; the next exchange wakes it.
    */
   private void watch() {
     boolean mayDoze = true;

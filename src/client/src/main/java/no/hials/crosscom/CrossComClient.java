@@ -528,7 +528,7 @@ public final class CrossComClient implements Closeable {
 
   // --- methods of Socket that programs of the original call
 
-  /** Returns true, since the constructor connects. As with a Socket, also after closing. */
+  /** Returns true: the constructor connects, and as with a Socket closing changes nothing. */
   public boolean isConnected() {
     return true;
   }

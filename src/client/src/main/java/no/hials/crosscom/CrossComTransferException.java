@@ -1,8 +1,8 @@
 package no.hials.crosscom;
 
 /**
- * Thrown if a file was not transferred, or not correctly: the target exists, or the content that
- * arrived differs. The connection can be used.
+ * Thrown if a file was not transferred, or not correctly: the target exists, or the received
+ * content differs. The connection can be used.
  *
  * <p>The controller stores nothing before an upload is complete, and a failed download leaves no
  * file. If an upload is complete but the file differs, the message says so.

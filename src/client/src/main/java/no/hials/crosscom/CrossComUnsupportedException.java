@@ -39,7 +39,7 @@ public final class CrossComUnsupportedException extends CrossComException {
     return needed;
   }
 
-  /** Returns the version of C3 Bridge Interface (docs/reference/c3-messages.md#server-versions). */
+  /** Returns the first version with the message (docs/reference/c3-messages.md#server-versions). */
   public Optional<Version> getNeededVersion() {
     return needed.since();
   }

@@ -10,7 +10,7 @@ import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.internal.CancellableOperation;
 import org.jspecify.annotations.Nullable;
 
-/** The executors of a client, which run operations and the program's code that follows on them. */
+/** The executors of a client, which run operations and the program's callbacks. */
 final class Threads {
   private final ThreadPoolExecutor async;
   private final ThreadPoolExecutor transfers;

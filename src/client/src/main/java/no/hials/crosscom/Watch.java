@@ -115,22 +115,22 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     publisher.subscribe(subscriber);
   }
 
-  /** Returns how many readings were started. */
+  /** Returns the number of readings started. */
   public long polls() {
     return polls.get();
   }
 
-  /** Returns how many periods were left out because a reading took too long. */
+  /** Returns the number of periods skipped because a reading took too long. */
   public long missedPeriods() {
     return missed.get();
   }
 
-  /** Returns how many readings failed as a whole. */
+  /** Returns the number of readings that failed as a whole. */
   public long failedPolls() {
     return failed.get();
   }
 
-  /** Returns how many samples slow listeners and subscribers did not get, each for itself. */
+  /** Returns the number of samples dropped for slow listeners and subscribers. */
   public long droppedSamples() {
     return dropped.get();
   }

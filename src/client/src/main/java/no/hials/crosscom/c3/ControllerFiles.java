@@ -234,7 +234,7 @@ public interface ControllerFiles {
    *
    * @param source the file
    * @param name the name of the file on the controller
-   * @throws CrossComTransferException if the name exists, or the content that arrived differs
+   * @throws CrossComTransferException if the name exists, or the received content differs
    * @throws CrossComRefusedException if the controller refuses
    * @throws CrossComException if an exchange fails
    * @throws IOException if the file of this computer cannot be read

@@ -55,7 +55,7 @@ public final class DiscoveryConfig {
     }
   }
 
-  /** Returns the IPv4 addresses that are asked, of hosts or for broadcast. */
+  /** Returns the IPv4 addresses to ask, of hosts or for broadcast. */
   public List<InetAddress> targets() {
     return targets;
   }
@@ -65,7 +65,7 @@ public final class DiscoveryConfig {
     return options.timeout;
   }
 
-  /** Returns the address of this machine to ask from; null for whichever leads to the target. */
+  /** * Returns the address of this machine to ask from; null for the default. */
   public @Nullable InetAddress localAddress() {
     return options.localAddress;
   }

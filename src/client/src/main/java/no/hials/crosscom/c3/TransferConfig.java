@@ -78,7 +78,7 @@ public record TransferConfig(
       return this;
     }
 
-    /** Sets the listener for the progress, called by the thread that transfers. */
+    /** Sets the listener for the progress, called in the thread that transfers. */
     public Builder progress(TransferProgress value) {
       progress = value;
       return this;

@@ -42,14 +42,13 @@ public interface MessageChannel {
    * Creates a channel whose exchanges all use one connection, for state that the server keeps from
    * one message to the next, such as the content that messages 29 and 30 transfer. The first
    * exchange chooses the connection; once it is lost, each further exchange fails with {@link
-   * CrossComConnectionLostException} before anything is sent. Nothing is repeated, and other
-   * threads' exchanges may come in between. Not thread-safe.
+   * CrossComConnectionLostException} before anything is sent. Nothing is repeated. Exchanges of
+   * other threads may take place in between. Not thread-safe.
    */
   MessageChannel onOneConnection();
 
   /**
-   * Throws a {@link CrossComUnsupportedException} if the server does not know a message, without
-   * sending it.
+   * Throws a {@link CrossComUnsupportedException} if the server does not support a message.
    *
    * @param what as for {@link #ask}
    */
@@ -66,7 +65,7 @@ public interface MessageChannel {
    *
    * @param what as for {@link #ask}
    * @param file the file on the controller
-   * @param bytes how many bytes were transferred
+   * @param bytes the number of bytes transferred
    * @param why the rule that broke, expected and actual
    */
   CrossComTransferException transferFailed(String what, String file, long bytes, String why);

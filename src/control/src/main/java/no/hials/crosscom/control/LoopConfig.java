@@ -182,7 +182,7 @@ public final class LoopConfig {
 
     // its end and its record
 
-    /** Sets the time after which the loop ends. The default zero stands for never. */
+    /** Sets the time after which the loop ends. The default is zero, which means never. */
     public Builder duration(Duration time) {
       options.duration = Checks.between("duration", time, Duration.ZERO, LONGEST_DURATION);
       return this;

@@ -173,8 +173,8 @@ public final class Safety {
     // positions
 
     /**
-     * Sets the ranges of the axes. The default are those of the controller, {@code $SOFTN_END} and
-     * {@code $SOFTP_END}.
+     * Sets the ranges of the axes. The default is the limits of the controller, {@code $SOFTN_END}
+     * and {@code $SOFTP_END}.
      */
     public Builder axisLimits(AxisLimits limits) {
       options.axisLimits = limits;

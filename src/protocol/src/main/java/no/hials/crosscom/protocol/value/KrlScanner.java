@@ -17,7 +17,7 @@ public final class KrlScanner {
   /** Stands for a character that is not ASCII, and so only part of a string. */
   private static final byte NO_SYNTAX = 0;
 
-  /** A long holds any number with up to so many digits. */
+  /** The maximum number of digits that always fit into a long. */
   private static final int MAX_DIGITS = 18;
 
   private CharSequence text = "";
@@ -60,10 +60,10 @@ public final class KrlScanner {
   }
 
   /**
-   * Starts again with a text that is also there as bytes, which are not copied.
+   * Starts again with a text that is also available as bytes, which are not copied.
    *
    * @param newText the text
-   * @param latin1 has the text as ISO 8859-1
+   * @param latin1 the text in ISO 8859-1
    * @param start the index of its first byte
    */
   public void reset(CharSequence newText, byte[] latin1, int start) {

@@ -22,7 +22,7 @@ class EnglishTest {
   /** May grow. Whole words, in upper or lower case. */
   private static final String WORDS =
       "anew|for want of|mend|in vain|seldom|whoever|is none|takes the news|(?:end|result) to come"
-          + "|what came of|alike, too|for one thread";
+          + "|what came of|alike, too|for one thread|may stand there|argument too many";
 
   /** May grow. First words of a doc comment. */
   private static final String FIRST_WORDS = "Gives|Hears|Says|What";

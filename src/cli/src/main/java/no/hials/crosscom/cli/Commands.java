@@ -48,9 +48,9 @@ enum Commands {
   }
 
   /**
-   * Creates one command, so that a run need not create them all: that takes longer than a read.
+   * Creates one command; creating all of them takes longer than a read.
    *
-   * @return a {@link ConsoleCommand}, or a {@link CommandLine} with subcommands of its own
+   * @return a {@link ConsoleCommand}, or a {@link CommandLine} with its own subcommands
    */
   private static Object make(String name) {
     return switch (name) {

@@ -70,9 +70,7 @@ final class HelpText {
     return argument.paramLabel();
   }
 
-  /**
-   * Returns a text of the help as blocks: what is indented is literal, an empty line ends a block.
-   */
+  /** Splits a help text into blocks: indented lines are literal, an empty line ends a block. */
   static List<Block> blocks(String... help) {
     List<Block> blocks = new ArrayList<>();
     List<String> open = new ArrayList<>();

@@ -41,8 +41,8 @@ public final class Main {
    * Runs the command line.
    *
    * @param args the arguments
-   * @param out gets the data
-   * @param err gets everything else
+   * @param out receives the data
+   * @param err receives everything else
    * @return the exit code
    */
   public static int run(String[] args, Writer out, Writer err) {
@@ -57,7 +57,7 @@ public final class Main {
     }
   }
 
-  /** Creates the tree of commands: all of it, or only what the arguments need. */
+  /** Creates the tree of commands: all commands, or only those in the arguments. */
   public static CommandLine commandLine(Console console, String... args) {
     CommandLine main = new CommandLine(new MainCommand(console));
     Commands.addTo(main, args);

@@ -77,7 +77,7 @@ public final class Console implements WritePermission.Confirmation {
   public static Charset charset(String encoding) {
     String name = System.getProperty("sun." + encoding, System.getProperty("native.encoding"));
     Charset charset = Charset.forName(System.getProperty(encoding, name));
-    // that is the locale C, which nobody chose; the controller has characters of ISO 8859-1
+    // that is the locale C, a default and not a choice; the controller has characters of ISO 8859-1
     return charset.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : charset;
   }
 
@@ -131,7 +131,7 @@ public final class Console implements WritePermission.Confirmation {
   /**
    * Prints a line of data.
    *
-   * @throws OutputException if it cannot be written, as into a pipe that nobody reads any more
+   * @throws OutputException if it cannot be written, for example to a closed pipe
    */
   public void print(String line) {
     write(line + System.lineSeparator());
@@ -156,7 +156,7 @@ public final class Console implements WritePermission.Confirmation {
     err.println(PROGRAM + ": " + Printable.message(message));
   }
 
-  /** Prints what an exception says, and where it comes from if that is asked for. */
+  /** Prints the message of an exception, and its origin if requested. */
   public void failure(Throwable e, boolean verbose) {
     failure("", e, verbose);
   }

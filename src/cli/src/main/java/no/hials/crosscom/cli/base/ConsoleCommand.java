@@ -103,7 +103,7 @@ public abstract class ConsoleCommand implements Callable<Integer> {
     }
   }
 
-  /** Creates an exception for what only shows when options are seen together. */
+  /** Creates an exception for an invalid combination of options. */
   public final ParameterException wrongUsage(String message) {
     return new ParameterException(spec.commandLine(), message);
   }

@@ -164,9 +164,9 @@ public abstract class ControllerCommand extends ConsoleCommand {
   }
 
   /**
-   * Connects to the one controller that the user chose, unless it must not be changed.
+   * Connects to the chosen controller, unless it is read-only.
    *
-   * @param what says what would be done, as {@code write $OV_PRO}
+   * @param what the operation, such as {@code write $OV_PRO}
    */
   protected final RobotConnection open(WriteOptions options, String what) throws IOException {
     Robot target = target();

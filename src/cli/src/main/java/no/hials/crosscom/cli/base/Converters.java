@@ -16,7 +16,7 @@ import picocli.CommandLine.TypeConversionException;
 public final class Converters {
   private Converters() {}
 
-  /** Converts a text, and reports what is wrong with it as picocli does. */
+  /** Converts a text, and reports errors as picocli does. */
   static <T> T converted(Function<String, T> parser, String text) {
     try {
       return parser.apply(text);

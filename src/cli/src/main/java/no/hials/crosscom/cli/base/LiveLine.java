@@ -9,7 +9,7 @@ public final class LiveLine implements AutoCloseable {
   /** Clears the line from the cursor on. */
   private static final String CLEAR_REST = "\u001b[K";
 
-  /** Lets the terminal cut off what is too long; a line that is wrapped could not be cleared. */
+  /** Makes the terminal cut off long lines; a wrapped line could not be cleared. */
   private static final String NO_WRAP = "\u001b[?7l";
 
   private static final String WRAP = "\u001b[?7h";

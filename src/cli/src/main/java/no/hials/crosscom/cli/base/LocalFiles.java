@@ -32,7 +32,7 @@ public final class LocalFiles {
     return String.valueOf(file.getFileName());
   }
 
-  /** Refuses what cannot be uploaded, before anything is. */
+  /** Refuses a file that cannot be uploaded, before any upload. */
   public static void checkReadable(Path file) throws FileException {
     if (!Files.exists(file)) {
       throw FileException.cannot("read", file, new NoSuchFileException(file.toString()));
@@ -52,9 +52,9 @@ public final class LocalFiles {
   }
 
   /**
-   * Refuses a file that already exists, or cannot be.
+   * Refuses a file that already exists or cannot be created.
    *
-   * @param overwrite whether the user wants it written over
+   * @param overwrite whether to replace an existing file
    */
   public static void checkNew(Path file, boolean overwrite) throws FileException {
     checkFolderOf(file);

@@ -8,10 +8,7 @@ import org.slf4j.LoggerFactory;
 public final class Logging {
   private Logging() {}
 
-  /**
-   * Leaves the warnings of a class out, which a command tells in its own words, unless more than
-   * warnings is asked for.
-   */
+  /** Omits the warnings of a class, which a command prints itself, unless the output is verbose. */
   public static void leaveOut(Class<?> source, boolean verbose) {
     ((Logger) LoggerFactory.getLogger(source)).setLevel(verbose ? null : Level.ERROR);
   }

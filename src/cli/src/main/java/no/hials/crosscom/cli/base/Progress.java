@@ -12,11 +12,11 @@ public final class Progress implements TransferProgress, AutoCloseable {
   private final StopSignal stop;
 
   /**
-   * Creates a line that is not there yet.
+   * Creates a line that is not shown yet.
    *
-   * @param name what is transferred
-   * @param shown whether it is to be there at all
-   * @param stop ends the transfer, so that nothing is left of it
+   * @param name the file to transfer
+   * @param shown whether to show it
+   * @param stop ends the transfer without a trace
    */
   public Progress(Console console, String name, boolean shown, StopSignal stop) {
     this.name = Printable.of(name);

@@ -17,8 +17,8 @@ public final class Robots {
   /**
    * Connects to a robot, after starting it if it is simulated.
    *
-   * @param settings sets what the user does not choose: {@link Robot#ONE_SHOT} or {@link
-   *     Robot#LASTING}
+   * @param settings sets the options that the user does not choose: {@link Robot#ONE_SHOT} or
+   *     {@link Robot#LASTING}
    * @throws CannotListenException if the mock server could not be started
    */
   public static RobotConnection open(Robot robot, Consumer<ClientConfig.Builder> settings)

@@ -16,8 +16,7 @@ import org.jline.utils.InfoCmp.Capability;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The whole terminal, for something that changes in place. When it is closed, the terminal shows
- * again what it showed before.
+ * The whole terminal, for content that changes in place. Closing it restores the previous content.
  */
 public final class Screen implements AutoCloseable {
   private static final long PERIOD_NANOS = 100_000_000;
@@ -69,7 +68,7 @@ public final class Screen implements AutoCloseable {
     }
   }
 
-  /** Shows what is to be seen now, ten times a second; between that, nothing. */
+  /** Shows the content, at most ten times a second. */
   public void show(ScreenLines content) throws IOException {
     try {
       readKeys();

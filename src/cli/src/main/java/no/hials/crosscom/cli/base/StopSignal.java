@@ -44,7 +44,7 @@ public final class StopSignal implements AutoCloseable {
         Runtime.getRuntime().halt(code);
       }
     } catch (InterruptedException | ExecutionException | TimeoutException e) {
-      // the shutdown goes on
+      // the shutdown continues
     }
   }
 
@@ -75,7 +75,7 @@ public final class StopSignal implements AutoCloseable {
   }
 
   /**
-   * Ends what cannot end in its own way.
+   * Ends an operation that cannot end by itself.
    *
    * @throws StoppedException if a signal came, or an interrupt of this thread, which stays set
    */

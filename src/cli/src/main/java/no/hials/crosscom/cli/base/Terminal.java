@@ -40,12 +40,12 @@ public final class Terminal {
     }
   }
 
-  /** Returns whether what is written to stderr now is for a person only. */
+  /** Returns whether only a person reads stderr. */
   public static boolean showsProgress() {
     return isInteractive() && isForeground() && isErrTerminal();
   }
 
-  /** Returns whether stderr is a terminal; where nobody knows, it is where stdout is. */
+  /** Returns whether stderr is a terminal; if unknown, whether stdout is. */
   private static boolean isErrTerminal() {
     try {
       String target = Files.readSymbolicLink(OWN_STDERR).toString();
@@ -66,14 +66,14 @@ public final class Terminal {
     }
   }
 
-  /** Reads what the user types; null at its end, or without a terminal. */
+  /** Reads a line from the user; null at the end of the input, or without a terminal. */
   @SuppressWarnings("SystemConsoleNull") // as above
   static @Nullable String readLine() {
     Console console = System.console();
     return console == null ? null : console.readLine();
   }
 
-  /** Returns whether the terminal is this process's, and not a shell's; yes where nobody knows. */
+  /** Returns whether the terminal is this process's, and not a shell's; true if unknown. */
   public static boolean isForeground() {
     try {
       // man 5 proc: the name in brackets, state, parent, process group, session, terminal, and the

@@ -66,10 +66,10 @@ final class FileGet extends FileSubcommand {
   private boolean yes;
 
   /**
-   * A download to be done.
+   * A planned download.
    *
    * @param name the file on the controller
-   * @param local what it will be here
+   * @param local the file on this computer
    */
   private record Job(String name, Path local) {
     boolean isThere() {

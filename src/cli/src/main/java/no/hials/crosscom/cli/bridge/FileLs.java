@@ -58,7 +58,7 @@ final class FileLs extends FileSubcommand {
       description = "With the time of the last change; this takes one more question an item.")
   private boolean detailed;
 
-  /** An item of the list, and what was asked for besides. */
+  /** An item of the list, and its properties. */
   private record Item(FileEntry entry, String path, @Nullable FileInfo info) {
     String type() {
       return info != null ? words(info.type()) : entry.type().map(FileLs::words).orElse("");

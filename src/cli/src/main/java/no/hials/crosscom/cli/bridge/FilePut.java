@@ -85,11 +85,11 @@ final class FilePut extends FileSubcommand {
   private record Source(Path local, @Nullable Path dataListOf) {}
 
   /**
-   * An upload to be done.
+   * A planned upload.
    *
    * @param local the file
-   * @param name what it will be on the controller
-   * @param there whether there is one already
+   * @param name the name on the controller
+   * @param there whether the name exists already
    */
   private record Job(Path local, String name, boolean there) {}
 
@@ -124,7 +124,7 @@ final class FilePut extends FileSubcommand {
     return ExitCode.DONE;
   }
 
-  // what is to be uploaded
+  // the files to upload
 
   private List<Source> sources() throws IOException {
     List<Source> sources = new ArrayList<>();

@@ -51,7 +51,7 @@ abstract class FileSubcommand extends BridgeCommand {
    * Refuses a transfer from or to nowhere; here, since picocli takes no option between parameters
    * that it is to count.
    *
-   * @param names what the arguments are called
+   * @param names the names of the arguments
    */
   final void checkBothGiven(String names, List<String> arguments) {
     if (arguments.size() < 2) {
@@ -81,7 +81,7 @@ abstract class FileSubcommand extends BridgeCommand {
   /**
    * Transfers one file after the other, until the end, a failure, or the user stops it.
    *
-   * @param participle what has not been done with what is left then
+   * @param participle the operation on the remaining files, as in {@code not uploaded}
    */
   final <J> ExitCode transfer(
       String participle, List<J> jobs, Function<J, String> name, Transfer<J> transfer)
@@ -112,7 +112,7 @@ abstract class FileSubcommand extends BridgeCommand {
     return new Progress(console(), name, !isVerbose() && Terminal.showsProgress(), stop);
   }
 
-  /** Prints what was transferred. */
+  /** Prints a transferred file. */
   final void print(String command, Path local, String remote) throws IOException {
     long size = Files.size(local);
     boolean up = command.equals("put");
@@ -131,7 +131,7 @@ abstract class FileSubcommand extends BridgeCommand {
                 : from + " -> " + to + ", " + Printable.count(size, "byte"));
   }
 
-  /** Prints what was left, if anything. */
+  /** Prints the remaining files, if any. */
   final void hintOfRest(String participle, List<String> names) {
     if (!names.isEmpty()) {
       console().hint("not " + participle + ": " + String.join(" ", names));

@@ -61,7 +61,7 @@ public final class InfoCommand extends BridgeCommand {
     return ExitCode.DONE;
   }
 
-  /** Adds what the server says of itself, in one exchange if it knows that one. */
+  /** Adds the information of the server about itself, in one exchange if possible. */
   private static void addServer(List<Item> items, CrossComClient client, Server server)
       throws IOException {
     boolean bridge = server.type() == ServerType.C3_BRIDGE;

@@ -292,7 +292,7 @@ public final class DriveCommand extends ControllerCommand {
         });
   }
 
-  /** Raises the usual limit where the user asks for more, by what rounding needs. */
+  /** Raises the default limit to the requested value, with a margin for rounding. */
   private static double limit(double usual, double asked) {
     return Math.max(usual, 1.001 * asked);
   }
@@ -336,7 +336,7 @@ public final class DriveCommand extends ControllerCommand {
     }
   }
 
-  /** Waits for the end, and ends the loop when the user wants it. */
+  /** Waits for the end, and ends the loop if the user stops it. */
   private StopReason await(
       ControlLoop loop, DriveSpace space, DriveDevice opened, StopSignal stop, LiveLine line) {
     while (true) {
@@ -418,7 +418,7 @@ public final class DriveCommand extends ControllerCommand {
     return read(controller, "$PRO_NAME1[]").replace("\"", "").strip();
   }
 
-  /** Reads what a message is about; gives nothing if it cannot be had. */
+  /** Reads a value for a message; returns an empty text if it cannot be read. */
   private static String read(RobotConnection controller, String name) {
     try {
       return controller.client().readText(name);

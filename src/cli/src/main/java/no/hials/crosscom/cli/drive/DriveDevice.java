@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** An input device that is open, and what the command has to know of it. */
+/** An open input device, and its properties for the command. */
 final class DriveDevice implements InputDevice {
   private static final int USUAL_PORT = 7070;
   private static final String KEYS =
@@ -37,13 +37,12 @@ final class DriveDevice implements InputDevice {
   }
 
   /**
-   * Which device the user wants.
+   * The device that the user chose.
    *
-   * @param usualDeadZone the dead zone if the user does not say: sticks do not come to rest at 0
-   *     exactly
+   * @param usualDeadZone the dead zone if the user sets none: sticks do not rest at exactly 0
    */
   record Choice(double usualDeadZone, Opening opening) {
-    /** Opens it. The keyboard takes the terminal, so that nobody can be asked any more. */
+    /** Opens it. The keyboard takes the terminal, so no questions are possible afterwards. */
     DriveDevice open(double deadZone) throws FileException {
       try {
         return opening.open(deadZone);

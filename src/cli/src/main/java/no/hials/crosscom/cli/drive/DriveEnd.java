@@ -36,7 +36,7 @@ final class DriveEnd {
     };
   }
 
-  /** Finds what the client threw. */
+  /** Finds the exception of the client. */
   private static Throwable cause(StopReason reason) {
     Throwable cause = reason.cause();
     while (cause != null && !(cause instanceof CrossComException) && cause.getCause() != null) {
@@ -97,9 +97,9 @@ final class DriveEnd {
   }
 
   /**
-   * Returns a line that helps where the watchdog is on after a planned end.
+   * Returns a hint if the watchdog is on after a planned end.
    *
-   * @param limit what it is set to, as text; empty if unknown
+   * @param limit its setting as text; empty if unknown
    */
   static Optional<String> hintOnWatchdog(String limit) {
     return limit.isBlank() || limit.equals("0")

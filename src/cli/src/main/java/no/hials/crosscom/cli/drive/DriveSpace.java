@@ -14,7 +14,7 @@ import no.hials.crosscom.kinematics.Frame;
 enum DriveSpace {
   /** Along and about the axes of {@code $BASE}. */
   BASE("actuator", "MYPOS", "mm/s", 25, 250, "X", "Y", "Z", "A", "B", "C"),
-  /** Along and about the axes of the tool, as it stands. */
+  /** Along and about the current axes of the tool. */
   TOOL("actuator", "MYPOS", "mm/s", 25, 250, "X", "Y", "Z", "A", "B", "C"),
   /** Each axis of the robot. */
   JOINTS("ext_move_axis", "MYAXIS", "deg/s", 5, 60, "A1", "A2", "A3", "A4", "A5", "A6");
@@ -50,8 +50,8 @@ enum DriveSpace {
   /**
    * Creates the law that follows an input device.
    *
-   * @param speed what full deflection gives, in {@link #unit}
-   * @param turn what full deflection of a rotation of the tool gives, degrees/s
+   * @param speed the speed at full deflection, in {@link #unit}
+   * @param turn the speed of a rotation of the tool at full deflection, degrees/s
    */
   Law law(double speed, double turn) {
     return switch (this) {

@@ -252,7 +252,7 @@ public final class BenchCommand extends ControllerCommand {
           Bench bench = new Bench(plan, controller.client().getConfig())) {
         result = bench.run(stop::isStopped);
       }
-      // what was measured is written even so
+      // the measurements are written in any case
       boolean interrupted = Thread.interrupted();
       try {
         report(controller, plan, result, new BenchReport(plan, result, serverMillis));
@@ -271,7 +271,7 @@ public final class BenchCommand extends ControllerCommand {
     try {
       print(report);
     } finally {
-      // also if nobody reads what is printed any more
+      // even if stdout is closed
       report.failures().forEach(console()::error);
       result.complaints().forEach(console()::error);
       if (plot != null) {

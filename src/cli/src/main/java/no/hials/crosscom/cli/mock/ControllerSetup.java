@@ -22,13 +22,13 @@ import no.hials.crosscom.simulator.ProgramControl;
  * @param configs data lists
  * @param programs modules, of which the first of each interpreter is selected
  * @param mode the operating mode
- * @param start whether what was selected is started
+ * @param start whether to start the selected programs
  */
 record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mode, boolean start) {
 
   private static final String PROGRAMS = "KRC:\\R1\\Program\\";
 
-  /** Returns what is wrong with the names of the files; empty if they are right. */
+  /** Returns the error in the names of the files; empty if they are valid. */
   Optional<String> mistake() {
     for (Path file : configs) {
       if (!hasEnding(file, ".dat")) {
@@ -53,7 +53,7 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
     return hasEnding(file, ".sub");
   }
 
-  /** Does it, and gives lines that say what was done. */
+  /** Prepares the controller, and returns lines that report it. */
   List<String> apply(Controller controller) throws FileException {
     List<String> lines = new ArrayList<>();
     for (Path file : configs) {
@@ -107,7 +107,7 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
       if (!files.exists(name)) {
         files.put(name, content);
       } else if (!Arrays.equals(files.get(name), content)) {
-        // the folder is the user's: this is not the place to replace what is in it
+        // the folder is the user's: its files must not be replaced here
         throw new IOException("there is another " + name + " already");
       }
     } catch (IOException e) {

@@ -62,10 +62,10 @@ import picocli.CommandLine.Option;
       "  jopenshowvar mock --port 0 --latency krc4 --fault drop%%0.01 --seed 7"
     })
 public final class MockCommand extends ConsoleCommand {
-  /** As KUKAVARPROXY has it. */
+  /** The port of KUKAVARPROXY. */
   private static final int DISCOVERY_PORT = 6999;
 
-  /** As C3 Bridge has it. */
+  /** The port of C3 Bridge. */
   private static final int STANDARD_DISCOVERY_PORT = 7000;
 
   @Option(
@@ -232,10 +232,7 @@ public final class MockCommand extends ConsoleCommand {
     }
   }
 
-  /**
-   * Returns a warning about who else reaches a server on this address; empty for the loopback
-   * address.
-   */
+  /** Returns a warning that other computers reach a server on this address; empty for loopback. */
   static Optional<String> warning(InetAddress address) {
     return address.isLoopbackAddress()
         ? Optional.empty()

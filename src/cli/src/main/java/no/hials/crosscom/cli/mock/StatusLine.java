@@ -55,7 +55,7 @@ final class StatusLine implements AutoCloseable {
     var task = executor.scheduleWithFixedDelay(this::show, 0, PERIOD_MILLIS, TimeUnit.MILLISECONDS);
   }
 
-  /** Shows what is new. */
+  /** Shows new messages and the state. */
   synchronized void show() {
     if (closed) {
       return;

@@ -21,9 +21,9 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
 /**
- * The commands of the command line that are lines of the shell language, too. They run as they do
- * outside, on a connection of their own to the same controller: what breaks it, as Ctrl-C may, does
- * not break the shell's.
+ * The commands of the command line that are also lines of the shell language. They run as usual, on
+ * a separate connection to the same controller: if it breaks, for example by Ctrl-C, the connection
+ * of the shell stays.
  */
 final class ShellCommands {
   /** Commands with another form in the language, or without a use in a shell. */

@@ -16,7 +16,7 @@ import org.jline.reader.ParsedLine;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 
-/** Knows what may come next on a line of the shell language. */
+/** Completes lines of the shell language. */
 final class ShellCompleter implements Completer {
   /** How the list of candidates looks, by JLine's names for its parts. */
   static final Map<String, String> COLOURED =
@@ -32,7 +32,7 @@ final class ShellCompleter implements Completer {
 
   private static final Set<String> WITH_NAMES = Set.of("get", "read", "help", "watch", "record");
 
-  /** So many indices are listed; who wants the 500th knows it. */
+  /** The maximum number of indices in the list. */
   private static final int MAX_INDICES = 64;
 
   private final ShellCommands commands;

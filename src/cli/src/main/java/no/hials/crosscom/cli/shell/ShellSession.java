@@ -12,7 +12,7 @@ import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.WriteOptions;
 
-/** Does what the lines of the shell language say, on one controller. */
+/** Executes lines of the shell language on one controller. */
 final class ShellSession {
   private final Console console;
   private final RobotConnection controller;
@@ -58,10 +58,10 @@ final class ShellSession {
   }
 
   /**
-   * Does what a line says, and prints what is wrong if it fails.
+   * Executes a line, and prints the error if it fails.
    *
-   * @param place stands before the message, as {@code FILE:3: }
-   * @return how it ended
+   * @param place the text before the message, such as {@code FILE:3: }
+   * @return the exit code
    */
   ExitCode run(String place, ShellLine line, boolean verbose) {
     try {

@@ -88,7 +88,7 @@ final class ShellSymbols {
     return everything != null && everything.isDone() ? everything.join() : load().join();
   }
 
-  /** Finds what a path names. */
+  /** Finds the variable that a path names. */
   Optional<CatalogueEntry> find(String path) {
     Optional<CatalogueEntry> found = known().find(path);
     return found.isPresent() ? found : everything().find(path);

@@ -84,7 +84,7 @@ final class ShellTerminal implements Closeable {
     return base.resolve("jopenshowvar").resolve("history");
   }
 
-  /** Keeps what is typed, if the file for it can be written and read: JLine fails where not. */
+  /** Keeps a history, if its file can be written and read; otherwise JLine would fail. */
   private void keepHistory(Console console) {
     Path file = history(console);
     try {
@@ -108,7 +108,7 @@ final class ShellTerminal implements Closeable {
    * Returns a typed line, or several that were pasted at once; empty after Ctrl-C; null at the end.
    */
   @Nullable String readLine(ShellPrompt prompt) {
-    // what a Ctrl-C stopped has ended
+    // the operation stopped by Ctrl-C has ended
     Thread.interrupted();
     String text = text(prompt);
     return read(reader, text, "");
@@ -153,7 +153,7 @@ final class ShellTerminal implements Closeable {
     return text.toAnsi(terminal);
   }
 
-  /** Returns the terminal back as it was. */
+  /** Restores the terminal. */
   @Override
   public void close() throws IOException {
     terminal.close();

@@ -84,7 +84,7 @@ public final class ReadCommand extends ControllerCommand {
     }
   }
 
-  /** Reads from several controllers at once, and prints what came in the order of them. */
+  /** Reads from several controllers at once, and prints the results in their order. */
   private ExitCode readFromEach(List<Robot> targets) {
     ExecutorService threads = Executors.newFixedThreadPool(targets.size());
     try {

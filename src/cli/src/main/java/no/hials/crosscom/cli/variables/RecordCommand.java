@@ -204,7 +204,7 @@ public final class RecordCommand extends SamplingCommand {
     }
   }
 
-  /** Writes to a file, without a buffer: what is written survives the end of this process. */
+  /** Writes to a file without a buffer, so that written data survives the end of this process. */
   private record FileSink(String name, OutputStream file) implements Recording.RecordingOutput {
     static FileSink open(String name, boolean overwrite) throws FileException {
       Path path = Path.of(name);

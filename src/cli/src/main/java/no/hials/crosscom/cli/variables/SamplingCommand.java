@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** A command that reads again and again: what, how often, and for how long. */
+/** A command that reads repeatedly: the variables, the period and the duration. */
 abstract class SamplingCommand extends ControllerCommand {
   private static final Duration MAX_PERIOD = Duration.ofDays(1);
 
@@ -83,7 +83,7 @@ abstract class SamplingCommand extends ControllerCommand {
     return sampling.run(changesOnly, stop::isStopped, listener) ? ExitCode.LOST : ExitCode.DONE;
   }
 
-  /** Checks what picocli does not. */
+  /** Checks the rules that picocli does not. */
   private void check() {
     checkNames(names);
     if (period.compareTo(MAX_PERIOD) > 0) {

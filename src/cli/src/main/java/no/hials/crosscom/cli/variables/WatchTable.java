@@ -162,7 +162,7 @@ final class WatchTable {
         .toList();
   }
 
-  /** Returns the lines that there is room for, those that are too wide cut off. */
+  /** Returns the lines that fit, cut off at the width. */
   List<AttributedString> lines(int columns, int rows, boolean colours) {
     Instant now = Instant.now();
     List<AttributedString> footer = footer();

@@ -91,8 +91,7 @@ public final class ControlLoop implements AutoCloseable {
     Safety safety = config.safety();
     Guard guard = Preflight.check(channel, safety, space instanceof Space.Cartesian);
     Heartbeat heartbeat = new Heartbeat(channel, time, safety.watchdog());
-    heartbeat.start();
-    if (heartbeat.wasOn()) {
+    if (heartbeat.start()) {
       LOG.warn(
           "the watchdog was on before this loop, as after an unplanned end;"
               + " it stays on after this loop, and then stops the program");

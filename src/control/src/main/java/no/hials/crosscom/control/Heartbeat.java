@@ -38,10 +38,14 @@ final class Heartbeat {
     this.interval = limit.toNanos() / BEATS;
   }
 
-  /** Switches the watchdog on and checks that it sees the heartbeat. */
-  void start() throws ControlRefusedException {
+  /**
+   * Switches the watchdog on and checks that it sees the heartbeat.
+   *
+   * @return whether the watchdog was on before
+   */
+  boolean start() throws ControlRefusedException {
     if (!isOn()) {
-      return;
+      return false;
     }
     try {
       limitBefore = channel.readInt(LIMIT);
@@ -77,6 +81,7 @@ final class Heartbeat {
       pause();
     }
     next = time.nanoTime();
+    return limitBefore > 0;
   }
 
   private void pause() {
@@ -93,11 +98,6 @@ final class Heartbeat {
   /** Returns whether there is a watchdog. */
   boolean isOn() {
     return limitMillis > 0;
-  }
-
-  /** Returns whether the watchdog was on before. */
-  boolean wasOn() {
-    return limitBefore > 0;
   }
 
   /** Checks that the setting of the watchdog, when last read, was still that of this loop. */

@@ -67,10 +67,6 @@ final class Runner<P> {
   /** The absolute target that holds the robot; null while it moves. */
   private double @Nullable [] held;
 
-  // of the current cycle
-  private long readNanos;
-  private long writeNanos;
-
   Runner(
       LoopConfig config,
       Target target,
@@ -138,12 +134,12 @@ final class Runner<P> {
         return new StopReason(
             StopKind.TIME_OVER, "the time of " + config.duration().toMillis() + " ms is over");
       }
-      cycle(now, now - next, elapsed);
+      long accessNanos = cycle(now, now - next, elapsed);
       long end = time.nanoTime();
       // a cycle whose time has passed is skipped, never made up
       long missed = Math.max(0, (end - next) / period);
       if (missed > 0) {
-        meter.missed(missed, readNanos + writeNanos >= period);
+        meter.missed(missed, accessNanos >= period);
       }
       elapsed = missed + 1;
       next += elapsed * period;
@@ -151,7 +147,8 @@ final class Runner<P> {
     return new StopReason(StopKind.ASKED, "the loop was asked to stop");
   }
 
-  private void cycle(long begin, long late, long elapsed) throws ControlRefusedException {
+  /** Runs a cycle and returns the time of its accesses. */
+  private long cycle(long begin, long late, long elapsed) throws ControlRefusedException {
     long sinceLast = begun ? begin - lastBegin : 0;
     lastBegin = begin;
     begun = true;
@@ -160,7 +157,7 @@ final class Runner<P> {
     // in a slow loop a beat is due each time, which must not delay the checks forever
     read(begin - nextCheck >= (beat ? checkInterval : 0), begin);
     long readEnd = time.nanoTime();
-    readNanos = readEnd - begin;
+    long readNanos = readEnd - begin;
     P actual = space.actual();
     space.check(guard, actual, true);
     feedback.check(actual, readEnd);
@@ -170,7 +167,7 @@ final class Runner<P> {
     long writeBegin = time.nanoTime();
     channel.write(space.target(), beat ? heartbeat.next() : null);
     long end = time.nanoTime();
-    writeNanos = end - writeBegin;
+    long writeNanos = end - writeBegin;
     meter.accessed(readNanos, writeNanos, end - begin - readNanos - writeNanos);
     trace.add(
         (begin - start) / 1e9,
@@ -181,6 +178,7 @@ final class Runner<P> {
         space.numbers(previous == null ? actual : previous),
         sent,
         space.numbers(actual));
+    return readNanos + writeNanos;
   }
 
   private void read(boolean withCheck, long begin) throws ControlRefusedException {

@@ -67,7 +67,7 @@ public final class ControlLoop implements AutoCloseable {
    *
    * @param client the connection; it stays open when the loop ends
    * @param config the settings
-   * @param law computes the commands
+   * @param law computes the commands; implements one kind of law
    * @return the running loop; the caller must close it
    * @throws ControlRefusedException if a check failed; no motion was written
    */

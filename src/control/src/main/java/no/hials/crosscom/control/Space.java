@@ -2,6 +2,7 @@ package no.hials.crosscom.control;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLFrame;
@@ -58,6 +59,11 @@ abstract sealed class Space<P> {
   }
 
   static Space<?> of(Law law, LoopConfig config, Channel channel, String target) {
+    Checks.holds(
+        Stream.of(Law.class.getPermittedSubclasses()).filter(it -> it.isInstance(law)).count() == 1,
+        "a law must implement one kind of law, "
+            + law.getClass().getName()
+            + " implements several");
     return law instanceof Law.CartesianPosition || law instanceof Law.CartesianVelocity
         ? new Cartesian(channel, config, law, target)
         : new Joint(channel, config, law, target);

@@ -181,6 +181,26 @@ class MeasuringTest extends ControlTest {
   }
 
   @Test
+  void aLawOfTwoKindsIsRefused() {
+    class Both implements Law.CartesianPosition, Law.JointVelocity {
+      @Override
+      public Frame position(State state) {
+        return Frame.IDENTITY;
+      }
+
+      @Override
+      public Axes velocity(State state) {
+        return Axes.ZERO;
+      }
+    }
+
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> start(config(cfg -> {}), new Both()))
+        .withMessageStartingWith("a law must implement one kind of law, ")
+        .withMessageEndingWith("$1Both implements several");
+  }
+
+  @Test
   void wrongSettingsAreNamed() {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> config(cfg -> cfg.period(Duration.ofMillis(3))))

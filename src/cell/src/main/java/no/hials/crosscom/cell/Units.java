@@ -15,6 +15,8 @@ public final class Units {
 
   private final Catalogue catalogue = Catalogue.system();
 
+  public Units() {}
+
   /**
    * Returns the unit of a number.
    *

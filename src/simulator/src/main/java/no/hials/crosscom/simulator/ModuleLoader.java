@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -67,7 +66,7 @@ final class ModuleLoader {
     return Files.readString(file, StandardCharsets.ISO_8859_1);
   }
 
-  /** Finds the data list of a source file, in any case. */
+  /** Finds the data list of a source file; another case counts only if no other file matches. */
   private static @Nullable Path dataListOf(Path file) throws IOException {
     String name = String.valueOf(file.getFileName());
     int dot = name.lastIndexOf('.');
@@ -75,12 +74,21 @@ final class ModuleLoader {
     if (dot < 0 || folder == null || name.substring(dot).equalsIgnoreCase(".dat")) {
       return null;
     }
-    String wanted = name.substring(0, dot) + ".dat";
+    boolean capitals = name.endsWith(".SRC") || name.endsWith(".SUB");
+    String wanted = name.substring(0, dot) + (capitals ? ".DAT" : ".dat");
     try (Stream<Path> files = Files.list(folder)) {
-      return files
-          .filter(other -> String.valueOf(other.getFileName()).equalsIgnoreCase(wanted))
-          .min(Comparator.naturalOrder())
-          .orElse(null);
+      List<String> found =
+          files
+              .map(other -> String.valueOf(other.getFileName()))
+              .filter(wanted::equalsIgnoreCase)
+              .sorted()
+              .toList();
+      if (found.size() > 1 && !found.contains(wanted)) {
+        throw new IOException("it has several data lists: " + String.join(", ", found));
+      }
+      return found.isEmpty()
+          ? null
+          : folder.resolve(found.contains(wanted) ? wanted : found.get(0));
     }
   }
 

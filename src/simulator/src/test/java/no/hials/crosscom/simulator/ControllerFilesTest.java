@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -144,6 +145,19 @@ class ControllerFilesTest {
     file("PART.DAT", DATA);
     assertThat(controller.load(file("part.src", SOURCE))).isEqualTo("PART");
     assertThat(runPart()).isEqualTo("5");
+  }
+
+  @Test
+  void loadsTheDataListInTheCaseOfItsProgram() throws Exception {
+    Path source = file("part.src", SOURCE);
+    file("PART.DAT", "wrong");
+    file("Part.dat", "wrong");
+    assumeThat(folder.toFile().list()).as("the file system tells cases apart").hasSize(3);
+
+    assertThatThrownBy(() -> controller.load(source))
+        .hasMessage("it has several data lists: PART.DAT, Part.dat");
+    file("part.dat", DATA);
+    assertThat(controller.load(source)).isEqualTo("PART");
   }
 
   @Test

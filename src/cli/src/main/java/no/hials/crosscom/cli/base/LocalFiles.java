@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.Comparator;
+import java.util.List;
 import java.util.stream.Stream;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.FileException;
@@ -67,7 +67,12 @@ public final class LocalFiles {
     }
   }
 
-  /** Finds the data list next to a program, in any case of its name; null without one. */
+  /**
+   * Finds the data list next to a program, in any case of its name; null without one.
+   *
+   * @throws FileException if the folder cannot be listed, or if several files match and none has
+   *     the case of the program
+   */
   public static @Nullable Path dataListOf(Path program) throws FileException {
     Path folder = program.toAbsolutePath().getParent();
     if (folder == null) {
@@ -75,11 +80,17 @@ public final class LocalFiles {
     }
     String wanted = RemoteName.dataListOf(name(program));
     try (Stream<Path> files = Files.list(folder)) {
-      return files
-          .filter(file -> name(file).equalsIgnoreCase(wanted))
-          .min(Comparator.naturalOrder())
-          .map(file -> program.resolveSibling(name(file)))
-          .orElse(null);
+      List<String> found =
+          files.map(LocalFiles::name).filter(wanted::equalsIgnoreCase).sorted().toList();
+      if (found.size() > 1 && !found.contains(wanted)) {
+        throw new FileException(
+            program + " has several data lists: " + String.join(", ", found) + "; rename one");
+      }
+      return found.isEmpty()
+          ? null
+          : program.resolveSibling(found.contains(wanted) ? wanted : found.get(0));
+    } catch (FileException e) {
+      throw e;
     } catch (IOException e) {
       throw FileException.cannot("list", folder, e);
     }

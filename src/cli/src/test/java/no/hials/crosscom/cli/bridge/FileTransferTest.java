@@ -1,6 +1,7 @@
 package no.hials.crosscom.cli.bridge;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -98,6 +99,25 @@ class FileTransferTest {
     assertThat(put(src, "--with-dat", "/R1/B.SRC").lines())
         .containsExactly(dat + " -> /R1/B.DAT, 16 bytes", src + " -> /R1/B.SRC, 32 bytes");
     assertThat(put(file("c.src", A), "/R1/", "--with-dat").lines()).hasSize(1);
+  }
+
+  @Test
+  void uploadsTheDataListInTheCaseOfItsProgram() throws IOException {
+    String src = file("weld.src", A);
+    file("WELD.DAT", "wrong");
+    file("Weld.dat", "wrong");
+    assumeThat(localFiles()).as("the file system tells cases apart").hasSize(3);
+
+    Cli.Result unclear = put(src, "/R1/", "--with-dat");
+    String dat = file("weld.dat", "right");
+    Cli.Result exact = put(src, "/R1/", "--with-dat");
+
+    assertThat(unclear.errLines())
+        .containsExactly(
+            "jopenshowvar: " + src + " has several data lists: WELD.DAT, Weld.dat; rename one");
+    assertThat(unclear.code()).isEqualTo(2);
+    assertThat(exact.lines()).first().isEqualTo(dat + " -> /R1/weld.dat, 5 bytes");
+    assertThat(server.files().text("/R1/weld.dat")).hasValue("right");
   }
 
   @Test

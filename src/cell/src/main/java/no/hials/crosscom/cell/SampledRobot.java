@@ -31,6 +31,7 @@ public final class SampledRobot implements Closeable {
   private @Nullable Watch watch;
   private boolean enough;
   private long lastNumber;
+  private @Nullable Instant latest;
   private long endNumber = Long.MAX_VALUE;
   private long samples;
   private @Nullable Instant firstTime;
@@ -49,7 +50,7 @@ public final class SampledRobot implements Closeable {
     this.controller =
         opener.open(
             robot,
-            cfg -> cfg.listener(event -> sampling.add(listener -> changed(event, listener))));
+            cfg -> cfg.listener(event -> sampling.add(listener -> changed(event))));
   }
 
   /** Returns the name; empty if the robot has no name. */
@@ -100,14 +101,14 @@ public final class SampledRobot implements Closeable {
     Watch started =
         controller
             .client()
-            .watch(config, sample -> sampling.add(to -> sampling.take(this, sample, to)));
+            .watch(config, sample -> sampling.add(to -> came(sample)));
     started.subscribe(new End());
     watch = started;
   }
 
-  private void changed(ConnectionEvent event, Sampling.Listener listener) throws IOException {
+  private void changed(ConnectionEvent event) {
     count(event);
-    listener.connectionChanged(this, event);
+    sampling.hold(this, event.time(), listener -> listener.connectionChanged(this, event));
   }
 
   /**
@@ -156,9 +157,20 @@ public final class SampledRobot implements Closeable {
     return !enough && lastNumber < endNumber;
   }
 
-  /** Called when a sample arrives. */
-  void came(Sample sample) {
+  /** Returns whether later samples are ignored. */
+  boolean hasEnough() {
+    return enough;
+  }
+
+  /** Returns whether no sample of an earlier time can arrive. */
+  boolean isPast(Instant time) {
+    return !isActive() || isLost() || (latest != null && !latest.isBefore(time));
+  }
+
+  private void came(Sample sample) {
     lastNumber = sample.number();
+    latest = sample.time();
+    sampling.hold(this, sample.time(), listener -> sampling.take(this, sample, listener));
   }
 
   // counts

@@ -5,7 +5,9 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.PriorityQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -30,10 +32,17 @@ public final class Sampling implements Closeable {
   /** The maximum time to wait at the end for readings in progress. */
   private static final long MAX_MILLIS_TO_END = 3_000;
 
+  /** The maximum time that a sample waits for earlier samples of other robots. */
+  private static final Duration MAX_WAIT = Duration.ofSeconds(1);
+
   private final SamplingPlan plan;
   private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>();
   private final List<SampledRobot> robots = new ArrayList<>();
   private @Nullable Instant start;
+  private boolean changesOnly;
+
+  /** The samples and connection events that earlier samples of other robots may precede. */
+  private final PriorityQueue<Held> held = new PriorityQueue<>(Comparator.comparing(Held::time));
 
   private final List<Failure> failedToConnect = new ArrayList<>();
 
@@ -83,6 +92,9 @@ public final class Sampling implements Closeable {
     void handle(Listener listener) throws IOException;
   }
 
+  /** A sample or a connection event of a robot that the listener has not received yet. */
+  private record Held(SampledRobot robot, Instant time, Event event) {}
+
   private Sampling(SamplingPlan plan) {
     this.plan = plan;
   }
@@ -123,7 +135,7 @@ public final class Sampling implements Closeable {
     return plan.period();
   }
 
-  /** Returns the time from the first sample of all robots to a point in time. */
+  /** Returns the time from the earliest sample of all robots to a point in time. */
   public Duration since(Instant time) {
     return start == null ? Duration.ZERO : Duration.between(start, time);
   }
@@ -145,14 +157,17 @@ public final class Sampling implements Closeable {
   }
 
   /**
-   * Reads until the user stops it or a limit is reached.
+   * Reads until the user stops it or a limit is reached. The listener receives the samples of all
+   * robots in the order of their times; a sample waits at most 1 s for earlier ones.
    *
-   * @param changesOnly whether the listener gets only samples in which something changed
+   * @param changesOnly whether the listener gets only samples in which something changed, each one
+   *     immediately, since the other robots may have no changes
    * @param isStopped returns whether the user wants to stop
    * @return whether it reached a limit while a connection was lost
    */
   public boolean run(boolean changesOnly, BooleanSupplier isStopped, Listener listener)
       throws IOException {
+    this.changesOnly = changesOnly;
     WatchConfig config =
         WatchConfig.create(
             plan.names(),
@@ -201,6 +216,9 @@ public final class Sampling implements Closeable {
     for (Event event = queue.poll(); event != null; event = queue.poll()) {
       event.handle(listener);
     }
+    for (Held next = held.poll(); next != null; next = held.poll()) {
+      next.event().handle(listener);
+    }
   }
 
   private void handleNext(Listener listener) throws IOException, InterruptedException {
@@ -208,6 +226,16 @@ public final class Sampling implements Closeable {
     if (event != null) {
       event.handle(listener);
     }
+    for (Held next = held.peek(); next != null && isDue(next); next = held.peek()) {
+      held.remove().event().handle(listener);
+    }
+  }
+
+  /** Returns whether no robot can still have an earlier sample, or whether to wait no longer. */
+  private boolean isDue(Held next) {
+    return changesOnly
+        || robots.stream().allMatch(r -> r == next.robot() || r.isPast(next.time()))
+        || (start != null && next.time().plus(MAX_WAIT).isBefore(Instant.now()));
   }
 
   /** Passes an event from the threads of the client to the thread of the command. */
@@ -215,11 +243,15 @@ public final class Sampling implements Closeable {
     queue.add(event);
   }
 
+  /** Keeps an event until the samples before it have been delivered. */
+  void hold(SampledRobot robot, Instant time, Event event) {
+    held.add(new Held(robot, time, event));
+  }
+
   void take(SampledRobot robot, Sample sample, Listener listener) throws IOException {
-    if (!robot.isActive()) {
+    if (robot.hasEnough()) {
       return;
     }
-    robot.came(sample);
     if (start == null) {
       start = sample.time();
     }

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedDeque;
+import java.util.concurrent.CountDownLatch;
 import java.util.stream.Stream;
 import no.hials.crosscom.cell.RecordedData;
 import no.hials.crosscom.cli.base.Cli;
@@ -336,6 +337,27 @@ class RecordCommandTest {
         .containsExactlyInAnyOrder("cell1 0 ", "cell1 0 ", "cell2  7", "cell2  7");
     assertThat(RecordedData.read(file).find("cell2:MYINT").orElseThrow().values())
         .containsExactly(7, 7);
+  }
+
+  @Test
+  void writesTheRowsOfSeveralRobotsInTheOrderOfTheirTimes() throws IOException {
+    CountDownLatch secondSample = new CountDownLatch(1);
+    server.fault(request -> request.number() == 2, Fault.hold(secondSample));
+    try (MockServer other = MockServer.start()) {
+      other.faults(
+          request -> {
+            if (request.number() == 3) {
+              secondSample.countDown();
+            }
+            return Optional.empty();
+          });
+
+      Cli.Result result = recordTwo(other);
+
+      assertThat(result.code()).as(result.err()).isZero();
+    }
+    assertThat(rows()).hasSize(4).extracting(row -> row.get(0)).isSorted();
+    assertThat(rows().get(0).get(1)).isEqualTo("0.000000");
   }
 
   @ParameterizedTest

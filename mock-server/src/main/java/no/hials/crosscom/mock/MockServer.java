@@ -1,6 +1,7 @@
 package no.hials.crosscom.mock;
 
 import java.io.IOException;
+import java.net.BindException;
 import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.List;
@@ -85,8 +86,15 @@ public final class MockServer implements AutoCloseable {
     clients = ConnectionAcceptor.listen(config, service);
     boolean c3 = config.server() == ServerType.C3_BRIDGE;
     DiscoveryAnswers answers = new DiscoveryAnswers(variables, c3 ? bridge : null);
-    discovery = openDiscovery(config.discoveryPort(), config.discoveryReplyPort(), answers);
-    standardDiscovery = openDiscovery(config.standardDiscoveryPort(), 0, answers);
+    discovery =
+        openDiscovery(
+            config.discoveryPort(),
+            config.isDiscoveryIfFree(),
+            config.discoveryReplyPort(),
+            answers);
+    standardDiscovery =
+        openDiscovery(
+            config.standardDiscoveryPort(), config.isStandardDiscoveryIfFree(), 0, answers);
   }
 
   private Supplier<RequestHandler> handlers(C3ProxyVariables bridge) {
@@ -111,7 +119,8 @@ public final class MockServer implements AutoCloseable {
   }
 
   private @Nullable DiscoveryResponder openDiscovery(
-      OptionalInt port, int replyPort, DiscoveryAnswers answers) throws IOException {
+      OptionalInt port, boolean ifFree, int replyPort, DiscoveryAnswers answers)
+      throws IOException {
     if (port.isEmpty()) {
       return null;
     }
@@ -119,6 +128,9 @@ public final class MockServer implements AutoCloseable {
       return DiscoveryResponder.open(
           new InetSocketAddress(config.bindAddress(), port.getAsInt()), replyPort, answers);
     } catch (IOException e) {
+      if (ifFree && e.getCause() instanceof BindException) {
+        return null;
+      }
       clients.close();
       if (discovery != null) {
         discovery.close();
@@ -190,7 +202,7 @@ public final class MockServer implements AutoCloseable {
     return address().getPort();
   }
 
-  /** Returns the UDP port for discovery, empty if discovery is off. */
+  /** Returns the UDP port for discovery, empty if discovery is off or its port was in use. */
   public OptionalInt discoveryPort() {
     return discovery == null ? OptionalInt.empty() : OptionalInt.of(discovery.port());
   }

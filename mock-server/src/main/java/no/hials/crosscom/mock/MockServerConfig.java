@@ -111,6 +111,14 @@ public final class MockServerConfig {
     return options.standardDiscoveryPort;
   }
 
+  boolean isDiscoveryIfFree() {
+    return options.discoveryIfFree;
+  }
+
+  boolean isStandardDiscoveryIfFree() {
+    return options.standardDiscoveryIfFree;
+  }
+
   /** Returns the server that is simulated. */
   public ServerType server() {
     return options.server;
@@ -216,6 +224,8 @@ public final class MockServerConfig {
     private OptionalInt discoveryPort = OptionalInt.empty();
     private int discoveryReplyPort = 7000;
     private OptionalInt standardDiscoveryPort = OptionalInt.empty();
+    private boolean discoveryIfFree;
+    private boolean standardDiscoveryIfFree;
     private ServerType server = ServerType.KUKAVARPROXY;
     private Version version = new Version(1, 4, 0);
     private String computerName = "KRC4";
@@ -278,6 +288,14 @@ public final class MockServerConfig {
      */
     public Builder discoveryPort(int value) {
       options.discoveryPort = OptionalInt.of(range("discoveryPort", value, MAX_PORT));
+      options.discoveryIfFree = false;
+      return this;
+    }
+
+    /** Sets the port of discovery, which is off if another program uses the port. */
+    public Builder discoveryPortIfFree(int value) {
+      discoveryPort(value);
+      options.discoveryIfFree = true;
       return this;
     }
 
@@ -298,6 +316,14 @@ public final class MockServerConfig {
     public Builder standardDiscoveryPort(int value) {
       options.standardDiscoveryPort =
           OptionalInt.of(range("standardDiscoveryPort", value, MAX_PORT));
+      options.standardDiscoveryIfFree = false;
+      return this;
+    }
+
+    /** Sets the port of the standard discovery, which is off if another program uses the port. */
+    public Builder standardDiscoveryPortIfFree(int value) {
+      standardDiscoveryPort(value);
+      options.standardDiscoveryIfFree = true;
       return this;
     }
 

@@ -111,6 +111,20 @@ class DiscoveryTest {
   }
 
   @Test
+  void leavesOutADiscoveryWhosePortIsInUseIfToldTo() throws IOException {
+    int taken = asking.getLocalPort();
+    try (MockServer server =
+        MockServer.start(
+            cfg ->
+                cfg.server(ServerType.C3_BRIDGE)
+                    .discoveryPortIfFree(taken)
+                    .standardDiscoveryPortIfFree(0))) {
+      assertThat(server.discoveryPort()).isEmpty();
+      assertThat(server.standardDiscoveryPort()).isPresent();
+    }
+  }
+
+  @Test
   void saysWhichPortItCannotListenOnAndClosesTheOtherAgain() throws IOException {
     int taken = asking.getLocalPort();
     int free;

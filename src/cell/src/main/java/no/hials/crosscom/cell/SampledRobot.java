@@ -48,9 +48,7 @@ public final class SampledRobot implements Closeable {
     this.robot = robot;
     this.sampling = sampling;
     this.controller =
-        opener.open(
-            robot,
-            cfg -> cfg.listener(event -> sampling.add(listener -> changed(event))));
+        opener.open(robot, cfg -> cfg.listener(event -> sampling.add(listener -> changed(event))));
   }
 
   /** Returns the name; empty if the robot has no name. */
@@ -98,10 +96,7 @@ public final class SampledRobot implements Closeable {
   // the watch
 
   void start(WatchConfig config) {
-    Watch started =
-        controller
-            .client()
-            .watch(config, sample -> sampling.add(to -> came(sample)));
+    Watch started = controller.client().watch(config, sample -> sampling.add(to -> came(sample)));
     started.subscribe(new End());
     watch = started;
   }

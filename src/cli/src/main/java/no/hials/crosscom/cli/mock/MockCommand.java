@@ -1,10 +1,7 @@
 package no.hials.crosscom.cli.mock;
 
 import java.io.IOException;
-import java.net.DatagramSocket;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -196,8 +193,7 @@ public final class MockCommand extends ConsoleCommand {
     // in this order: a signal after the first line finds both there
     try (StopSignal stop = new StopSignal();
         MockServer server =
-            Robots.listen(
-                address, port, with(address).andThen(cfg -> cfg.clock(speed).latency(times)))) {
+            Robots.listen(address, port, with().andThen(cfg -> cfg.clock(speed).latency(times)))) {
       rules.forEach(server::faults);
       List<String> lines = setup.apply(server.controller());
       if (serverType == ServerType.C3_BRIDGE) {
@@ -256,18 +252,21 @@ public final class MockCommand extends ConsoleCommand {
   // the server
 
   /** Sets which server it is, where it answers who looks for it, and its files. */
-  private Consumer<MockServerConfig.Builder> with(InetAddress address) throws FileException {
+  private Consumer<MockServerConfig.Builder> with() throws FileException {
     boolean bridge = serverType == ServerType.C3_BRIDGE;
-    OptionalInt legacy = discoveryPort(address, discovery, DISCOVERY_PORT);
-    OptionalInt standard =
-        bridge
-            ? discoveryPort(address, standardDiscovery, STANDARD_DISCOVERY_PORT)
-            : OptionalInt.empty();
     Optional<FileTree> tree = tree();
     return cfg -> {
       cfg.server(serverType);
-      legacy.ifPresent(cfg::discoveryPort);
-      standard.ifPresent(cfg::standardDiscoveryPort);
+      if (discovery != null) {
+        cfg.discoveryPort(discovery);
+      } else if (!noDiscovery) {
+        cfg.discoveryPortIfFree(DISCOVERY_PORT);
+      }
+      if (standardDiscovery != null) {
+        cfg.standardDiscoveryPort(standardDiscovery);
+      } else if (bridge && !noDiscovery) {
+        cfg.standardDiscoveryPortIfFree(STANDARD_DISCOVERY_PORT);
+      }
       tree.ifPresent(cfg::files);
     };
   }
@@ -280,23 +279,6 @@ public final class MockCommand extends ConsoleCommand {
       return Optional.of(FileTree.over(files));
     } catch (IOException e) {
       throw FileException.cannot("use", files, e);
-    }
-  }
-
-  /** Returns the port: what was asked for, or the usual one unless that is in use. */
-  private OptionalInt discoveryPort(InetAddress address, @Nullable Integer wanted, int usual) {
-    if (noDiscovery) {
-      return OptionalInt.empty();
-    }
-    if (wanted != null) {
-      return OptionalInt.of(wanted);
-    }
-    try (DatagramSocket probe = new DatagramSocket(null)) {
-      probe.setReuseAddress(false);
-      probe.bind(new InetSocketAddress(address, usual));
-      return OptionalInt.of(usual);
-    } catch (SocketException e) {
-      return OptionalInt.empty();
     }
   }
 

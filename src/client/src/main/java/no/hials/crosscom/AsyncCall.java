@@ -63,7 +63,7 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
       callbacks.execute(() -> completeExceptionally(e));
       return;
     } finally {
-      // a client or an object of it that the program keeps can be used from now on
+      // the operation may have sent something by another thread
       state.compareAndSet(State.OPEN, State.COMMITTED);
     }
     callbacks.execute(() -> complete(result));

@@ -3,7 +3,6 @@ package no.hials.crosscom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.internal.CancellableOperation;
-import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
@@ -20,7 +19,6 @@ final class C3Channel implements MessageChannel {
   private final ReconnectingConnection connection;
   private final ServerDetector detector;
   private final Threads threads;
-  private final Cancellation call;
   private final ReentrantLock lock;
 
   /** Whether all exchanges take place on one connection. */
@@ -29,31 +27,21 @@ final class C3Channel implements MessageChannel {
   private @Nullable Connection pin;
 
   C3Channel(ReconnectingConnection connection, Threads threads) {
-    this(connection, new ServerDetector(connection), threads, Cancellation.NEVER, false);
+    this(connection, new ServerDetector(connection), threads, false);
   }
 
   private C3Channel(
-      ReconnectingConnection connection,
-      ServerDetector detector,
-      Threads threads,
-      Cancellation call,
-      boolean pinned) {
+      ReconnectingConnection connection, ServerDetector detector, Threads threads, boolean pinned) {
     this.connection = connection;
     this.detector = detector;
     this.threads = threads;
-    this.call = call;
     this.lock = connection.lock();
     this.pinned = pinned;
   }
 
-  /** Creates a channel that commits a call before its first exchange. */
-  C3Channel forCall(Cancellation chosen) {
-    return new C3Channel(connection, detector, threads, chosen, false);
-  }
-
   @Override
   public MessageChannel onOneConnection() {
-    return new C3Channel(connection, detector, threads, call, true);
+    return new C3Channel(connection, detector, threads, true);
   }
 
   @Override
@@ -132,7 +120,7 @@ final class C3Channel implements MessageChannel {
   }
 
   private void begin(String what) throws CrossComException {
-    connection.begin(what, call);
+    connection.begin(what);
     connection.checkOpen();
     checkPin(what);
     connection.makeUsable();

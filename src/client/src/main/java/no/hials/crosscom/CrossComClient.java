@@ -12,7 +12,6 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLArray;
@@ -25,7 +24,6 @@ import no.hials.crosscom.c3.Information;
 import no.hials.crosscom.c3.Motion;
 import no.hials.crosscom.c3.Pendant;
 import no.hials.crosscom.c3.Programs;
-import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.c3.C3Files;
 import no.hials.crosscom.internal.c3.C3Information;
 import no.hials.crosscom.internal.c3.C3Motion;
@@ -76,8 +74,7 @@ public final class CrossComClient implements Closeable {
   private final ClientConfig config;
   private final ReconnectingConnection connection;
   private final Threads threads;
-  private final Set<Watch> watches;
-  private final ReentrantLock transferTurn;
+  private final Set<Watch> watches = ConcurrentHashMap.newKeySet();
   private final C3Channel channel;
   private final VariableExchange variables;
   private final Programs programs;
@@ -110,32 +107,14 @@ public final class CrossComClient implements Closeable {
     this.config = Objects.requireNonNull(config, "config");
     this.connection = new ReconnectingConnection(config);
     this.threads = new Threads(config.port());
-    this.watches = ConcurrentHashMap.newKeySet();
-    this.transferTurn = new ReentrantLock(true);
     this.channel = new C3Channel(connection, threads);
-    this.variables = new VariableExchange(config, connection, channel, Cancellation.NEVER);
+    this.variables = new VariableExchange(config, connection, channel);
     this.programs = new C3Programs(channel);
     this.motion = new C3Motion(channel);
     this.pendant = new C3Pendant(channel);
-    this.files = new C3Files(channel, transferTurn);
+    this.files = new C3Files(channel);
     this.information = new C3Information(channel);
     connection.start();
-  }
-
-  /** Creates a view of a client that commits a call before its first exchange. */
-  private CrossComClient(CrossComClient client, Cancellation call) {
-    this.config = client.config;
-    this.connection = client.connection;
-    this.threads = client.threads;
-    this.watches = client.watches;
-    this.transferTurn = client.transferTurn;
-    this.channel = client.channel.forCall(call);
-    this.variables = new VariableExchange(config, connection, channel, call);
-    this.programs = new C3Programs(channel);
-    this.motion = new C3Motion(channel);
-    this.pendant = new C3Pendant(channel);
-    this.files = new C3Files(channel, transferTurn);
-    this.information = new C3Information(channel);
   }
 
   /** Returns the configuration of the constructor. */
@@ -496,16 +475,16 @@ public final class CrossComClient implements Closeable {
    * CompletableFuture<String> mode = client.async(c -> c.readText("$MODE_OP"));
    * }</pre>
    *
-   * <p>If the future is cancelled before the first exchange, nothing is sent. Later, {@code cancel}
-   * does nothing and returns false. This applies to the client passed to the function, a view of
-   * this client with the same connection. Do not change a variable before the function has used it.
+   * <p>If the future is cancelled before the first exchange of the function's thread, nothing is
+   * sent. Later, {@code cancel} does nothing and returns false. Do not change a variable before the
+   * function has used it.
    *
-   * @param function uses the client passed to it
+   * @param function gets this client
    * @param <T> the type of the result
    * @return a future of the result, which fails with the exception that the function throws
    */
   public <T extends @Nullable Object> CompletableFuture<T> async(CrossComFunction<T> function) {
-    return threads.async(call -> function.apply(new CrossComClient(this, call)));
+    return threads.async(call -> function.apply(this));
   }
 
   /**
@@ -515,13 +494,13 @@ public final class CrossComClient implements Closeable {
    * client.asyncRun(c -> c.programs().start(Interpreter.ROBOT));
    * }</pre>
    *
-   * @param action uses the client passed to it
+   * @param action gets this client
    * @return a future of the end, which fails with the exception that the action throws
    */
   public CompletableFuture<Void> asyncRun(CrossComAction action) {
     return threads.<@Nullable Void>async(
         call -> {
-          action.run(new CrossComClient(this, call));
+          action.run(this);
           return null;
         });
   }

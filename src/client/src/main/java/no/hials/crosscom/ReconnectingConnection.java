@@ -7,7 +7,6 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
-import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.TypedResponse;
@@ -98,12 +97,11 @@ final class ReconnectingConnection {
    * @param length the request's length
    * @param type its type
    * @param name the variable, for error messages
-   * @param call committed before anything is sent
    * @return the answer, valid until the next exchange
    */
-  Answer exchange(byte[] frame, int length, MessageType type, String name, Cancellation call)
+  Answer exchange(byte[] frame, int length, MessageType type, String name)
       throws CrossComException {
-    begin(name, call);
+    begin(name);
     makeUsable();
     Repeatability effect = type == MessageType.WRITE ? Repeatability.CHANGE : Repeatability.READ;
     try {
@@ -125,8 +123,8 @@ final class ReconnectingConnection {
         && !Thread.currentThread().isInterrupted();
   }
 
-  /** Begins an operation, unless its thread is interrupted or the call was cancelled. */
-  void begin(String name, Cancellation call) throws CrossComException {
+  /** Begins an operation, unless its thread is interrupted or its call was cancelled. */
+  void begin(String name) throws CrossComException {
     if (Thread.currentThread().isInterrupted()) {
       // an exchange would close the connection, and could not say whether anything was sent
       throw new CrossComConnectionLostException(
@@ -134,7 +132,7 @@ final class ReconnectingConnection {
           null,
           false);
     }
-    call.commit();
+    Threads.commitCall();
   }
 
   /** Sends a request on the current connection, and waits for its answer. The lock is held. */

@@ -8,10 +8,14 @@ import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.internal.CancellableOperation;
+import no.hials.crosscom.internal.Cancellation;
 import org.jspecify.annotations.Nullable;
 
 /** The executors of a client, which run operations and the program's callbacks. */
 final class Threads {
+  /** The call of {@link #async} that a thread runs. */
+  private static final ThreadLocal<@Nullable Cancellation> CALL = new ThreadLocal<>();
+
   private final ThreadPoolExecutor async;
   private final ThreadPoolExecutor transfers;
   private final Executor callbacks;
@@ -22,12 +26,30 @@ final class Threads {
     callbacks = forCallbacks("crosscom-callback-" + port);
   }
 
-  /** Queues an operation. */
-  <T extends @Nullable Object> CompletableFuture<T> async(CancellableOperation<T> operation) {
-    return AsyncCall.submit(async, callbacks, operation);
+  /** Commits the call that this thread runs, if any; before each exchange of each client. */
+  static void commitCall() {
+    Cancellation call = CALL.get();
+    if (call != null) {
+      call.commit();
+    }
   }
 
-  /** Queues a transfer of a file. */
+  /** Queues an operation, which its first exchange commits. */
+  <T extends @Nullable Object> CompletableFuture<T> async(CancellableOperation<T> operation) {
+    return AsyncCall.submit(
+        async,
+        callbacks,
+        call -> {
+          CALL.set(call);
+          try {
+            return operation.run(call);
+          } finally {
+            CALL.remove();
+          }
+        });
+  }
+
+  /** Queues a transfer of a file, which commits itself. */
   <T> CompletableFuture<T> transfer(CancellableOperation<T> operation) {
     return AsyncCall.submit(transfers, callbacks, operation);
   }

@@ -6,7 +6,6 @@ import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.CrossComAccessException.Operation;
 import no.hials.crosscom.KRL.KRLArray;
 import no.hials.crosscom.KRL.KRLVariable;
-import no.hials.crosscom.internal.Cancellation;
 import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.protocol.AnswerFrame;
@@ -42,25 +41,16 @@ final class VariableExchange {
   private final ClientConfig config;
   private final ReconnectingConnection connection;
   private final C3Channel channel;
-  private final Cancellation call;
   private final ReentrantLock lock;
 
   // guarded by the lock
   private final KrlScanner scanner = new KrlScanner();
   private final FrameWriter writer = new FrameWriter();
 
-  /**
-   * @param call committed before the first exchange, so that it can be cancelled until then
-   */
-  VariableExchange(
-      ClientConfig config,
-      ReconnectingConnection connection,
-      C3Channel channel,
-      Cancellation call) {
+  VariableExchange(ClientConfig config, ReconnectingConnection connection, C3Channel channel) {
     this.config = config;
     this.connection = connection;
     this.channel = channel;
-    this.call = call;
     this.lock = connection.lock();
   }
 
@@ -315,7 +305,7 @@ final class VariableExchange {
     if (frame.length > config.maxRequestLength()) {
       throw tooLong(name, name, frame.length);
     }
-    Answer answer = connection.exchange(frame, frame.length, MessageType.READ, name, call);
+    Answer answer = connection.exchange(frame, frame.length, MessageType.READ, name);
     AnswerFrame result = answer.frame();
     // KUKAVARPROXY of 2019 and later says success when the controller refuses
     // (docs/reference/kukavarproxy.md#refused-accesses)
@@ -327,8 +317,7 @@ final class VariableExchange {
 
   private Answer sendWrite(String name, CharSequence value) throws CrossComException {
     encode(writer, name, value);
-    Answer answer =
-        connection.exchange(writer.buffer(), writer.length(), MessageType.WRITE, name, call);
+    Answer answer = connection.exchange(writer.buffer(), writer.length(), MessageType.WRITE, name);
     AnswerFrame result = answer.frame();
     if (!result.success()) {
       throw new CrossComAccessException(name, Operation.WRITE, false, result.code());

@@ -125,6 +125,38 @@ class AsyncTest extends RobotTest {
   }
 
   @Test
+  void aWriteByTheOuterClientIsNotCancelledOnceItIsSent() throws Exception {
+    holdFirstRequest();
+    CompletableFuture<Void> write = client.asyncRun(c -> client.writeText("MYINT", "9"));
+    asked.await();
+
+    assertThat(write.cancel(false)).as("it was sent").isFalse();
+    release.countDown();
+
+    write.get();
+    assertThat(robot.variables().get("MYINT")).isEqualTo("9");
+  }
+
+  @Test
+  void aWriteByTheOuterClientIsNotSentIfItIsCancelledBefore() throws Exception {
+    CountDownLatch begun = new CountDownLatch(1);
+    CompletableFuture<Void> write =
+        client.asyncRun(
+            c -> {
+              begun.countDown();
+              release.await();
+              client.writeText("MYINT", "9");
+            });
+    begun.await();
+
+    assertThat(write.cancel(false)).isTrue();
+    release.countDown();
+
+    assertThat(client.async(c -> c.readText("MYINT")).get()).as("behind it").isEqualTo("0");
+    assertThat(robot.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
   void theClientOfAFunctionCanBeUsedAfterwards() throws Exception {
     CrossComClient view = client.async(c -> c).get();
 

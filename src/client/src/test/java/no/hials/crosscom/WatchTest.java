@@ -10,6 +10,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Flow;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -327,6 +328,24 @@ class WatchTest extends RobotTest {
     robot.disconnectClients();
 
     assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+  }
+
+  @Test
+  void aWatchOfACancelledCallReadsAllTheSame() throws Exception {
+    CountDownLatch begun = new CountDownLatch(1);
+    CountDownLatch cancelled = new CountDownLatch(1);
+    CompletableFuture<Void> call =
+        client.asyncRun(
+            c -> {
+              begun.countDown();
+              cancelled.await();
+              c.watch(PERIOD, samples::add, "$OV_PRO");
+            });
+    begun.await();
+    assertThat(call.cancel(false)).isTrue();
+    cancelled.countDown();
+
+    assertThat(next().value("$OV_PRO")).isEqualTo(new KrlInt(100));
   }
 
   private static Flow.Subscriber<Sample> ending(CountDownLatch ended) {

@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.locks.ReentrantLock;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import no.hials.crosscom.CrossComException;
@@ -64,10 +63,10 @@ public final class C3Files implements ControllerFiles {
   private final MessageChannel channel;
   private final Transfers transfers;
 
-  /** The turn is held by the transfer that is under way. */
-  public C3Files(MessageChannel channel, ReentrantLock turn) {
+  /** Creates an object that sends its messages on a channel. */
+  public C3Files(MessageChannel channel) {
     this.channel = channel;
-    this.transfers = new Transfers(channel, turn);
+    this.transfers = new Transfers(channel);
   }
 
   // --- directories and properties

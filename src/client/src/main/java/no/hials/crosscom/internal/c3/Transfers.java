@@ -24,11 +24,10 @@ final class Transfers {
   private final MessageChannel channel;
 
   /** Held for a whole transfer; guards only the state of transfers. */
-  private final ReentrantLock turn;
+  private final ReentrantLock turn = new ReentrantLock(true);
 
-  Transfers(MessageChannel channel, ReentrantLock turn) {
+  Transfers(MessageChannel channel) {
     this.channel = channel;
-    this.turn = turn;
   }
 
   void upload(byte[] content, String name, TransferConfig config, Cancellation cancellation)

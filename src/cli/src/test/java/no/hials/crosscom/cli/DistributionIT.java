@@ -166,13 +166,11 @@ class DistributionIT {
     builder.environment().remove("JAVA_HOME");
     builder.environment().put("PATH", tools.toString());
 
-    Cli.Result result = run(builder);
-
-    assertThat(result.errLines())
+    run(builder)
+        .failsInLines(127)
         .containsExactly(
             "jopenshowvar: needs Java 17 or later; there is no java in PATH, and JAVA_HOME is not"
                 + " set");
-    assertThat(result.code()).isEqualTo(127);
   }
 
   @Test
@@ -180,11 +178,9 @@ class DistributionIT {
     ProcessBuilder builder = command(program, "--version");
     builder.environment().put("JAVA_HOME", dir.toString());
 
-    Cli.Result result = run(builder);
-
-    assertThat(result.err())
+    run(builder)
+        .fails(127)
         .isEqualTo("jopenshowvar: JAVA_HOME is " + dir + ", where there is no bin/java\n");
-    assertThat(result.code()).isEqualTo(127);
   }
 
   @Test
@@ -199,9 +195,7 @@ class DistributionIT {
     Files.writeString(dir.resolve("release"), "JAVA_VERSION=\"11.0.2\"\n");
     Cli.Result read = run(builder);
 
-    assertThat(asked.err())
-        .isEqualTo("jopenshowvar: needs Java 17 or later; " + java + " is 1.8.0_392\n");
-    assertThat(asked.code()).isEqualTo(127);
+    asked.fails(127).isEqualTo("jopenshowvar: needs Java 17 or later; " + java + " is 1.8.0_392\n");
     assertThat(read.err())
         .isEqualTo("jopenshowvar: needs Java 17 or later; " + java + " is 11.0.2\n");
   }

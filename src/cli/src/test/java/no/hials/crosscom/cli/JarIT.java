@@ -66,16 +66,13 @@ class JarIT {
 
   @Test
   void readsThreeVariablesOfASimulatedController() throws Exception {
-    Cli.Result result = run(jar("read", "$POS_ACT", "$OV_PRO", "$MODEL_NAME[]", "--mock"));
-
-    assertThat(result.lines())
+    run(jar("read", "$POS_ACT", "$OV_PRO", "$MODEL_NAME[]", "--mock"))
+        .succeeds()
         .containsExactly(
             "$POS_ACT = {E6POS: X 525.000, Y 0.0, Z 890.000, A 0.0, B 90.0000, C 0.0, S 2, T 2,"
                 + " E1 0.0, E2 0.0, E3 0.0, E4 0.0, E5 0.0, E6 0.0}",
             "$OV_PRO = 100",
             "$MODEL_NAME[] = \"#KR6R900 C4SR FLR 230\"");
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
   }
 
   @Test
@@ -176,11 +173,7 @@ class JarIT {
 
   @Test
   void writesWithCode0() throws Exception {
-    Cli.Result result = runOnServer("write", "MYINT", "-5");
-
-    assertThat(result.lines()).containsExactly("MYINT = -5");
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
+    runOnServer("write", "MYINT", "-5").succeeds().containsExactly("MYINT = -5");
     assertThat(server.variables().get("MYINT")).isEqualTo("-5");
   }
 
@@ -199,11 +192,7 @@ class JarIT {
     ProcessBuilder builder = jar("read", "@cell1", "@sim", "MYINT");
     builder.environment().put("JOPENSHOWVAR_CONFIG", file.toString());
 
-    Cli.Result result = run(builder);
-
-    assertThat(result.lines()).containsExactly("cell1: MYINT = 1", "sim: MYINT = 0");
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
+    run(builder).succeeds().containsExactly("cell1: MYINT = 1", "sim: MYINT = 0");
   }
 
   @Test
@@ -220,40 +209,26 @@ class JarIT {
 
   @Test
   void endsWithCode2OnWrongUsage() throws Exception {
-    Cli.Result result = run(jar("read", "MYINT"));
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.err()).startsWith("jopenshowvar: which controller?");
-    assertThat(result.code()).isEqualTo(2);
+    run(jar("read", "MYINT")).fails(2).startsWith("jopenshowvar: which controller?");
   }
 
   @Test
   void endsWithCode3IfItCannotConnect() throws Exception {
     server.refuseConnections();
 
-    Cli.Result result = runOnServer("read", "MYINT");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
-        .singleElement()
-        .asString()
+    runOnServer("read", "MYINT")
+        .failsInALine(3)
         .startsWith("jopenshowvar: could not connect to 127.0.0.1");
-    assertThat(result.code()).isEqualTo(3);
   }
 
   @Test
   void endsWithCode4IfWhatComesIsNotTheProtocol() throws Exception {
     server.enqueue(Fault.none(), Fault.wrongFunction(9));
 
-    Cli.Result result = runOnServer("write", "MYINT", "5");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
-        .singleElement()
-        .asString()
+    runOnServer("write", "MYINT", "5")
+        .failsInALine(4)
         .startsWith("jopenshowvar: the answer to the write of MYINT is invalid")
         .contains("the outcome is unknown");
-    assertThat(result.code()).isEqualTo(4);
   }
 
   @Test
@@ -282,10 +257,7 @@ class JarIT {
     Path csv = Files.writeString(dir.resolve("run.csv"), "time [s],force [N]\n0,1.5\n1,2.5\n");
     Path svg = dir.resolve("run.svg");
 
-    Cli.Result result = run(jar("plot", csv.toString(), "--out", svg.toString()));
-
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
+    run(jar("plot", csv.toString(), "--out", svg.toString())).succeeds();
     assertThat(Files.readString(svg)).contains(">run.csv</text>");
   }
 
@@ -294,8 +266,7 @@ class JarIT {
     Cli.Result result = run(jar("--version"));
 
     assertThat(result.out().strip()).matches("jopenshowvar \\d+\\.\\d+\\.\\d+(-SNAPSHOT)?");
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
+    result.succeeds();
   }
 
   @Test

@@ -128,16 +128,13 @@ class ProfilesTest {
   void readsFromSeveralRobotsInTheOrderGiven() throws IOException {
     config(robot("cell1", one), robot("cell2", two));
 
-    Cli.Result result = run("read", "@cell2", "@cell1", "MYINT", "MYBOOL");
-
-    assertThat(result.lines())
+    run("read", "@cell2", "@cell1", "MYINT", "MYBOOL")
+        .succeeds()
         .containsExactly(
             "cell2: MYINT = 2",
             "cell2: MYBOOL = FALSE",
             "cell1: MYINT = 1",
             "cell1: MYBOOL = FALSE");
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
   }
 
   @Test
@@ -203,10 +200,9 @@ class ProfilesTest {
     config(robot("cell1", one), robot("cell2", two));
 
     assertThat(run("write", "@cell1", "MYINT", "5").lines()).containsExactly("MYINT = 5");
-    Cli.Result both = run("write", "@cell1", "@cell2", "MYINT", "6");
-
-    assertThat(both.err()).startsWith("jopenshowvar: one robot at a time, 2 are given");
-    assertThat(both.code()).isEqualTo(2);
+    run("write", "@cell1", "@cell2", "MYINT", "6")
+        .fails(2)
+        .startsWith("jopenshowvar: one robot at a time, 2 are given");
     assertThat(one.variables().get("MYINT")).isEqualTo("5");
     assertThat(two.requestCount()).isZero();
   }
@@ -222,10 +218,10 @@ class ProfilesTest {
               Stream.concat(Stream.of("write", "--yes", "MYINT", "5"), name.stream())
                   .toArray(String[]::new));
 
-      assertThat(result.err())
+      result
+          .fails(5)
           .startsWith("jopenshowvar: cell1: did not write MYINT: ")
           .contains("read-only by JOPENSHOWVAR_READ_ONLY");
-      assertThat(result.code()).isEqualTo(5);
     }
     assertThat(run("read", "MYINT").lines()).containsExactly("MYINT = 1");
     assertThat(one.requests()).noneMatch(RecordedRequest::isWrite);
@@ -247,12 +243,10 @@ class ProfilesTest {
     config(robot("cell1", one));
     one.controller().setMode(OperatingMode.AUT);
 
-    Cli.Result result = run("write", "@cell1", "MYINT", "5");
-
-    assertThat(result.errLines())
+    run("write", "@cell1", "MYINT", "5")
+        .failsInLines(5)
         .containsExactly(
             "jopenshowvar: cell1: did not write MYINT: $MODE_OP is #AUT, which needs --yes");
-    assertThat(result.code()).isEqualTo(5);
   }
 
   @ParameterizedTest
@@ -281,11 +275,7 @@ class ProfilesTest {
   void saysWhereTheFileIsWrong(String line, String message) throws IOException {
     Path file = config("[robots.a]", line);
 
-    Cli.Result result = run("read", "MYINT", "@a");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.err()).startsWith("jopenshowvar: " + file + message);
-    assertThat(result.code()).isEqualTo(2);
+    run("read", "MYINT", "@a").fails(2).startsWith("jopenshowvar: " + file + message);
   }
 
   @ParameterizedTest
@@ -312,10 +302,7 @@ class ProfilesTest {
             ? config(" # robots", lines.replace('~', '\n'), rest)
             : config(" # robots", lines, rest);
 
-    Cli.Result result = run("read", "MYINT", "@a");
-
-    assertThat(result.err()).startsWith("jopenshowvar: " + file + message);
-    assertThat(result.code()).isEqualTo(2);
+    run("read", "MYINT", "@a").fails(2).startsWith("jopenshowvar: " + file + message);
   }
 
   @Test
@@ -344,10 +331,9 @@ class ProfilesTest {
     environment.put("XDG_CONFIG_HOME", dir.toString());
     environment.put("APPDATA", dir.toString());
 
-    Cli.Result named = run("read", "MYINT", "@cell1");
-    assertThat(named.errLines())
+    run("read", "MYINT", "@cell1")
+        .failsInLines(2)
         .containsExactly("jopenshowvar: no robot is named cell1: there is no " + file);
-    assertThat(named.code()).isEqualTo(2);
     assertThat(run("read", "MYINT").err())
         .startsWith("jopenshowvar: which controller? give --host")
         .contains("@NAME for one of " + file);
@@ -357,13 +343,11 @@ class ProfilesTest {
   void saysThatTheFileOfTheEnvironmentIsNotThere() {
     environment.put("JOPENSHOWVAR_CONFIG", dir.resolve("gone.toml").toString());
 
-    Cli.Result result = run("read", "MYINT");
-
-    assertThat(result.err())
+    run("read", "MYINT")
+        .fails(2)
         .startsWith("jopenshowvar: cannot read " + dir.resolve("gone.toml"))
         .contains("JOPENSHOWVAR_CONFIG")
         .contains("file not found");
-    assertThat(result.code()).isEqualTo(2);
   }
 
   @Test
@@ -406,10 +390,7 @@ class ProfilesTest {
   void refusesWhatContradictsItself(String options, String message) throws IOException {
     config(robot("a", one), robot("b", two), "[robots.sim]\nmock = true");
 
-    Cli.Result result = run(("read MYINT " + options).split(" "));
-
-    assertThat(result.err()).startsWith("jopenshowvar: " + message);
-    assertThat(result.code()).isEqualTo(2);
+    run(("read MYINT " + options).split(" ")).fails(2).startsWith("jopenshowvar: " + message);
   }
 
   @ParameterizedTest
@@ -424,9 +405,6 @@ class ProfilesTest {
   void saysWhichVariableOfTheEnvironmentIsWrong(String name, String value, String message) {
     environment.put(name, value);
 
-    Cli.Result result = run("read", "MYINT", "--mock");
-
-    assertThat(result.err()).startsWith("jopenshowvar: " + name + " " + message);
-    assertThat(result.code()).isEqualTo(2);
+    run("read", "MYINT", "--mock").fails(2).startsWith("jopenshowvar: " + name + " " + message);
   }
 }

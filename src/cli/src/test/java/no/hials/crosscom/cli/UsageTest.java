@@ -57,21 +57,20 @@ class UsageTest {
 
     Cli.Result result = Cli.run(args);
 
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines().get(0)).startsWith("jopenshowvar: ").contains(message);
-    assertThat(result.errLines())
+    result
+        .failsInLines(2)
         .last()
         .asString()
         .matches("try 'jopenshowvar( (read|write|mock))? --help'");
-    assertThat(result.code()).isEqualTo(2);
+    assertThat(result.errLines().get(0)).startsWith("jopenshowvar: ").contains(message);
   }
 
   @Test
   void takesABlankNameForAVariableThatAShellReplaced() {
-    Cli.Result result = Cli.run("read", "", "--mock");
-
-    assertThat(result.err()).startsWith("jopenshowvar: a name is blank; in a shell").contains("'$");
-    assertThat(result.code()).isEqualTo(2);
+    Cli.run("read", "", "--mock")
+        .fails(2)
+        .startsWith("jopenshowvar: a name is blank; in a shell")
+        .contains("'$");
   }
 
   @Test
@@ -99,9 +98,7 @@ class UsageTest {
             "  2    wrong usage",
             "  3    could not connect",
             "  4    connection lost, timed out or not this protocol");
-    assertThat(result.lines()).allMatch(line -> line.length() <= 80);
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
+    result.succeeds().allMatch(line -> line.length() <= 80);
   }
 
   @ParameterizedTest
@@ -130,9 +127,6 @@ class UsageTest {
   @ParameterizedTest
   @ValueSource(strings = {"--version", "read --version", "write -V", "mock --version"})
   void hasAVersionOnEveryCommand(String arguments) {
-    Cli.Result result = Cli.run(arguments.split(" "));
-
-    assertThat(result.lines()).singleElement().asString().startsWith("jopenshowvar ");
-    assertThat(result.code()).isZero();
+    Cli.run(arguments.split(" ")).succeeds().singleElement().asString().startsWith("jopenshowvar ");
   }
 }

@@ -1,5 +1,7 @@
 package no.hials.crosscom.cli.base;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.Writer;
@@ -11,6 +13,8 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import no.hials.crosscom.cli.Main;
 import no.hials.crosscom.mock.MockServer;
+import org.assertj.core.api.AbstractStringAssert;
+import org.assertj.core.api.ListAssert;
 
 /** Runs the command line inside the tests' JVM, with captured streams. */
 public final class Cli {
@@ -30,6 +34,31 @@ public final class Cli {
 
     public List<String> errLines() {
       return err.lines().toList();
+    }
+
+    /** Checks that the exit code is 0 and stderr is empty. Returns the lines of stdout to check. */
+    public ListAssert<String> succeeds() {
+      assertThat(err).isEmpty();
+      assertThat(code).isZero();
+      return assertThat(lines());
+    }
+
+    /** Checks the exit code, and that stdout is empty. Returns stderr to check. */
+    public AbstractStringAssert<?> fails(int expected) {
+      assertThat(code).as(err).isEqualTo(expected);
+      assertThat(out).isEmpty();
+      return assertThat(err);
+    }
+
+    /** As {@link #fails}, but returns the lines of stderr. */
+    public ListAssert<String> failsInLines(int expected) {
+      fails(expected);
+      return assertThat(errLines());
+    }
+
+    /** As {@link #fails}, but stderr must be one line, which it returns. */
+    public AbstractStringAssert<?> failsInALine(int expected) {
+      return failsInLines(expected).singleElement().asString();
     }
   }
 

@@ -40,14 +40,11 @@ class DiscoverCommandTest {
   @Test
   void printsWhoAnswered() throws IOException {
     try (MockServer server = bridge()) {
-      Cli.Result result = discover(ports(server, 0));
-
-      assertThat(result.err()).isEmpty();
-      assertThat(result.lines())
+      discover(ports(server, 0))
+          .succeeds()
           .containsExactly(
               "MODEL                  SERIAL  SERVER     VERSION  ADDRESS",
               "#KR6R900 C4SR FLR 230  736512  C3 Bridge      1.4  127.0.0.1:" + server.port());
-      assertThat(result.code()).isZero();
     }
   }
 
@@ -76,12 +73,9 @@ class DiscoverCommandTest {
   @Test
   void saysThatNobodyAnswered() throws IOException {
     try (DatagramSocket silent = new DatagramSocket(0)) {
-      Cli.Result result = discover(silent.getLocalPort() + "," + silent.getLocalPort() + ",0");
-
-      assertThat(result.out()).isEmpty();
-      assertThat(result.errLines())
+      discover(silent.getLocalPort() + "," + silent.getLocalPort() + ",0")
+          .failsInLines(3)
           .containsExactly("jopenshowvar: no server answered within 200 ms");
-      assertThat(result.code()).isEqualTo(3);
     }
   }
 
@@ -108,11 +102,9 @@ class DiscoverCommandTest {
         DatagramSocket other = new DatagramSocket(null)) {
       other.bind(new InetSocketAddress(0));
 
-      Cli.Result result = discover(ports(server, other.getLocalPort()), "--legacy");
-
-      assertThat(result.out()).isEmpty();
-      assertThat(result.err()).startsWith("jopenshowvar: cannot listen on UDP port");
-      assertThat(result.code()).isEqualTo(3);
+      discover(ports(server, other.getLocalPort()), "--legacy")
+          .fails(3)
+          .startsWith("jopenshowvar: cannot listen on UDP port");
     }
   }
 

@@ -40,15 +40,12 @@ class FileCommandsTest {
   @ValueSource(
       strings = {"KRC:\\R1\\PROGRAM", "KRC:\\R1\\PROGRAM\\", "/R1/Program", "/r1/program/"})
   void listsAFolderInEveryFormOfItsName(String folder) {
-    Cli.Result result = run("file ls", folder);
-
-    assertThat(result.err()).isEmpty();
-    assertThat(result.lines())
+    run("file ls", folder)
+        .succeeds()
         .containsExactly(
             "TYPE    SIZE  ATTRIBUTES  NAME",
             "module    14  archive     A.SRC",
             "text       5  archive     b.txt");
-    assertThat(result.code()).isZero();
   }
 
   @Test
@@ -116,10 +113,9 @@ class FileCommandsTest {
   void saysThatItCannotList(String name) {
     Cli.Result result = run("file ls", name);
 
-    assertThat(result.out()).isEmpty();
+    result.fails(1);
     assertThat(result.errLines().get(0))
         .startsWith("jopenshowvar: the server refused the listing of " + name + ": code ");
-    assertThat(result.code()).isEqualTo(1);
   }
 
   // stat
@@ -184,14 +180,12 @@ class FileCommandsTest {
   @ParameterizedTest
   @CsvSource({"cp,copy", "mv,move"})
   void overwritesOnlyIfToldTo(String command, String verb) {
-    Cli.Result result = run("file " + command, "/R1/A.SRC", "/R1/b.txt");
-
-    assertThat(result.errLines())
+    run("file " + command, "/R1/A.SRC", "/R1/b.txt")
+        .failsInLines(5)
         .containsExactly(
             "jopenshowvar: did not "
                 + verb
                 + " /R1/A.SRC to /R1/b.txt: /R1/b.txt already exists, which needs --yes");
-    assertThat(result.code()).isEqualTo(5);
     assertThat(server.requests()).noneMatch(each -> each.request() instanceof CopyFileRequest);
 
     assertThat(run("file " + command, "/R1/A.SRC", "/R1/b.txt", "--yes").code()).isZero();
@@ -202,13 +196,11 @@ class FileCommandsTest {
 
   @Test
   void deletesOnlyIfToldTo() {
-    Cli.Result result = run("file rm", "/R1/A.SRC", "/R1/b.txt");
-
-    assertThat(result.errLines())
+    run("file rm", "/R1/A.SRC", "/R1/b.txt")
+        .failsInLines(5)
         .containsExactly(
             "jopenshowvar: did not delete /R1/A.SRC, /R1/b.txt: deleting cannot be undone, which"
                 + " needs --yes");
-    assertThat(result.code()).isEqualTo(5);
     assertThat(server.requests()).noneMatch(each -> each.request() instanceof DeleteFileRequest);
 
     assertThat(run("file rm", "--yes", "/R1/A.SRC", "/R1/b.txt").lines())
@@ -218,10 +210,12 @@ class FileCommandsTest {
 
   @Test
   void deletesNothingIfOneIsNotThere() {
-    Cli.Result result = run("file rm", "--yes", "/R1/A.SRC", "/R1/NOPE");
-
-    assertThat(result.errLines()).hasSize(2).last().asString().contains("file or folder not found");
-    assertThat(result.code()).isEqualTo(1);
+    run("file rm", "--yes", "/R1/A.SRC", "/R1/NOPE")
+        .failsInLines(1)
+        .hasSize(2)
+        .last()
+        .asString()
+        .contains("file or folder not found");
     assertThat(server.files().exists("/R1/A.SRC")).isTrue();
   }
 
@@ -229,9 +223,9 @@ class FileCommandsTest {
   void deletesAFolderOnlyIfToldTo() throws IOException {
     server.files().put("KRC:\\R1\\Old\\X.SRC", "");
 
-    Cli.Result result = run("file rm", "--yes", "KRC:\\R1\\Old");
-    assertThat(result.err()).contains("it is a folder, which needs --recursive");
-    assertThat(result.code()).isEqualTo(5);
+    run("file rm", "--yes", "KRC:\\R1\\Old")
+        .fails(5)
+        .contains("it is a folder, which needs --recursive");
 
     assertThat(run("file rm", "-r", "KRC:\\R1\\Old").err())
         .contains("all that is in KRC:\\R1\\Old goes, too, which needs --yes");
@@ -248,10 +242,8 @@ class FileCommandsTest {
 
     Cli.Result result = run("file rm", "--yes", "/R1/A.SRC", "/R1/b.txt");
 
-    assertThat(result.out()).isEmpty();
+    result.failsInLines(4).last().isEqualTo("not deleted: /R1/b.txt");
     assertThat(result.errLines().get(0)).contains("the outcome is unknown");
-    assertThat(result.errLines()).last().isEqualTo("not deleted: /R1/b.txt");
-    assertThat(result.code()).isEqualTo(4);
   }
 
   // all of them
@@ -259,10 +251,10 @@ class FileCommandsTest {
   @ParameterizedTest
   @ValueSource(strings = {"cp /R1/A.SRC /R1/C.SRC", "mv /R1/A.SRC /R1/C.SRC", "rm /R1/A.SRC --yes"})
   void changesNothingWhereOnlyReadingIsAllowed(String command) {
-    Cli.Result result = run("file " + command, "--read-only");
-
-    assertThat(result.err()).startsWith("jopenshowvar: did not ").contains("--read-only is given");
-    assertThat(result.code()).isEqualTo(5);
+    run("file " + command, "--read-only")
+        .fails(5)
+        .startsWith("jopenshowvar: did not ")
+        .contains("--read-only is given");
     assertThat(server.requestCount()).isZero();
   }
 
@@ -293,14 +285,13 @@ class FileCommandsTest {
 
       Cli.Result result = Cli.runOn(old, "file " + command);
 
-      assertThat(result.out()).isEmpty();
+      result
+          .failsInLines(1)
+          .last()
+          .isEqualTo("KUKAVARPROXY has no files: that needs C3 Bridge Interface on the controller");
       assertThat(result.errLines().get(0))
           .startsWith("jopenshowvar: this server cannot do the ")
           .endsWith("the server is KUKAVARPROXY");
-      assertThat(result.errLines())
-          .last()
-          .isEqualTo("KUKAVARPROXY has no files: that needs C3 Bridge Interface on the controller");
-      assertThat(result.code()).isEqualTo(1);
     }
   }
 
@@ -322,8 +313,7 @@ class FileCommandsTest {
     Cli.Result result = Cli.run(arguments.split(" "));
 
     assertThat(result.errLines().get(0)).startsWith("jopenshowvar: ").contains(message);
-    assertThat(result.errLines()).last().asString().startsWith("try 'jopenshowvar file");
-    assertThat(result.code()).isEqualTo(2);
+    result.failsInLines(2).last().asString().startsWith("try 'jopenshowvar file");
   }
 
   @Test
@@ -340,7 +330,6 @@ class FileCommandsTest {
 
     assertThat(result.out())
         .contains("JSON: ", "a name with backslashes needs single", "Examples:");
-    assertThat(result.lines()).allMatch(line -> line.length() <= 80);
-    assertThat(result.code()).isZero();
+    result.succeeds().allMatch(line -> line.length() <= 80);
   }
 }

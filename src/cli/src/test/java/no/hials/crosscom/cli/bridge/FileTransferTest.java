@@ -67,11 +67,7 @@ class FileTransferTest {
   void uploadsIntoAFolderOrUnderAName(String remote, String name) throws IOException {
     String local = file("a.src", A);
 
-    Cli.Result result = put(local, remote);
-
-    assertThat(result.err()).isEmpty();
-    assertThat(result.lines()).containsExactly(local + " -> " + name + ", 32 bytes");
-    assertThat(result.code()).isZero();
+    put(local, remote).succeeds().containsExactly(local + " -> " + name + ", 32 bytes");
     assertThat(server.files().text(name)).hasValue(A);
   }
 
@@ -136,14 +132,12 @@ class FileTransferTest {
     server.files().put("/R1/A.SRC", "old");
     String local = file("a.src", A);
 
-    Cli.Result result = put(local, "/R1/");
-
-    assertThat(result.errLines())
+    put(local, "/R1/")
+        .failsInLines(5)
         .containsExactly(
             "jopenshowvar: did not upload "
                 + local
                 + ": /R1/a.src already exists, which needs --yes");
-    assertThat(result.code()).isEqualTo(5);
     assertThat(server.files().text("/R1/A.SRC")).hasValue("old");
 
     assertThat(put(local, "/R1/", "--yes").code()).isZero();
@@ -209,10 +203,8 @@ class FileTransferTest {
 
     Cli.Result result = put(large.toString(), file("b.txt", "b"), "KRC:\\R1\\TP\\");
 
-    assertThat(result.out()).isEmpty();
+    result.failsInLines(4).last().isEqualTo("not uploaded: KRC:\\R1\\TP\\b.txt");
     assertThat(result.errLines().get(0)).startsWith("jopenshowvar: the connection to ");
-    assertThat(result.errLines()).last().isEqualTo("not uploaded: KRC:\\R1\\TP\\b.txt");
-    assertThat(result.code()).isEqualTo(4);
     assertThat(server.files().exists("KRC:\\R1\\TP\\large.bin")).isFalse();
   }
 
@@ -239,11 +231,9 @@ class FileTransferTest {
   void asksOutsideT1() throws IOException {
     server.controller().setMode(OperatingMode.EXT);
 
-    Cli.Result result = put(file("a.src", A), "/R1/");
-
-    assertThat(result.err())
+    put(file("a.src", A), "/R1/")
+        .fails(5)
         .endsWith(": $MODE_OP is #EX, which needs --yes" + System.lineSeparator());
-    assertThat(result.code()).isEqualTo(5);
     assertThat(server.files().exists("/R1/A.SRC")).isFalse();
   }
 
@@ -262,10 +252,9 @@ class FileTransferTest {
 
   @Test
   void putsSeveralFilesIntoAFolderOnly() throws IOException {
-    Cli.Result result = put(file("a.src", A), file("b.src", A), "/R1/NEW");
-
-    assertThat(result.err()).contains("for several files REMOTE must be a folder, /R1/NEW is not");
-    assertThat(result.code()).isEqualTo(2);
+    put(file("a.src", A), file("b.src", A), "/R1/NEW")
+        .fails(2)
+        .contains("for several files REMOTE must be a folder, /R1/NEW is not");
   }
 
   @Test
@@ -309,12 +298,10 @@ class FileTransferTest {
     server.files().put("/R1/A.SRC", A);
     String local = file("mine.src", "mine");
 
-    Cli.Result result = get("/R1/A.SRC", local);
-
-    assertThat(result.errLines())
+    get("/R1/A.SRC", local)
+        .failsInLines(5)
         .containsExactly(
             "jopenshowvar: did not overwrite it: " + local + " already exists, which needs --yes");
-    assertThat(result.code()).isEqualTo(5);
     assertThat(Path.of(local)).hasContent("mine");
 
     assertThat(get("/R1/A.SRC", local, "--yes").code()).isZero();
@@ -329,35 +316,31 @@ class FileTransferTest {
         Fault.closeBefore());
     String local = file("large.bin", "old");
 
-    Cli.Result result = get("KRC:\\R1\\TP\\large.bin", local, "--yes");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.code()).isEqualTo(4);
+    get("KRC:\\R1\\TP\\large.bin", local, "--yes").fails(4);
     assertThat(Path.of(local)).hasContent("old");
     assertThat(localFiles()).containsExactly("large.bin");
   }
 
   @Test
   void saysThatItIsNotThere() throws IOException {
-    Cli.Result result = get("/R1/NOPE.SRC", dir.toString());
-
-    assertThat(result.errLines()).last().asString().contains("file or folder not found");
-    assertThat(result.code()).isEqualTo(1);
+    get("/R1/NOPE.SRC", dir.toString())
+        .failsInLines(1)
+        .last()
+        .asString()
+        .contains("file or folder not found");
     assertThat(localFiles()).isEmpty();
   }
 
   @Test
   void checksThePlaceBeforeItConnects() {
-    Cli.Result result = get("/R1/A.SRC", dir.resolve("gone/a.src").toString());
-
-    assertThat(result.err())
+    get("/R1/A.SRC", dir.resolve("gone/a.src").toString())
+        .fails(2)
         .isEqualTo(
             "jopenshowvar: cannot write "
                 + dir.resolve("gone/a.src")
                 + ": there is no folder "
                 + dir.resolve("gone")
                 + System.lineSeparator());
-    assertThat(result.code()).isEqualTo(2);
     assertThat(get("/R1/A", "/R1/B", dir.resolve("x").toString()).code()).isEqualTo(2);
     assertThat(server.requestCount()).isZero();
   }
@@ -365,10 +348,7 @@ class FileTransferTest {
   @ParameterizedTest
   @ValueSource(strings = {"KRC:\\R1\\..", "/R1/.."})
   void leavesItsFolderForNoName(String name) throws IOException {
-    Cli.Result result = get(name, dir.toString());
-
-    assertThat(result.err()).contains("is a folder, it cannot become a file");
-    assertThat(result.code()).isEqualTo(2);
+    get(name, dir.toString()).fails(2).contains("is a folder, it cannot become a file");
     assertThat(localFiles()).isEmpty();
   }
 

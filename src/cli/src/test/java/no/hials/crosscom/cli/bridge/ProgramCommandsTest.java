@@ -41,11 +41,7 @@ class ProgramCommandsTest {
   @ParameterizedTest
   @ValueSource(strings = {"/R1/WAITS", "/r1/waits.src", "KRC:\\R1\\PROGRAM\\WAITS.SRC", "WAITS"})
   void selectsAProgramInEveryFormOfItsNameAndDoesNotStartIt(String name) {
-    Cli.Result result = run("program select", name, "--yes");
-
-    assertThat(result.err()).isEmpty();
-    assertThat(result.lines()).containsExactly("robot: WAITS #P_RESET");
-    assertThat(result.code()).isZero();
+    run("program select", name, "--yes").succeeds().containsExactly("robot: WAITS #P_RESET");
     assertThat(state()).isEqualTo(ProgramState.RESET);
   }
 
@@ -113,16 +109,13 @@ class ProgramCommandsTest {
     server.files().put("/R1/BAD.SRC", "DEF BAD ( )\n  MYINT = = 3\nEND\n");
 
     for (String name : new String[] {"/R1/BAD", "/R1/NOPE", "/R1/\u00e4\u4e2d"}) {
-      Cli.Result result = run("program select", name, "--yes");
-
-      assertThat(result.out()).isEmpty();
-      assertThat(result.errLines())
+      run("program select", name, "--yes")
+          .failsInLines(1)
           .containsExactly(
               "jopenshowvar: the server refused the selection of program "
                   + name
                   + ": code 0 (GENERAL: no reason given)",
               "likely cause: there is no such program, or it has errors");
-      assertThat(result.code()).isEqualTo(1);
     }
   }
 
@@ -136,11 +129,9 @@ class ProgramCommandsTest {
     "confirm,confirm all messages"
   })
   void asksOutsideT1AndSendsNothingWithoutATerminal(String command, String what) {
-    Cli.Result result = run(command);
-
-    assertThat(result.errLines())
+    run(command)
+        .failsInLines(5)
         .containsExactly("jopenshowvar: did not " + what + ": $MODE_OP is #AUT, which needs --yes");
-    assertThat(result.code()).isEqualTo(5);
     assertThat(server.controller().robot().program()).isEmpty();
   }
 
@@ -156,14 +147,10 @@ class ProgramCommandsTest {
         "confirm"
       })
   void refusesEverythingWhereOnlyReadingIsAllowed(String command) {
-    Cli.Result result = run(command, "--read-only", "--yes");
-
-    assertThat(result.errLines())
-        .singleElement()
-        .asString()
+    run(command, "--read-only", "--yes")
+        .failsInALine(5)
         .startsWith("jopenshowvar: did not ")
         .endsWith(": --read-only is given");
-    assertThat(result.code()).isEqualTo(5);
     assertThat(server.requestCount()).isZero();
   }
 
@@ -193,14 +180,10 @@ class ProgramCommandsTest {
     try (MockServer old = MockServer.start()) {
       old.controller().setMode(OperatingMode.AUT);
 
-      Cli.Result result = Cli.runOn(old, command);
-
-      assertThat(result.errLines())
-          .singleElement()
-          .asString()
+      Cli.runOn(old, command)
+          .failsInALine(1)
           .startsWith("jopenshowvar: this server cannot do the ")
           .endsWith("the server is KUKAVARPROXY");
-      assertThat(result.code()).isEqualTo(1);
     }
   }
 
@@ -210,11 +193,7 @@ class ProgramCommandsTest {
     server.clearRequests();
     server.fault(each -> each.request() instanceof ProgramControlRequest, Fault.closeDuring(3));
 
-    Cli.Result result = run("program start", "--yes");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.err()).contains("the outcome is unknown");
-    assertThat(result.code()).isEqualTo(4);
+    run("program start", "--yes").fails(4).contains("the outcome is unknown");
     assertThat(server.requests())
         .filteredOn(each -> each.request() instanceof ProgramControlRequest)
         .hasSize(1);
@@ -225,10 +204,7 @@ class ProgramCommandsTest {
     run("program run", "WAITS", "--yes");
     server.fault(each -> each.toString().contains("$PRO_"), Fault.closeBefore());
 
-    Cli.Result result = run("program stop");
-
-    assertThat(result.lines()).containsExactly("robot: program unknown state unknown");
-    assertThat(result.code()).isZero();
+    run("program stop").succeeds().containsExactly("robot: program unknown state unknown");
     assertThat(state()).isEqualTo(ProgramState.STOP);
   }
 
@@ -254,8 +230,7 @@ class ProgramCommandsTest {
     Cli.Result result = Cli.run(arguments.split(" "));
 
     assertThat(result.errLines().get(0)).startsWith("jopenshowvar: ").contains(message);
-    assertThat(result.errLines()).last().asString().startsWith("try 'jopenshowvar program");
-    assertThat(result.code()).isEqualTo(2);
+    result.failsInLines(2).last().asString().startsWith("try 'jopenshowvar program");
   }
 
   @Test

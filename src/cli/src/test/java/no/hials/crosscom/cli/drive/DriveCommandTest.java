@@ -267,15 +267,14 @@ class DriveCommandTest {
     try (MockServer server = MockServer.start(cfg -> {})) {
       Cli.Result result = Cli.runOn(server, "drive", "--device=udp:0");
 
-      assertThat(result.code()).isEqualTo(1);
-      assertThat(result.out()).isEmpty();
-      assertThat(result.errLines().get(1))
-          .isEqualTo("jopenshowvar: PROGRAM: $PRO_STATE1 must be #P_ACTIVE, is #P_FREE");
-      assertThat(result.err())
+      result
+          .fails(1)
           .contains(
               "a client moves no robot by itself: a program on the controller has to follow MYPOS",
               "no program is selected there; select and start ACTUATOR (krl/actuator.src)",
               "docs/how-to/drive-the-robot.md");
+      assertThat(result.errLines().get(1))
+          .isEqualTo("jopenshowvar: PROGRAM: $PRO_STATE1 must be #P_ACTIVE, is #P_FREE");
     }
   }
 
@@ -293,10 +292,8 @@ class DriveCommandTest {
     try (MockServer server = robot(DriveSpace.BASE)) {
       server.controller().submit().stop();
 
-      Cli.Result result = Cli.runOn(server, "drive", "--device=udp:0", "--yes");
-
-      assertThat(result.code()).isEqualTo(1);
-      assertThat(result.err())
+      Cli.runOn(server, "drive", "--device=udp:0", "--yes")
+          .fails(1)
           .contains("WATCHDOG: the watchdog does not see the heartbeat", "--no-watchdog drives");
     }
   }
@@ -319,10 +316,8 @@ class DriveCommandTest {
 
   @Test
   void aReadOnlyControllerIsNotDriven() {
-    Cli.Result result = Cli.run(patient("--read-only"));
-
-    assertThat(result.code()).isEqualTo(5);
-    assertThat(result.err())
+    Cli.run(patient("--read-only"))
+        .fails(5)
         .isEqualToIgnoringNewLines(
             "jopenshowvar: did not drive the robot by MYPOS: --read-only is given");
   }
@@ -330,20 +325,15 @@ class DriveCommandTest {
   @Test
   void outsideT1ItAsksAPerson() throws Exception {
     try (MockServer server = robot(DriveSpace.BASE)) {
-      Cli.Result result = Cli.runOn(server, "drive", "--device=udp:0");
-
-      assertThat(result.code()).isEqualTo(5);
-      assertThat(result.err())
+      Cli.runOn(server, "drive", "--device=udp:0")
+          .fails(5)
           .contains("did not drive the robot by MYPOS: $MODE_OP is #AUT, which needs --yes");
     }
   }
 
   @Test
   void withoutATerminalThereIsNoKeyboard() {
-    Cli.Result result = Cli.run("drive", "--mock");
-
-    assertThat(result.code()).isEqualTo(2);
-    assertThat(result.err()).startsWith("jopenshowvar: the keyboard needs a terminal");
+    Cli.run("drive", "--mock").fails(2).startsWith("jopenshowvar: the keyboard needs a terminal");
   }
 
   @Test
@@ -363,10 +353,9 @@ class DriveCommandTest {
   void aRecordingIsNotWrittenOver() throws IOException {
     Path record = Files.writeString(folder.resolve("run.csv"), "mine");
 
-    Cli.Result result = Cli.run(patient("--device=udp:0", "--record=" + record));
-
-    assertThat(result.code()).isEqualTo(2);
-    assertThat(result.err()).contains("already exists; --yes overwrites it");
+    Cli.run(patient("--device=udp:0", "--record=" + record))
+        .fails(2)
+        .contains("already exists; --yes overwrites it");
     assertThat(record).hasContent("mine");
   }
 
@@ -377,9 +366,9 @@ class DriveCommandTest {
     assertThat(Cli.run(patient("--device=csv:" + folder.resolve("none.csv"))).errLines())
         .containsExactly(
             "jopenshowvar: cannot read " + folder.resolve("none.csv") + ": file not found");
-    Cli.Result result = Cli.run(patient("--device=csv:" + wrong));
-    assertThat(result.err()).contains("wrong.csv, line 2: an axis must be -1 to 1, is 2.0");
-    assertThat(result.code()).isEqualTo(2);
+    Cli.run(patient("--device=csv:" + wrong))
+        .fails(2)
+        .contains("wrong.csv, line 2: an axis must be -1 to 1, is 2.0");
   }
 
   @ParameterizedTest
@@ -401,10 +390,7 @@ class DriveCommandTest {
         "--device udp:70000       | must be 0 to 65535, is 70000"
       })
   void saysWhatIsWrong(String options, String message) {
-    Cli.Result result = Cli.run(("drive --mock " + options).split(" "));
-
-    assertThat(result.code()).isEqualTo(2);
-    assertThat(result.err()).contains(message);
+    Cli.run(("drive --mock " + options).split(" ")).fails(2).contains(message);
   }
 
   @Test

@@ -50,10 +50,7 @@ class BenchCommandTest {
 
   @Test
   void readsAsOftenAsAskedToAndBeforeOnceToTryAndToWarmUp() {
-    Cli.Result result = bench("--count", "20", "--warm-up", "5", "$OV_PRO", "$AXIS_ACT");
-
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
+    bench("--count", "20", "--warm-up", "5", "$OV_PRO", "$AXIS_ACT").succeeds();
     assertThat(reads("$OV_PRO")).isEqualTo(1 + 5 + 20);
     assertThat(reads("$AXIS_ACT")).isEqualTo(1 + 5 + 20);
     assertThat(writes()).isEmpty();
@@ -128,8 +125,7 @@ class BenchCommandTest {
 
     Cli.Result refused = bench("--count", "2", "--write", "MYINT");
 
-    assertThat(refused.code()).isEqualTo(5);
-    assertThat(refused.errLines()).hasSize(1);
+    refused.failsInLines(5).hasSize(1);
     assertThat(refused.errLines().get(0))
         .startsWith("jopenshowvar: did not write MYINT: $MODE_OP is #AUT")
         .contains("--yes");
@@ -213,10 +209,7 @@ class BenchCommandTest {
 
   @Test
   void measuresNothingIfTheControllerHasNothingOfIt() {
-    Cli.Result result = bench("NOSUCH");
-
-    assertThat(result.code()).isEqualTo(1);
-    assertThat(result.out()).isEmpty();
+    bench("NOSUCH").fails(1);
   }
 
   @Test

@@ -73,10 +73,8 @@ class ExperimentCommandTest {
 
   @Test
   void listsTheExperiments() {
-    Cli.Result result = Cli.run("experiment", "list");
-
-    assertThat(result.code()).isZero();
-    assertThat(result.lines())
+    Cli.run("experiment", "list")
+        .succeeds()
         .hasSize(14)
         .contains(
             "position-circle          A circle by the position of the tool: ACTUATOR and MYPOS.");
@@ -85,12 +83,10 @@ class ExperimentCommandTest {
   @ParameterizedTest
   @MethodSource("figures")
   void theRobotDrawsTheFigure(String name) throws IOException {
-    Cli.Result result =
-        experiment(name, "--for", "400ms", "--lap", "6s", "--csv", "--size", "640x720");
-
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
-    assertThat(result.lines()).last().isEqualTo("wrote " + file(name + ".png"));
+    experiment(name, "--for", "400ms", "--lap", "6s", "--csv", "--size", "640x720")
+        .succeeds()
+        .last()
+        .isEqualTo("wrote " + file(name + ".png"));
     BufferedImage picture = Pictures.png(file(name + ".png"));
     assertThat(picture.getWidth()).isEqualTo(640);
     assertThat(picture.getHeight()).isEqualTo(720);
@@ -108,11 +104,8 @@ class ExperimentCommandTest {
 
   @Test
   void aLineIsFollowedByBothKinematics() throws IOException {
-    Cli.Result result = experiment("line-dls", "--for", "400ms", "--csv", "--format", "svg");
-
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
-    assertThat(result.lines())
+    experiment("line-dls", "--for", "400ms", "--csv", "--format", "svg")
+        .succeeds()
         .anyMatch(line -> line.startsWith("deviation, krc, max: "))
         .anyMatch(line -> line.startsWith("deviation, dls, max: "));
     assertThat(Pictures.texts(file("line-dls.svg")))
@@ -127,10 +120,8 @@ class ExperimentCommandTest {
 
   @Test
   void theLongRunSaysWhoseFaultMissedCyclesAre() throws IOException {
-    Cli.Result result = experiment("endurance", "--for", "500ms", "--csv");
-
-    assertThat(result.code()).isZero();
-    assertThat(result.lines())
+    experiment("endurance", "--for", "500ms", "--csv")
+        .succeeds()
         .anyMatch(line -> line.matches("missed, the accesses left .*: \\d+"))
         .anyMatch(line -> line.matches("missed, garbage collection: \\d+"))
         .anyMatch(line -> line.matches("missed, anything else: \\d+"))
@@ -165,10 +156,9 @@ class ExperimentCommandTest {
   void aFileIsNoFolder() throws IOException {
     Path occupied = Files.writeString(file("a"), "mine");
 
-    Cli.Result result = Cli.run("experiment", "position-circle", "--out", occupied.toString());
-
-    assertThat(result.code()).isEqualTo(2);
-    assertThat(result.err()).contains("cannot make " + occupied + ": the file already exists");
+    Cli.run("experiment", "position-circle", "--out", occupied.toString())
+        .fails(2)
+        .contains("cannot make " + occupied + ": the file already exists");
     assertThat(occupied).hasContent("mine");
   }
 
@@ -176,10 +166,9 @@ class ExperimentCommandTest {
   void nothingIsWrittenOver() throws IOException {
     Files.writeString(file("line-dls-dls.csv"), "mine");
 
-    Cli.Result result = experiment("line-dls", "--csv");
-
-    assertThat(result.code()).isEqualTo(2);
-    assertThat(result.err()).contains("line-dls-dls.csv already; --yes overwrites it");
+    experiment("line-dls", "--csv")
+        .fails(2)
+        .contains("line-dls-dls.csv already; --yes overwrites it");
     assertThat(file("line-dls.png")).doesNotExist();
   }
 
@@ -195,9 +184,6 @@ class ExperimentCommandTest {
         "position-circle --latency x   | latency must be none, krc4, krc4-2014 or a time",
       })
   void wrongUsageIsNamed(String args, String message) {
-    Cli.Result result = Cli.run(("experiment " + args).split(" "));
-
-    assertThat(result.code()).isEqualTo(2);
-    assertThat(result.err()).contains(message);
+    Cli.run(("experiment " + args).split(" ")).fails(2).contains(message);
   }
 }

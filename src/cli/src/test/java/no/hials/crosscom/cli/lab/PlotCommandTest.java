@@ -50,11 +50,7 @@ class PlotCommandTest {
 
   @Test
   void drawsAPanelForEachStructureAndUnit() throws IOException {
-    Cli.Result result = plot();
-
-    assertThat(result.err()).isEmpty();
-    assertThat(result.lines()).containsExactly("wrote " + svg);
-    assertThat(result.code()).isZero();
+    plot().succeeds().containsExactly("wrote " + svg);
     assertThat(Pictures.texts(svg).lines())
         .containsExactly(
             "run.csv, 2026-05-04 10:15:30 UTC",
@@ -199,10 +195,8 @@ class PlotCommandTest {
   void doesNotOverwriteUnlessToldTo() throws IOException {
     Files.writeString(svg, "mine");
 
-    Cli.Result refused = plot();
-
-    assertThat(refused.code()).isEqualTo(2);
-    assertThat(refused.errLines())
+    plot()
+        .failsInLines(2)
         .containsExactly("jopenshowvar: " + svg + " already exists; --yes overwrites it");
     assertThat(svg).hasContent("mine");
     assertThat(plot("--yes").code()).isZero();

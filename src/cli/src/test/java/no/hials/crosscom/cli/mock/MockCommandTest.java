@@ -35,25 +35,20 @@ class MockCommandTest {
   @Test
   void saysThatThePortIsInUse() throws IOException {
     try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      Cli.Result result = Cli.run("mock", "--port", "" + other.getLocalPort());
-
-      assertThat(result.out()).isEmpty();
-      assertThat(result.errLines())
-          .singleElement()
-          .asString()
+      Cli.run("mock", "--port", "" + other.getLocalPort())
+          .failsInALine(3)
           .startsWith("jopenshowvar: cannot listen on ")
           .contains(":" + other.getLocalPort());
-      assertThat(result.code()).isEqualTo(3);
     }
   }
 
   @Test
   void saysThatTheAddressIsNotOfThisMachine() {
     // an address of the block for documentation, RFC 5737
-    Cli.Result result = Cli.run("mock", "--host", "192.0.2.1", "--port", "0");
-
-    assertThat(result.err()).startsWith("jopenshowvar: cannot listen on ").contains("192.0.2.1");
-    assertThat(result.code()).isEqualTo(3);
+    Cli.run("mock", "--host", "192.0.2.1", "--port", "0")
+        .fails(3)
+        .startsWith("jopenshowvar: cannot listen on ")
+        .contains("192.0.2.1");
   }
 
   @Test
@@ -82,11 +77,9 @@ class MockCommandTest {
   @Test
   void saysThatTheDiscoveryPortThatWasAskedForIsInUse() throws Exception {
     try (DatagramSocket other = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
-      Cli.Result result = Cli.run("mock", "--port", "0", "--discovery", "" + other.getLocalPort());
-
-      assertThat(result.out()).isEmpty();
-      assertThat(result.err()).startsWith("jopenshowvar: cannot listen on UDP ");
-      assertThat(result.code()).isEqualTo(3);
+      Cli.run("mock", "--port", "0", "--discovery", "" + other.getLocalPort())
+          .fails(3)
+          .startsWith("jopenshowvar: cannot listen on UDP ");
     }
   }
 

@@ -76,12 +76,12 @@ class MockFilesTest {
             "--program",
             program);
 
-    assertThat(result.errLines())
+    result
+        .failsInLines(2)
         .containsExactly(
             "jopenshowvar: cannot use "
                 + program
                 + ": there is another KRC:\\R1\\Program\\waits.src already");
-    assertThat(result.code()).isEqualTo(2);
     assertThat(programs.resolve("waits.src")).hasContent("another one");
   }
 
@@ -89,11 +89,9 @@ class MockFilesTest {
   void saysThatTheFolderIsNotThere() {
     Path gone = dir.resolve("gone");
 
-    Cli.Result result =
-        Cli.run("mock", "--server", "c3", "--port", "0", "--files", gone.toString());
-
-    assertThat(result.err()).startsWith("jopenshowvar: cannot use " + gone + ": ");
-    assertThat(result.code()).isEqualTo(2);
+    Cli.run("mock", "--server", "c3", "--port", "0", "--files", gone.toString())
+        .fails(2)
+        .startsWith("jopenshowvar: cannot use " + gone + ": ");
   }
 
   @Test

@@ -155,23 +155,19 @@ class MockProgramsTest {
 
   @Test
   void saysWhichFileIsNotThere() {
-    Cli.Result result = refused("--program", dir.resolve("gone.src").toString());
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
+    refused("--program", dir.resolve("gone.src").toString())
+        .failsInLines(2)
         .containsExactly(
             "jopenshowvar: cannot read " + dir.resolve("gone.src") + ": file not found");
-    assertThat(result.code()).isEqualTo(2);
   }
 
   @Test
   void doesNotTakeADirectoryForAFile() throws Exception {
     Path folder = Files.createDirectory(dir.resolve("folder.dat"));
 
-    Cli.Result result = refused("--config", folder.toString());
-
-    assertThat(result.err()).startsWith("jopenshowvar: cannot read " + folder + ": ");
-    assertThat(result.code()).isEqualTo(2);
+    refused("--config", folder.toString())
+        .fails(2)
+        .startsWith("jopenshowvar: cannot read " + folder + ": ");
   }
 
   @Test
@@ -181,36 +177,33 @@ class MockProgramsTest {
 
     Cli.Result result = refused("--program", program);
 
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines()).hasSizeGreaterThanOrEqualTo(3);
+    result.failsInLines(2).hasSizeGreaterThanOrEqualTo(3);
     assertThat(result.errLines().get(0))
         .isEqualTo("jopenshowvar: " + program + " has errors, it was not loaded:");
     assertThat(result.errLines().get(1)).startsWith("bad.src:2:11: ");
     assertThat(result.errLines().get(2)).startsWith("bad.src:3:8: ");
-    assertThat(result.code()).isEqualTo(2);
   }
 
   @Test
   void saysWhereTheErrorsOfADataListAre() throws Exception {
     String config = file("bad.dat", "DEFDAT $CONFIG", "DECL INT BAD=#A", "ENDDAT");
 
-    Cli.Result result = refused("--config", config);
-
-    assertThat(result.errLines()).last().asString().startsWith("bad.dat:2:14: BAD: needs INT");
-    assertThat(result.code()).isEqualTo(2);
+    refused("--config", config)
+        .failsInLines(2)
+        .last()
+        .asString()
+        .startsWith("bad.dat:2:14: BAD: needs INT");
   }
 
   @Test
   void saysWhichRoutineAProgramLacks() throws Exception {
     String program = file("lacks.src", "DEF LACKS ( )", "  NOWHERE ( )", "END");
 
-    Cli.Result result = refused("--program", program, "--start");
-
-    assertThat(result.errLines())
+    refused("--program", program, "--start")
+        .failsInLines(2)
         .containsExactly(
             "jopenshowvar: " + program + " cannot be selected:",
             "lacks.src:2:3: no routine NOWHERE is known");
-    assertThat(result.code()).isEqualTo(2);
   }
 
   @Test

@@ -30,11 +30,9 @@ class RunCommandTest {
   void runsTheLinesOfAFile() throws IOException {
     String file = file("; slowly", "$OV_PRO = 10", "wait 1ms", "", "$OV_PRO", "exit", "NOPE");
 
-    Cli.Result result = Cli.runOn(server, "run", file, "--yes");
-
-    assertThat(result.lines()).containsExactly("$OV_PRO = 10", "$OV_PRO = 10");
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
+    Cli.runOn(server, "run", file, "--yes")
+        .succeeds()
+        .containsExactly("$OV_PRO = 10", "$OV_PRO = 10");
   }
 
   @Test
@@ -58,14 +56,12 @@ class RunCommandTest {
 
     Cli.Result result = Cli.runOn(server, "run", file, "--yes");
 
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines()).hasSize(3);
+    result.failsInLines(2).hasSize(3);
     assertThat(result.errLines().get(0))
         .startsWith("jopenshowvar: " + file + ":2: five is no KRL value");
     assertThat(result.errLines().get(1))
         .startsWith("jopenshowvar: " + file + ":3: unknown option: '--nonsense'");
     assertThat(result.errLines().get(2)).startsWith("jopenshowvar: " + file + ":4: ");
-    assertThat(result.code()).isEqualTo(2);
     assertThat(server.requestCount()).isZero();
   }
 
@@ -73,29 +69,25 @@ class RunCommandTest {
   void saysInADryRunWhatEachLineWouldDoWithoutAController() throws IOException {
     String file = file("get $OV_PRO $MODE_OP", "$OV_PRO 10", "wait 2s", "help $OV_PRO", "vars x");
 
-    Cli.Result result = Cli.run("run", "--dry-run", file);
-
-    assertThat(result.lines())
+    Cli.run("run", "--dry-run", file)
+        .succeeds()
         .containsExactly(
             file + ":1: read $OV_PRO $MODE_OP",
             file + ":2: write $OV_PRO = 10",
             file + ":3: wait 2000 ms",
             file + ":4: help $OV_PRO",
             file + ":5: vars x");
-    assertThat(result.code()).isZero();
   }
 
   @Test
   void doesNotBeginAFileThatWritesWithoutLeave() throws IOException {
     String file = file("$OV_PRO", "MYINT = 5");
 
-    Cli.Result asked = Cli.runOn(server, "run", file);
-    assertThat(asked.err()).contains("did not write MYINT = 5: it needs --yes");
-    assertThat(asked.code()).isEqualTo(5);
+    Cli.runOn(server, "run", file).fails(5).contains("did not write MYINT = 5: it needs --yes");
 
-    Cli.Result readOnly = Cli.runOn(server, "run", file, "--yes", "--read-only");
-    assertThat(readOnly.err()).contains("did not write MYINT = 5: --read-only is given");
-    assertThat(readOnly.code()).isEqualTo(5);
+    Cli.runOn(server, "run", file, "--yes", "--read-only")
+        .fails(5)
+        .contains("did not write MYINT = 5: --read-only is given");
     assertThat(server.requestCount()).isZero();
   }
 
@@ -144,13 +136,11 @@ class RunCommandTest {
 
   @Test
   void callsItWrongUsageIfTheFileCannotBeRead() throws IOException {
-    Cli.Result missing = Cli.runOn(server, "run", dir.resolve("none").toString());
-    assertThat(missing.err()).contains("none: file not found");
-    assertThat(missing.code()).isEqualTo(2);
+    Cli.runOn(server, "run", dir.resolve("none").toString())
+        .fails(2)
+        .contains("none: file not found");
 
     Path latin = Files.write(dir.resolve("latin"), new byte[] {(byte) 0xE4});
-    Cli.Result unreadable = Cli.runOn(server, "run", latin.toString());
-    assertThat(unreadable.err()).contains("latin: it is not in UTF-8");
-    assertThat(unreadable.code()).isEqualTo(2);
+    Cli.runOn(server, "run", latin.toString()).fails(2).contains("latin: it is not in UTF-8");
   }
 }

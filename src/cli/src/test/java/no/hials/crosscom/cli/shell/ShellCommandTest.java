@@ -26,15 +26,14 @@ class ShellCommandTest {
             "shell",
             "--yes");
 
-    assertThat(result.lines())
+    result
+        .succeeds()
         .containsExactly(
             "$OV_PRO = 100",
             "$OV_PRO = 50",
             "$OV_PRO = 50",
             "$MODE_OP = #T1",
             "MYSTRING[] = \"a b\"");
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
   }
 
   @Test
@@ -46,21 +45,17 @@ class ShellCommandTest {
 
   @Test
   void doesNotWriteWithoutALeaveThatNobodyCanGive() {
-    Cli.Result result = ShellInput.runOn(server, "MYINT = 5\n$OV_PRO\n", "shell");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
+    ShellInput.runOn(server, "MYINT = 5\n$OV_PRO\n", "shell")
+        .failsInLines(5)
         .containsExactly("jopenshowvar: line 1: did not write MYINT = 5: it needs --yes");
-    assertThat(result.code()).isEqualTo(5);
     assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
   }
 
   @Test
   void doesNotWriteIfItIsForReadingOnly() {
-    Cli.Result result = ShellInput.runOn(server, "MYINT = 5\n", "shell", "--yes", "--read-only");
-
-    assertThat(result.err()).contains("line 1: did not write MYINT = 5: --read-only is given");
-    assertThat(result.code()).isEqualTo(5);
+    ShellInput.runOn(server, "MYINT = 5\n", "shell", "--yes", "--read-only")
+        .fails(5)
+        .contains("line 1: did not write MYINT = 5: --read-only is given");
     assertThat(server.requestCount()).isZero();
   }
 
@@ -72,22 +67,20 @@ class ShellCommandTest {
         .startsWith("jopenshowvar: line 2: the controller refused to read NOPE");
     assertThat(refused.code()).isEqualTo(1);
 
-    Cli.Result wrong = ShellInput.runOn(server, "$OV_PRO = x\n$OV_PRO\n", "shell");
-    assertThat(wrong.out()).isEmpty();
-    assertThat(wrong.code()).isEqualTo(2);
+    ShellInput.runOn(server, "$OV_PRO = x\n$OV_PRO\n", "shell").fails(2);
 
     server.enqueue(Fault.closeDuring(5));
-    Cli.Result lost = ShellInput.runOn(server, "MYINT = 5\nMYINT = 6\n", "shell", "--yes");
-    assertThat(lost.err()).contains("line 1: ").contains("the outcome is unknown");
-    assertThat(lost.code()).isEqualTo(4);
+    ShellInput.runOn(server, "MYINT = 5\nMYINT = 6\n", "shell", "--yes")
+        .fails(4)
+        .contains("line 1: ")
+        .contains("the outcome is unknown");
   }
 
   @Test
   void callsItWrongUsageIfANameCannotBeSent() {
-    Cli.Result result = ShellInput.runOn(server, "get MYINT\u0100\n", "shell");
-
-    assertThat(result.err()).startsWith("jopenshowvar: line 1: ");
-    assertThat(result.code()).isEqualTo(2);
+    ShellInput.runOn(server, "get MYINT\u0100\n", "shell")
+        .fails(2)
+        .startsWith("jopenshowvar: line 1: ");
     assertThat(server.requestCount()).isZero();
   }
 
@@ -102,23 +95,17 @@ class ShellCommandTest {
   @ParameterizedTest
   @ValueSource(strings = {"@cell2", "--robot=cell2", "--host=127.0.0.1", "--port=7", "--mock"})
   void sendsNoCommandToAnotherController(String option) {
-    Cli.Result result = ShellInput.runOn(server, "watch $OV_PRO " + option + "\n", "shell");
-
-    assertThat(result.err())
+    ShellInput.runOn(server, "watch $OV_PRO " + option + "\n", "shell")
+        .fails(2)
         .contains(option + ": commands here go to the controller of the shell; another");
-    assertThat(result.code()).isEqualTo(2);
     assertThat(server.requestCount()).isZero();
   }
 
   @Test
   void stopsIfAnotherCommandFails() {
-    Cli.Result result =
-        ShellInput.runOn(server, "vars --declared no-such-file.dat\n$OV_PRO\n", "shell");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
+    ShellInput.runOn(server, "vars --declared no-such-file.dat\n$OV_PRO\n", "shell")
+        .failsInLines(2)
         .containsExactly("jopenshowvar: cannot read no-such-file.dat: file not found");
-    assertThat(result.code()).isEqualTo(2);
   }
 
   @Test
@@ -151,10 +138,9 @@ class ShellCommandTest {
 
   @Test
   void saysSoIfThereIsNothingToExplain() {
-    Cli.Result result = ShellInput.runOn(server, "help nothing\n", "shell");
-
-    assertThat(result.err()).contains("nothing is no command, and no variable that is known here");
-    assertThat(result.code()).isEqualTo(2);
+    ShellInput.runOn(server, "help nothing\n", "shell")
+        .fails(2)
+        .contains("nothing is no command, and no variable that is known here");
   }
 
   @Test

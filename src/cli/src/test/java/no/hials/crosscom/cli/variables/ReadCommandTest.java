@@ -23,7 +23,8 @@ class ReadCommandTest {
     Cli.Result result =
         Cli.runOn(server, "read", "$OV_PRO", "$POS_ACT", "$MODEL_NAME[]", "$MODE_OP", "$OV_PRO");
 
-    assertThat(result.lines())
+    result
+        .succeeds()
         .containsExactly(
             "$OV_PRO = 100",
             "$POS_ACT = {E6POS: X 525.000, Y 0.0, Z 890.000, A 0.0, B 90.0000, C 0.0, S 2, T 2,"
@@ -31,8 +32,6 @@ class ReadCommandTest {
             "$MODEL_NAME[] = \"#KR6R900 C4SR FLR 230\"",
             "$MODE_OP = #T1",
             "$OV_PRO = 100");
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
   }
 
   @Test
@@ -64,10 +63,7 @@ class ReadCommandTest {
 
   @Test
   void readsFromASimulatedControllerOfItsOwn() {
-    Cli.Result result = Cli.run("read", "$OV_PRO", "--mock");
-
-    assertThat(result.lines()).containsExactly("$OV_PRO = 100");
-    assertThat(result.code()).isZero();
+    Cli.run("read", "$OV_PRO", "--mock").succeeds().containsExactly("$OV_PRO = 100");
     assertThat(server.requestCount()).isZero();
   }
 
@@ -117,39 +113,28 @@ class ReadCommandTest {
   void saysThatTheServerSpeaksAnotherProtocol() {
     server.enqueue(Fault.raw("48 54 54 50 2F 31 2E 31 20 34 30 30 0D 0A"));
 
-    Cli.Result result = Cli.runOn(server, "read", "MYINT", "--timeout", "200ms");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.err()).startsWith("jopenshowvar: ").contains("MYINT");
-    assertThat(result.code()).isEqualTo(4);
+    Cli.runOn(server, "read", "MYINT", "--timeout", "200ms")
+        .fails(4)
+        .startsWith("jopenshowvar: ")
+        .contains("MYINT");
   }
 
   @Test
   void saysThatNoAnswerCame() {
     server.enqueue(Fault.drop());
 
-    Cli.Result result = Cli.runOn(server, "read", "MYINT", "--timeout", "50");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
-        .singleElement()
-        .asString()
+    Cli.runOn(server, "read", "MYINT", "--timeout", "50")
+        .failsInALine(4)
         .startsWith("jopenshowvar: no answer to the read of MYINT within 50 ms");
-    assertThat(result.code()).isEqualTo(4);
   }
 
   @Test
   void saysThatNobodyListens() {
     server.refuseConnections();
 
-    Cli.Result result = Cli.runOn(server, "read", "MYINT");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
-        .singleElement()
-        .asString()
+    Cli.runOn(server, "read", "MYINT")
+        .failsInALine(3)
         .startsWith("jopenshowvar: could not connect to 127.0.0.1:" + server.port());
-    assertThat(result.code()).isEqualTo(3);
   }
 
   @ParameterizedTest
@@ -177,8 +162,7 @@ class ReadCommandTest {
     Cli.Result result = Cli.runOn(server, "read", "--json", name);
 
     String expected = "{'name':'" + name + "','type':" + rest.replace(", `", ",`") + "}";
-    assertThat(result.lines()).containsExactly(expected.replace('\'', '"').replace('`', '"'));
-    assertThat(result.code()).isZero();
+    result.succeeds().containsExactly(expected.replace('\'', '"').replace('`', '"'));
   }
 
   @Test

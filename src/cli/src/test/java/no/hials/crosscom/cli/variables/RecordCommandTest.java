@@ -198,10 +198,9 @@ class RecordCommandTest {
   void makesNoFileIfAVariableCannotBeReadAtTheStart() {
     Cli.Result result = record("MYINT", "NOPE", "NEITHER");
 
-    assertThat(result.errLines()).hasSize(2);
+    result.failsInLines(1).hasSize(2);
     assertThat(result.errLines().get(0))
         .startsWith("jopenshowvar: the controller refused to read NOPE");
-    assertThat(result.code()).isEqualTo(1);
     assertThat(file).doesNotExist();
   }
 
@@ -217,11 +216,9 @@ class RecordCommandTest {
   void doesNotOverwriteAFileUnlessToldTo() throws IOException {
     Files.writeString(file, "precious");
 
-    Cli.Result result = record("--count", "1", "MYINT");
-
-    assertThat(result.errLines())
+    record("--count", "1", "MYINT")
+        .failsInLines(2)
         .containsExactly("jopenshowvar: " + file + " already exists; --yes overwrites it");
-    assertThat(result.code()).isEqualTo(2);
     assertThat(file).hasContent("precious");
     assertThat(server.requestCount()).isZero();
 
@@ -233,12 +230,10 @@ class RecordCommandTest {
   void saysThatThereIsNoSuchFolder() {
     file = dir.resolve("none").resolve("a.csv");
 
-    Cli.Result result = record("--count", "1", "MYINT");
-
-    assertThat(result.errLines())
+    record("--count", "1", "MYINT")
+        .failsInLines(2)
         .containsExactly(
             "jopenshowvar: cannot write " + file + ": there is no folder " + dir.resolve("none"));
-    assertThat(result.code()).isEqualTo(2);
     assertThat(server.requestCount()).isZero();
   }
 
@@ -247,11 +242,9 @@ class RecordCommandTest {
     file = Path.of("/dev/full");
     assumeThat(file).exists();
 
-    Cli.Result result = record("MYINT");
-
-    assertThat(result.errLines())
+    record("MYINT")
+        .failsInLines(74)
         .containsExactly("jopenshowvar: could not write /dev/full: No space left on device");
-    assertThat(result.code()).isEqualTo(74);
   }
 
   @Test
@@ -313,10 +306,7 @@ class RecordCommandTest {
     try (MockServer other = MockServer.start()) {
       other.refuseConnections();
 
-      Cli.Result result = recordTwo(other);
-
-      assertThat(result.errLines()).singleElement().asString().startsWith("jopenshowvar: cell2: ");
-      assertThat(result.code()).isEqualTo(3);
+      recordTwo(other).failsInALine(3).startsWith("jopenshowvar: cell2: ");
       assertThat(file).doesNotExist();
     }
   }
@@ -372,9 +362,9 @@ class RecordCommandTest {
         "MYINT --out - --mock --period 1441m      | --period must be at most a day, is 24 h"
       })
   void saysWhatIsWrongInTheUsage(String arguments, String message) {
-    Cli.Result result = Cli.run(("record " + arguments).split(" +"));
-
-    assertThat(result.err()).contains(message).endsWith("try 'jopenshowvar record --help'\n");
-    assertThat(result.code()).isEqualTo(2);
+    Cli.run(("record " + arguments).split(" +"))
+        .fails(2)
+        .contains(message)
+        .endsWith("try 'jopenshowvar record --help'\n");
   }
 }

@@ -19,14 +19,12 @@ class VarsCommandTest {
 
   @Test
   void findsAWordInAnyColumnInAnyCase() {
-    Cli.Result result = Cli.run("vars", "OVERRIDE", "ov_pro");
-
-    assertThat(result.lines())
+    Cli.run("vars", "OVERRIDE", "ov_pro")
+        .succeeds()
         .containsExactly(
             "NAME     TYPE  UNIT  ACCESS  MEANING",
             "$OV_PRO  INT   %     RW      program override");
     assertThat(Cli.run("vars", "nm", "real", "highest").out()).contains("$TORQUE_AXIS_MAX[12]");
-    assertThat(result.code()).isZero();
   }
 
   @Test
@@ -73,10 +71,8 @@ class VarsCommandTest {
             "SIGNAL LAMP $OUT[3] TO $OUT[5]",
             "ENDDAT");
 
-    Cli.Result result = Cli.run("vars", "--declared", file.toString());
-
-    assertThat(result.err()).isEmpty();
-    assertThat(result.lines())
+    Cli.run("vars", "--declared", file.toString())
+        .succeeds()
         .containsExactly(
             "LINE  NAME            TYPE    SCOPE   COMMENT      VALUE",
             "   2  BOX             STRUC   GLOBAL  -            REAL SIZE[3], INT PARTS",
@@ -89,7 +85,6 @@ class VarsCommandTest {
             "   9  TITLE[8]        CHAR    -       -            -",
             "  10  TITLE[]         -       -       -            \"cell\"",
             "  11  LAMP            SIGNAL  -       -            $OUT[3] TO $OUT[5]");
-    assertThat(result.code()).isZero();
   }
 
   @Test
@@ -114,12 +109,12 @@ class VarsCommandTest {
 
   @Test
   void callsItWrongUsageIfTheFileIsNoDataList() throws IOException {
-    Cli.Result program = Cli.run("vars", "--declared", file("DEF X()", "END").toString());
-    assertThat(program.err()).contains("is a program, and not a data list");
-    assertThat(program.code()).isEqualTo(2);
+    Cli.run("vars", "--declared", file("DEF X()", "END").toString())
+        .fails(2)
+        .contains("is a program, and not a data list");
 
-    Cli.Result missing = Cli.run("vars", "--declared", dir.resolve("none.dat").toString());
-    assertThat(missing.err()).contains("none.dat: file not found");
-    assertThat(missing.code()).isEqualTo(2);
+    Cli.run("vars", "--declared", dir.resolve("none.dat").toString())
+        .fails(2)
+        .contains("none.dat: file not found");
   }
 }

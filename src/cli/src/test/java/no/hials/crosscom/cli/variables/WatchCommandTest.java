@@ -45,8 +45,7 @@ class WatchCommandTest {
     String frame = "MYFRAME = {FRAME: X 0.0, Y 0.0, Z 0.0, A 0.0, B 0.0, C 0.0}";
     assertThat(withoutTimes(result))
         .containsExactly("$OV_PRO = 100", frame, "$OV_PRO = 100", frame);
-    assertThat(result.err()).isEmpty();
-    assertThat(result.code()).isZero();
+    result.succeeds();
   }
 
   @Test
@@ -74,14 +73,9 @@ class WatchCommandTest {
 
   @Test
   void endsIfAVariableCannotBeReadAtTheStart() {
-    Cli.Result result = watch("MYINT", "NOPE");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
-        .singleElement()
-        .asString()
+    watch("MYINT", "NOPE")
+        .failsInALine(1)
         .startsWith("jopenshowvar: the controller refused to read NOPE");
-    assertThat(result.code()).isEqualTo(1);
   }
 
   @Test
@@ -165,17 +159,11 @@ class WatchCommandTest {
 
   @Test
   void takesABlankNameForAVariableThatAShellReplaced() {
-    Cli.Result result = watch("");
-
-    assertThat(result.err()).startsWith("jopenshowvar: a name is blank; in a shell").contains("'$");
-    assertThat(result.code()).isEqualTo(2);
+    watch("").fails(2).startsWith("jopenshowvar: a name is blank; in a shell").contains("'$");
   }
 
   @Test
   void saysThatTheServerCannotTakeAName() {
-    Cli.Result result = watch("MY\u0100");
-
-    assertThat(result.err()).contains("KUKAVARPROXY");
-    assertThat(result.code()).isEqualTo(1);
+    watch("MY\u0100").fails(1).contains("KUKAVARPROXY");
   }
 }

@@ -66,24 +66,18 @@ class WriteCommandTest {
   void takesAnyValueBehindTwoHyphens() {
     server.variables().declare("ANY", "INT", "0");
 
-    Cli.Result result = Cli.runOn(server, "write", "--yes", "--", "ANY", "--json");
-
-    assertThat(result.err()).contains("refused to write ANY");
-    assertThat(result.code()).isEqualTo(1);
+    Cli.runOn(server, "write", "--yes", "--", "ANY", "--json")
+        .fails(1)
+        .contains("refused to write ANY");
     assertThat(server.requests().get(0).toString()).contains("--json");
   }
 
   @ParameterizedTest
   @CsvSource({"$POS_ACT.X,1.0", "NOPE,1", "MYINT,#T1", "MYSTRING[],text"})
   void saysWhatTheControllerRefused(String name, String value) {
-    Cli.Result result = Cli.runOn(server, "write", name, value);
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
-        .singleElement()
-        .asString()
+    Cli.runOn(server, "write", name, value)
+        .failsInALine(1)
         .startsWith("jopenshowvar: the controller refused to write " + name);
-    assertThat(result.code()).isEqualTo(1);
   }
 
   @ParameterizedTest
@@ -92,11 +86,7 @@ class WriteCommandTest {
       quoteCharacter = '`',
       value = {"MYSTRING[]|\"\u0100\"", "MY\u0100|1", "MYINT|` `", "` `|1"})
   void callsItWrongUsageIfItCannotBeSent(String name, String value) {
-    Cli.Result result = Cli.runOn(server, "write", name, value);
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.err()).startsWith("jopenshowvar: ");
-    assertThat(result.code()).isEqualTo(2);
+    Cli.runOn(server, "write", name, value).fails(2).startsWith("jopenshowvar: ");
     assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
   }
 
@@ -104,13 +94,10 @@ class WriteCommandTest {
   void callsItWrongUsageIfItIsTooLongToBeSent() {
     String value = "{X " + "0".repeat(253) + "}";
 
-    Cli.Result result = Cli.runOn(server, "write", "MYFRAME", value);
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.err())
+    Cli.runOn(server, "write", "MYFRAME", value)
+        .fails(2)
         .startsWith(
             "jopenshowvar: MYFRAME: an aggregate to be written must have at most 255 bytes");
-    assertThat(result.code()).isEqualTo(2);
     assertThat(server.requestCount()).isZero();
   }
 
@@ -128,23 +115,17 @@ class WriteCommandTest {
   void saysThatTheOutcomeOfATimedOutWriteIsUnknown() {
     server.enqueue(Fault.none(), Fault.dropAnswer());
 
-    Cli.Result result = Cli.runOn(server, "write", "--timeout", "50ms", "MYINT", "5");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.err())
+    Cli.runOn(server, "write", "--timeout", "50ms", "MYINT", "5")
+        .fails(4)
         .startsWith("jopenshowvar: no answer to the write of MYINT within 50 ms")
         .contains("the outcome is unknown");
-    assertThat(result.code()).isEqualTo(4);
   }
 
   @Test
   void neverRepeatsAWriteWhoseAnswerWasLost() {
     server.enqueue(Fault.none(), Fault.closeDuring(5));
 
-    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
-
-    assertThat(result.err()).contains("the outcome is unknown");
-    assertThat(result.code()).isEqualTo(4);
+    Cli.runOn(server, "write", "MYINT", "5").fails(4).contains("the outcome is unknown");
     assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
   }
 
@@ -157,11 +138,9 @@ class WriteCommandTest {
 
   @Test
   void doesNotSendWhatJsonCannotShow() {
-    Cli.Result result = Cli.runOn(server, "write", "--json", "MYFRAME", "{X 1.0");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.err()).startsWith("jopenshowvar: VALUE is no KRL value: ");
-    assertThat(result.code()).isEqualTo(2);
+    Cli.runOn(server, "write", "--json", "MYFRAME", "{X 1.0")
+        .fails(2)
+        .startsWith("jopenshowvar: VALUE is no KRL value: ");
     assertThat(server.requestCount()).isZero();
   }
 
@@ -172,15 +151,12 @@ class WriteCommandTest {
   void doesNotWriteOutsideT1WhereNobodyCanBeAsked(OperatingMode mode) {
     server.controller().setMode(mode);
 
-    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
+    Cli.runOn(server, "write", "MYINT", "5")
+        .failsInLines(5)
         .containsExactly(
             "jopenshowvar: did not write MYINT: $MODE_OP is #"
                 + mode.constant()
                 + ", which needs --yes");
-    assertThat(result.code()).isEqualTo(5);
     assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
   }
 
@@ -188,10 +164,9 @@ class WriteCommandTest {
   void doesNotWriteWhereTheModeIsNotToBeHad() {
     server.enqueue(Fault.answer("", Tail.SUCCESS));
 
-    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
-
-    assertThat(result.err()).contains("$MODE_OP is unknown, which needs --yes");
-    assertThat(result.code()).isEqualTo(5);
+    Cli.runOn(server, "write", "MYINT", "5")
+        .fails(5)
+        .contains("$MODE_OP is unknown, which needs --yes");
     assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
   }
 
@@ -209,10 +184,10 @@ class WriteCommandTest {
   void doesNotWriteIfTheConnectionIsLostBefore() {
     server.enqueue(Fault.closeBefore());
 
-    Cli.Result result = Cli.runOn(server, "write", "MYINT", "5");
-
-    assertThat(result.err()).contains("read of $MODE_OP").doesNotContain("outcome");
-    assertThat(result.code()).isEqualTo(4);
+    Cli.runOn(server, "write", "MYINT", "5")
+        .fails(4)
+        .contains("read of $MODE_OP")
+        .doesNotContain("outcome");
     assertThat(server.requestCount()).isEqualTo(1);
   }
 
@@ -221,10 +196,7 @@ class WriteCommandTest {
   void neitherReadsTheModeNorAsksIfYesIsGiven(String option) {
     server.controller().setMode(OperatingMode.AUT);
 
-    Cli.Result result = Cli.runOn(server, "write", option, "MYINT", "5");
-
-    assertThat(result.lines()).containsExactly("MYINT = 5");
-    assertThat(result.code()).isZero();
+    Cli.runOn(server, "write", option, "MYINT", "5").succeeds().containsExactly("MYINT = 5");
     assertThat(server.requests()).singleElement().matches(RecordedRequest::isWrite);
   }
 
@@ -232,12 +204,9 @@ class WriteCommandTest {
   void doesNotEvenConnectIfOnlyReadingIsAllowed() {
     server.refuseConnections();
 
-    Cli.Result result = Cli.runOn(server, "write", "--read-only", "--yes", "MYINT", "5");
-
-    assertThat(result.out()).isEmpty();
-    assertThat(result.errLines())
+    Cli.runOn(server, "write", "--read-only", "--yes", "MYINT", "5")
+        .failsInLines(5)
         .containsExactly("jopenshowvar: did not write MYINT: --read-only is given");
-    assertThat(result.code()).isEqualTo(5);
   }
 
   @Test

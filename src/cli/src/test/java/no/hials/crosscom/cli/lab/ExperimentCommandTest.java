@@ -168,7 +168,7 @@ class ExperimentCommandTest {
 
     experiment("line-dls", "--csv")
         .fails(2)
-        .contains("line-dls-dls.csv already; --yes overwrites it");
+        .contains("line-dls-dls.csv already exists; --yes overwrites it");
     assertThat(file("line-dls.png")).doesNotExist();
   }
 

@@ -8,6 +8,8 @@ module no.hials.crosscom.simulator {
   requires static org.jspecify;
 
   exports no.hials.crosscom.simulator;
+  exports no.hials.crosscom.simulator.internal to
+      no.hials.crosscom.mock;
   exports no.hials.crosscom.simulator.internal.core to
       no.hials.crosscom.mock;
   exports no.hials.crosscom.simulator.internal.files to

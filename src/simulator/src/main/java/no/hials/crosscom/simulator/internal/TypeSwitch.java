@@ -1,4 +1,4 @@
-package no.hials.crosscom.lang;
+package no.hials.crosscom.simulator.internal;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * cases are methods such as {@code Compiler::branch}.
  *
  * @param <C> the context that the cases use, such as the object whose methods they are
- * @param <T> the sealed family, such as {@link Statement}
+ * @param <T> the sealed family, such as {@code Statement}
  * @param <R> the result; {@link Void} for cases without a result
  * @param <E> the exception that a case may throw
  */
@@ -26,41 +26,20 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
     this.cases = Map.copyOf(cases);
   }
 
-  /**
-   * The code for the values of a class.
-   *
-   * @param <C> the context
-   * @param <T> the class
-   * @param <R> the result
-   * @param <E> the exception that the code may throw
-   */
+  /** The code for the values of a class. */
   @FunctionalInterface
   public interface Case<C, T, R, E extends Exception> {
     /** Returns the result for a value; null without a result. */
     @Nullable R apply(C context, T value) throws E;
   }
 
-  /**
-   * The code for the values of a class, without a result.
-   *
-   * @param <C> the context
-   * @param <T> the class
-   * @param <E> the exception that the code may throw
-   */
+  /** The code for the values of a class, without a result. */
   @FunctionalInterface
   public interface Action<C, T, E extends Exception> {
-    /** Handles a value. */
     void run(C context, T value) throws E;
   }
 
-  /**
-   * The cases of a switch that is being created.
-   *
-   * @param <C> the context
-   * @param <T> the sealed family
-   * @param <R> the result
-   * @param <E> the exception that a case may throw
-   */
+  /** The cases of a switch that is being created. */
   public static final class Cases<C, T, R, E extends Exception> {
     private final Class<T> family;
     private final Map<Class<?>, Case<C, ? super T, R, E>> cases = new HashMap<>();
@@ -86,11 +65,7 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
       return this;
     }
 
-    /**
-     * Adds a case without a result.
-     *
-     * @throws IllegalArgumentException if a class has a case already
-     */
+    /** Adds a case without a result, see {@link #on}. */
     public <S extends T> Cases<C, T, R, E> run(Class<S> type, Action<C, ? super S, E> code) {
       return on(
           type,

@@ -87,10 +87,12 @@ public record RecordedRequest(
 
   /** Returns whether the request writes variables: a text, an array or several. */
   public boolean isWrite() {
-    return request instanceof WriteRequest
-        || request instanceof WriteArrayRequest
-        || request instanceof WriteUtf16Request
-        || request instanceof WriteMultipleRequest
-        || request instanceof BenchmarkWriteRequest;
+    // a kind that is missing here is taken for a write, so that no write is overlooked
+    return request instanceof VariableRequest
+        && !(request instanceof ReadRequest
+            || request instanceof ReadArrayRequest
+            || request instanceof ReadUtf16Request
+            || request instanceof ReadMultipleRequest
+            || request instanceof BenchmarkReadRequest);
   }
 }

@@ -15,10 +15,10 @@ public final class LatencySampler {
       long nanos = fixed.time().toNanos();
       return () -> nanos;
     }
-    if (latency instanceof Latency.LogNormal spread) {
-      return of(spread);
+    if (latency instanceof Latency.None) {
+      return () -> 0;
     }
-    return () -> 0;
+    return of((Latency.LogNormal) latency);
   }
 
   /**

@@ -2,6 +2,7 @@ package no.hials.crosscom.variables;
 
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -61,6 +62,6 @@ public class Struct extends Variable<List<StructNode<?>>> {
     } else if (value instanceof KrlStruct struct) {
       return nodes(struct);
     }
-    return value.print();
+    return ((KrlArray) value).print();
   }
 }

@@ -27,7 +27,7 @@ public final class Pacemaker implements AutoCloseable {
   public Pacemaker(ControllerCore core, SimulationClock clock, String threadName) {
     this.core = core;
     unlimited = clock instanceof SimulationClock.Unlimited;
-    factor = clock instanceof SimulationClock.Running running ? running.factor() : 1;
+    factor = unlimited ? 1 : ((SimulationClock.Running) clock).factor();
     thread = new Thread(this::run, threadName);
     thread.setDaemon(true);
     thread.start();

@@ -266,8 +266,8 @@ final class KrlVirtualMachine {
       } catch (RefusedException e) {
         throw KrlExecutionException.of(parameter.path().toString(), e);
       }
-    } else if (argument instanceof KrlValue value) {
-      new StorageLocation.Local(slot).write(frame, parameter.path(), value);
+    } else if (argument != null && !(parameter.out() && argument instanceof Reference)) {
+      new StorageLocation.Local(slot).write(frame, parameter.path(), (KrlValue) argument);
     }
   }
 

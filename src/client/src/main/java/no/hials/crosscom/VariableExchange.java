@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.CrossComAccessException.Operation;
+import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLArray;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.internal.Latin1;
@@ -287,13 +288,13 @@ final class VariableExchange {
 
   private static CrossComValueException notOfType(
       KRLVariable variable, String text, boolean written, IllegalArgumentException e) {
+    String type = variable instanceof KRLAny ? "a KRL value" : "a value for " + variable.getType();
     return new CrossComValueException(
         variable.getName(),
         text,
-        (written
-                ? "the write was done, but its answer is not a value for "
-                : "the value of the controller is not one for ")
-            + variable.getType()
+        (written ? "the write was done, but its answer" : "the answer of the controller")
+            + " is not "
+            + type
             + ": "
             + e.getMessage(),
         e);

@@ -70,6 +70,17 @@ class InfoCommandTest {
   }
 
   @Test
+  void saysThatAnAnswerIsNotAValue() throws IOException {
+    try (MockServer server = bridge()) {
+      server.faults(FaultRule.parse("answer:{X@$MODEL_NAME[]", 1));
+
+      assertThat(Cli.runOn(server, "info").err())
+          .startsWith(
+              "jopenshowvar: $MODEL_NAME[]: the answer of the controller is not a KRL value: ");
+    }
+  }
+
+  @Test
   void saysThatItIsNotThere() throws IOException {
     MockServer server = bridge();
     server.close();

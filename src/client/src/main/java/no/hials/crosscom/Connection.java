@@ -51,6 +51,9 @@ final class Connection {
   /** A connection that ends unanswered within this time was rejected by the server. */
   private static final long AT_ONCE_NANOS = 1_000_000_000;
 
+  /** The number of bytes of a frame that the log shows. */
+  private static final int LOGGED = 256;
+
   private final SocketChannel channel;
   private final FrameReader reader;
   private final Answer answer = new Answer();
@@ -58,7 +61,11 @@ final class Connection {
   /** The bytes to send. Outside the heap, so that the channel need not copy them there. */
   private ByteBuffer out = ByteBuffer.allocateDirect(512);
 
-  private final InetSocketAddress remote;
+  private final InetSocketAddress address;
+
+  /** The remote address for messages. */
+  private final String remote;
+
   private final int localPort;
   private final Thread watchdog;
 
@@ -78,9 +85,11 @@ final class Connection {
   private Connection(SocketChannel channel) throws IOException {
     this.channel = channel;
     this.reader = new FrameReader(channel);
-    this.remote = (InetSocketAddress) channel.getRemoteAddress();
+    this.address = (InetSocketAddress) channel.getRemoteAddress();
+    // without the slash of InetSocketAddress.toString
+    this.remote = address.toString().replaceFirst("^[^/]*/", "");
     this.localPort = channel.socket().getLocalPort();
-    this.watchdog = new Thread(this::watch, "crosscom-watchdog-" + remote.getPort());
+    this.watchdog = new Thread(this::watch, "crosscom-watchdog-" + address.getPort());
     watchdog.setDaemon(true);
   }
 
@@ -124,7 +133,7 @@ final class Connection {
   }
 
   InetAddress remoteAddress() {
-    return remote.getAddress();
+    return address.getAddress();
   }
 
   int localPort() {
@@ -231,7 +240,7 @@ final class Connection {
     if (trace) {
       byte[] sent = Arrays.copyOf(frame, length);
       Codec.setId(sent, id);
-      LOG.trace("sending {}", MalformedFrameException.hex(sent, sent.length));
+      LOG.trace("sending {}", MalformedFrameException.hex(sent, sent.length, LOGGED));
     }
     long timeout = timeoutNanos;
     long start = checked != 0 ? checked : System.nanoTime();
@@ -282,7 +291,8 @@ final class Connection {
       throw timedOut(what(type, name), write, timeout, null);
     }
     if (trace) {
-      LOG.trace("received {}", MalformedFrameException.hex(reader.buffer(), answerLength()));
+      LOG.trace(
+          "received {}", MalformedFrameException.hex(reader.buffer(), answerLength(), LOGGED));
     }
     check(id, type, name, write);
     return answer;

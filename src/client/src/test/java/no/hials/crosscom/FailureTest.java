@@ -173,6 +173,15 @@ class FailureTest extends RobotTest {
     assertThatExceptionOfType(CrossComException.class).isThrownBy(() -> client.readText("$OV_PRO"));
   }
 
+  @Test
+  void theMessageShowsTheFirst64BytesOfALongAnswer() {
+    robot.enqueue(Fault.raw("00 01 01 00 09" + " 41".repeat(255)));
+
+    assertThatExceptionOfType(CrossComProtocolException.class)
+        .isThrownBy(() -> client.readText("$OV_PRO"))
+        .withMessageMatching(".* [0-9A-F]{2}( [0-9A-F]{2}){63} \\.\\.\\. \\(260 bytes\\)");
+  }
+
   @ParameterizedTest
   @MethodSource("lies")
   void aWrongAnswerToAWriteLeavesItsOutcomeUnknown(Fault lie) throws Exception {

@@ -61,8 +61,13 @@ public final class ConnectionAcceptor {
       return socket;
     } catch (IOException | RuntimeException e) {
       socket.close();
-      throw new IOException("cannot listen on " + at + ": " + e.getMessage(), e);
+      throw new IOException("cannot listen on " + text(at) + ": " + e.getMessage(), e);
     }
+  }
+
+  /** Returns an address without its host name, such as {@code 127.0.0.1:7000}. */
+  static String text(InetSocketAddress address) {
+    return address.toString().replaceFirst("^[^/]*/", "");
   }
 
   /** Returns the address that clients connect to. */

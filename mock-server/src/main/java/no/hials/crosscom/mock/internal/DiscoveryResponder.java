@@ -35,7 +35,8 @@ public final class DiscoveryResponder implements Runnable, AutoCloseable {
     try {
       return new DiscoveryResponder(new DatagramSocket(at), answers, replyPort);
     } catch (IOException e) {
-      throw new IOException("cannot listen on UDP " + at + ": " + e.getMessage(), e);
+      throw new IOException(
+          "cannot listen on UDP " + ConnectionAcceptor.text(at) + ": " + e.getMessage(), e);
     }
   }
 

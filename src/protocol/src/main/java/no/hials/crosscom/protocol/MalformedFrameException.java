@@ -7,8 +7,8 @@ import java.util.HexFormat;
 public class MalformedFrameException extends IOException {
   private static final long serialVersionUID = 1L;
 
-  /** The number of bytes that the text shows of a long frame. */
-  private static final int SHOWN = 256;
+  /** The number of bytes that a message shows of a long frame. */
+  private static final int SHOWN = 64;
 
   /**
    * Creates the exception.
@@ -27,16 +27,28 @@ public class MalformedFrameException extends IOException {
   }
 
   /**
-   * Returns bytes as pairs of hexadecimal digits, separated by blanks.
+   * Returns bytes as pairs of hexadecimal digits, separated by blanks, for a message.
    *
    * @param bytes a buffer that begins with the bytes
-   * @param length the number of bytes; of more than 256 only the first are printed, and the number
+   * @param length the number of bytes; of more than 64 only the first are printed, and the number
    * @return the text
    */
   public static String hex(byte[] bytes, int length) {
+    return hex(bytes, length, SHOWN);
+  }
+
+  /**
+   * Returns bytes as pairs of hexadecimal digits, separated by blanks.
+   *
+   * @param bytes a buffer that begins with the bytes
+   * @param length the number of bytes
+   * @param most the number of bytes to print; if there are more, their number follows
+   * @return the text
+   */
+  public static String hex(byte[] bytes, int length, int most) {
     HexFormat format = HexFormat.ofDelimiter(" ").withUpperCase();
-    return length <= SHOWN
+    return length <= most
         ? format.formatHex(bytes, 0, length)
-        : format.formatHex(bytes, 0, SHOWN) + " ... (" + length + " bytes)";
+        : format.formatHex(bytes, 0, most) + " ... (" + length + " bytes)";
   }
 }

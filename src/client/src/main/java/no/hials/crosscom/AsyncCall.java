@@ -3,7 +3,6 @@ package no.hials.crosscom;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
-import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicReference;
 import no.hials.crosscom.internal.CancellableOperation;
 import no.hials.crosscom.internal.Cancellation;
@@ -28,30 +27,15 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
   private final AtomicReference<State> state = new AtomicReference<>(State.OPEN);
   private final Executor callbacks;
 
-  private AsyncCall(Executor callbacks) {
+  /**
+   * @param callbacks completes the result, which runs the program's callbacks; the common pool may
+   *     have only one thread
+   */
+  AsyncCall(Executor callbacks) {
     this.callbacks = callbacks;
   }
 
-  /**
-   * Queues an operation.
-   *
-   * @param executor runs it
-   * @param callbacks completes the result, which runs the program's callbacks; the common pool may
-   *     have only one thread
-   * @param operation the operation
-   */
-  static <T extends @Nullable Object> CompletableFuture<T> submit(
-      Executor executor, Executor callbacks, CancellableOperation<T> operation) {
-    AsyncCall<T> call = new AsyncCall<>(callbacks);
-    try {
-      executor.execute(() -> call.run(operation));
-    } catch (RejectedExecutionException e) {
-      call.completeExceptionally(new CrossComClosedException("the client is closed", e, false));
-    }
-    return call;
-  }
-
-  private void run(CancellableOperation<T> operation) {
+  void run(CancellableOperation<T> operation) {
     if (isDone()) {
       return;
     }
@@ -67,6 +51,19 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
       state.compareAndSet(State.OPEN, State.COMMITTED);
     }
     callbacks.execute(() -> complete(result));
+  }
+
+  /** Fails because the client is closed. */
+  void refuse() {
+    callbacks.execute(
+        () ->
+            completeExceptionally(
+                new CrossComClosedException("the client is closed", null, false)));
+  }
+
+  @Override
+  public <U> CompletableFuture<U> newIncompleteFuture() {
+    return new AsyncCall<>(callbacks);
   }
 
   @Override

@@ -1,8 +1,11 @@
 package no.hials.crosscom;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -14,7 +17,17 @@ import org.jspecify.annotations.Nullable;
 /** The executors of a client, which run operations and the program's callbacks. */
 final class Threads {
   /** The call of {@link #async} that a thread runs. */
-  private static final ThreadLocal<@Nullable Cancellation> CALL = new ThreadLocal<>();
+  private static final ThreadLocal<@Nullable Running> RUNNING = new ThreadLocal<>();
+
+  private record Running(Threads of, Cancellation call) {}
+
+  private record Task<T extends @Nullable Object>(
+      AsyncCall<T> call, CancellableOperation<T> operation) implements Runnable {
+    @Override
+    public void run() {
+      call.run(operation);
+    }
+  }
 
   private final ThreadPoolExecutor async;
   private final ThreadPoolExecutor transfers;
@@ -28,36 +41,57 @@ final class Threads {
 
   /** Commits the call that this thread runs, if any; before each exchange of each client. */
   static void commitCall() {
-    Cancellation call = CALL.get();
-    if (call != null) {
-      call.commit();
+    Running running = RUNNING.get();
+    if (running != null) {
+      running.call.commit();
     }
   }
 
-  /** Queues an operation, which its first exchange commits. */
+  /**
+   * Queues an operation, which its first exchange commits. If another one queues it, it is part of
+   * that and runs at once: in the queue it would wait for the other to end.
+   */
   <T extends @Nullable Object> CompletableFuture<T> async(CancellableOperation<T> operation) {
-    return AsyncCall.submit(
+    Running running = RUNNING.get();
+    if (running != null && running.of == this) {
+      return submit(Runnable::run, operation);
+    }
+    return submit(
         async,
-        callbacks,
         call -> {
-          CALL.set(call);
+          RUNNING.set(new Running(this, call));
           try {
             return operation.run(call);
           } finally {
-            CALL.remove();
+            RUNNING.remove();
           }
         });
   }
 
   /** Queues a transfer of a file, which commits itself. */
   <T> CompletableFuture<T> transfer(CancellableOperation<T> operation) {
-    return AsyncCall.submit(transfers, callbacks, operation);
+    return submit(transfers, operation);
   }
 
-  /** Runs no more operations; those that are queued fail soon, because the client is closed. */
+  private <T extends @Nullable Object> CompletableFuture<T> submit(
+      Executor executor, CancellableOperation<T> operation) {
+    AsyncCall<T> call = new AsyncCall<>(callbacks);
+    try {
+      executor.execute(new Task<>(call, operation));
+    } catch (RejectedExecutionException e) {
+      call.refuse();
+    }
+    return call;
+  }
+
+  /** Runs no more operations; those that are queued fail, because the client is closed. */
   void shutdown() {
-    transfers.shutdown();
-    async.shutdown();
+    for (ThreadPoolExecutor executor : List.of(transfers, async)) {
+      executor.shutdown();
+      List<Runnable> queued = new ArrayList<>();
+      executor.getQueue().drainTo(queued); // the operation under way may wait for one of them
+      queued.forEach(task -> ((Task<?>) task).call.refuse());
+    }
   }
 
   /**

@@ -9,6 +9,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLIntArray;
 import no.hials.crosscom.KRL.structs.KRLFrame;
@@ -182,6 +183,45 @@ class AsyncTest extends RobotTest {
           .isThrownBy(future::get)
           .withCauseInstanceOf(CrossComClosedException.class);
     }
+  }
+
+  @Test
+  void aCallByAFunctionRunsAtOnceAsAPartOfItsCall() throws Exception {
+    holdFirstRequest();
+    CompletableFuture<String> call =
+        client.async(c -> c.async(d -> d.readText("MYINT")).get(60, TimeUnit.SECONDS));
+    asked.await();
+
+    assertThat(call.cancel(true)).as("the inner function has sent").isFalse();
+    release.countDown();
+
+    assertThat(call.get()).isEqualTo("0");
+  }
+
+  @Test
+  void aFunctionThatWaitsForACallBehindItEndsWithTheClient() throws Exception {
+    CompletableFuture<CompletableFuture<String>> behind = new CompletableFuture<>();
+    CompletableFuture<String> first = client.async(c -> behind.get().get());
+    behind.complete(client.async(c -> c.readText("MYINT")));
+    client.close();
+
+    for (CompletableFuture<String> future : List.of(behind.get(), first)) {
+      assertThatExceptionOfType(ExecutionException.class)
+          .isThrownBy(() -> future.get(60, TimeUnit.SECONDS))
+          .withRootCauseInstanceOf(CrossComClosedException.class);
+    }
+  }
+
+  @Test
+  void allThatFollowsOnAResultRunsInTheThreadsForCallbacks() throws Exception {
+    String thread =
+        client
+            .async(c -> c.readText("MYINT"))
+            .thenApply(value -> value)
+            .thenApplyAsync(value -> Thread.currentThread().getName())
+            .get();
+
+    assertThat(thread).startsWith("crosscom-callback-");
   }
 
   @Test

@@ -36,7 +36,8 @@ import org.slf4j.LoggerFactory;
  *
  * <p>It runs the daemon thread {@code crosscom-watch-N}, and one {@code crosscom-watch-N-listener}
  * for each listener or subscriber with waiting samples. It ends when it or its client is closed;
- * subscribers then get {@code onComplete}.
+ * subscribers then get {@code onComplete}. If it fails, for example because a name is too long to
+ * be sent, they get {@code onError}.
  */
 public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
@@ -136,6 +137,18 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   }
 
   private void run() {
+    try {
+      readPeriodically();
+    } catch (RuntimeException | Error e) {
+      LOG.warn("a watch failed", e);
+      publisher.closeExceptionally(e);
+    } finally {
+      ended.accept(this);
+      publisher.close();
+    }
+  }
+
+  private void readPeriodically() {
     long period = config.period().toNanos();
     long next = System.nanoTime();
     while (!closed) {
@@ -150,8 +163,6 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
       next += (leftOut + 1) * period;
       poll();
     }
-    ended.accept(this);
-    publisher.close();
   }
 
   private void poll() {
@@ -167,7 +178,8 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
       }
       if (failure != null
           && !(failure instanceof CrossComAccessException)
-          && !(failure instanceof CrossComValueException)) {
+          && !(failure instanceof CrossComValueException)
+          && !(failure instanceof CrossComUnsupportedException)) {
         LOG.debug("a reading failed: {}", failure.getMessage());
         failed.incrementAndGet();
         failedSinceSample++;

@@ -17,6 +17,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.value.KrlInt;
 import org.junit.jupiter.api.Test;
 
@@ -328,6 +329,50 @@ class WatchTest extends RobotTest {
     robot.disconnectClients();
 
     assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+  }
+
+  @Test
+  void aNameThatTheServerCannotTakeFailsAloneAndNotTheWatch() throws Exception {
+    try (Watch watch = client.watch(PERIOD, samples::add, "\u20acX", "$OV_PRO")) {
+      Sample sample = next();
+      assertThat(sample.value("$OV_PRO")).isEqualTo(new KrlInt(100));
+      assertThatExceptionOfType(CrossComException.class)
+          .isThrownBy(() -> sample.value("\u20acX"))
+          .isInstanceOf(
+              server == ServerType.C3_BRIDGE
+                  ? CrossComAccessException.class
+                  : CrossComUnsupportedException.class);
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
+  @Test
+  void subscribersGetTheFailureThatEndsAWatch() throws Exception {
+    CompletableFuture<Throwable> failure = new CompletableFuture<>();
+    Watch watch =
+        client.watch(Duration.ofDays(1), samples::add, "$OV_PRO", "\u20ac".repeat(32_768));
+    watch.subscribe(
+        new Flow.Subscriber<>() {
+          @Override
+          public void onSubscribe(Flow.Subscription subscription) {
+            subscription.request(Long.MAX_VALUE);
+          }
+
+          @Override
+          public void onNext(Sample sample) {}
+
+          @Override
+          public void onError(Throwable cause) {
+            failure.complete(cause);
+          }
+
+          @Override
+          public void onComplete() {
+            failure.completeExceptionally(new AssertionError("the watch must fail"));
+          }
+        });
+
+    assertThat(failure.get(60, TimeUnit.SECONDS)).isInstanceOf(IllegalArgumentException.class);
   }
 
   @Test

@@ -1,4 +1,4 @@
-/** What the packages of the simulated controller and the mock server share. */
+/** Code that the packages of the simulated controller and the mock server share. */
 @NullMarked
 package no.hials.crosscom.simulator.internal;
 

@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * and the pieces in which they arrive, so that a test is fast and does not depend on timing. {@link
  * Builder#asOnTheController} is strict about these, too. With {@link ServerType#C3_BRIDGE} the
  * defaults are those of C3 Bridge where they differ (docs/reference/servers.md). The options can be
- * set in any order.
+ * set in any order. The class is long because it has a documented method for each option.
  */
 public final class MockServerConfig {
   private static final int MAX_PORT = 65_535;

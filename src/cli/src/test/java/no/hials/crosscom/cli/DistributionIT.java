@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.cli.base.Jar;
 import no.hials.crosscom.mock.MockServer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -63,15 +64,7 @@ class DistributionIT {
   }
 
   private Cli.Result run(ProcessBuilder builder) throws Exception {
-    Path out = dir.resolve("out");
-    Path err = dir.resolve("err");
-    Process process = builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start();
-    try {
-      int code = process.waitFor();
-      return new Cli.Result(code, Files.readString(out), Files.readString(err));
-    } finally {
-      process.destroyForcibly();
-    }
+    return Jar.run(builder, dir);
   }
 
   private static void isTheVersion(Cli.Result result) {

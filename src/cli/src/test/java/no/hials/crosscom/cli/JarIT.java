@@ -10,9 +10,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.cli.base.Jar;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
@@ -29,44 +29,20 @@ import org.junit.jupiter.api.io.TempDir;
 /** Runs the jar as a user does: as a process of its own. */
 @Timeout(120)
 class JarIT {
-  private static final Path JAR = Path.of("target", "jopenshowvar.jar");
-
   @TempDir private Path dir;
   @KukaController private MockServer server;
 
-  private static ProcessBuilder jar(String... args) {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.add("-jar");
-    command.add(JAR.toString());
-    command.addAll(List.of(args));
-    ProcessBuilder builder = new ProcessBuilder(command);
-    // the JVM says on stderr that it found them
-    builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
-    builder.environment().keySet().removeIf(name -> name.startsWith("JOPENSHOWVAR_"));
-    builder.environment().put("XDG_CONFIG_HOME", JAR.resolveSibling("none").toAbsolutePath() + "");
-    return builder;
-  }
-
   private Cli.Result run(ProcessBuilder builder) throws Exception {
-    Path out = dir.resolve("out");
-    Path err = dir.resolve("err");
-    Process process = builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start();
-    try {
-      int code = process.waitFor();
-      return new Cli.Result(code, Files.readString(out), Files.readString(err));
-    } finally {
-      process.destroyForcibly();
-    }
+    return Jar.run(builder, dir);
   }
 
   private Cli.Result runOnServer(String command, String... args) throws Exception {
-    return run(jar(Cli.argsOn(server, command, args)));
+    return run(Jar.process(Cli.argsOn(server, command, args)));
   }
 
   @Test
   void readsThreeVariablesOfASimulatedController() throws Exception {
-    run(jar("read", "$POS_ACT", "$OV_PRO", "$MODEL_NAME[]", "--mock"))
+    run(Jar.process("read", "$POS_ACT", "$OV_PRO", "$MODEL_NAME[]", "--mock"))
         .succeeds()
         .containsExactly(
             "$POS_ACT = {E6POS: X 525.000, Y 0.0, Z 890.000, A 0.0, B 90.0000, C 0.0, S 2, T 2,"
@@ -79,7 +55,7 @@ class JarIT {
   @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no SIGTERM")
   void servesUntilSigtermThenFreesThePortAndEndsWithCode0() throws Exception {
     Process mock =
-        jar("mock", "--port", "0", "--no-discovery")
+        Jar.process("mock", "--port", "0", "--no-discovery")
             .redirectError(dir.resolve("err").toFile())
             .start();
     try (BufferedReader out =
@@ -88,7 +64,8 @@ class JarIT {
       assertThat(first).matches("listening on 127\\.0\\.0\\.1:\\d+");
       int port = Integer.parseInt(first.substring(first.lastIndexOf(':') + 1));
 
-      Cli.Result read = run(jar("read", "MYINT", "--host", "127.0.0.1", "--port", "" + port));
+      Cli.Result read =
+          run(Jar.process("read", "MYINT", "--host", "127.0.0.1", "--port", "" + port));
       assertThat(read.lines()).containsExactly("MYINT = 0");
 
       assertThat(out.readLine()).isEqualTo("T1, no program");
@@ -114,7 +91,7 @@ class JarIT {
       bridge.files().put("KRC:\\R1\\TP\\a.bin", new byte[20_000_000]);
       Path folder = Files.createDirectory(dir.resolve("here"));
       Process get =
-          jar(Cli.argsOn(bridge, "file get", "KRC:\\R1\\TP\\a.bin", folder.toString()))
+          Jar.process(Cli.argsOn(bridge, "file get", "KRC:\\R1\\TP\\a.bin", folder.toString()))
               .redirectError(dir.resolve("err").toFile())
               .start();
       try {
@@ -144,7 +121,7 @@ class JarIT {
         program,
         List.of("DEF BUSY ( )", "LOOP", "  PTP_REL {A1 1}", "  PTP_REL {A1 -1}", "ENDLOOP", "END"));
     Process mock =
-        jar(
+        Jar.process(
                 "mock",
                 "--port",
                 "0",
@@ -189,7 +166,7 @@ class JarIT {
                 "host = '" + server.host() + "'",
                 "port = " + server.port()));
     server.variables().set("MYINT", "1");
-    ProcessBuilder builder = jar("read", "@cell1", "@sim", "MYINT");
+    ProcessBuilder builder = Jar.process("read", "@cell1", "@sim", "MYINT");
     builder.environment().put("JOPENSHOWVAR_CONFIG", file.toString());
 
     run(builder).succeeds().containsExactly("cell1: MYINT = 1", "sim: MYINT = 0");
@@ -209,7 +186,7 @@ class JarIT {
 
   @Test
   void endsWithCode2OnWrongUsage() throws Exception {
-    run(jar("read", "MYINT")).fails(2).startsWith("jopenshowvar: which controller?");
+    run(Jar.process("read", "MYINT")).fails(2).startsWith("jopenshowvar: which controller?");
   }
 
   @Test
@@ -257,13 +234,13 @@ class JarIT {
     Path csv = Files.writeString(dir.resolve("run.csv"), "time [s],force [N]\n0,1.5\n1,2.5\n");
     Path svg = dir.resolve("run.svg");
 
-    run(jar("plot", csv.toString(), "--out", svg.toString())).succeeds();
+    run(Jar.process("plot", csv.toString(), "--out", svg.toString())).succeeds();
     assertThat(Files.readString(svg)).contains(">run.csv</text>");
   }
 
   @Test
   void printsTheVersionOfTheBuild() throws Exception {
-    Cli.Result result = run(jar("--version"));
+    Cli.Result result = run(Jar.process("--version"));
 
     assertThat(result.out().strip()).matches("jopenshowvar \\d+\\.\\d+\\.\\d+(-SNAPSHOT)?");
     result.succeeds();
@@ -272,7 +249,8 @@ class JarIT {
   @Test
   void endsQuietlyIfNobodyReadsItsOutput() throws Exception {
     Path err = dir.resolve("err");
-    Process process = jar("read", "MYINT", "MYREAL", "--mock").redirectError(err.toFile()).start();
+    Process process =
+        Jar.process("read", "MYINT", "MYREAL", "--mock").redirectError(err.toFile()).start();
     try {
       process.getInputStream().close();
 
@@ -287,7 +265,7 @@ class JarIT {
   @EnabledOnOs(OS.LINUX)
   void printsUmlautsAlsoWhereNoCharsetIsChosen() throws Exception {
     server.variables().set("MYSTRING[]", "\"B\u00FChne\"");
-    ProcessBuilder builder = jar(Cli.argsOn(server, "read", "MYSTRING[]"));
+    ProcessBuilder builder = Jar.process(Cli.argsOn(server, "read", "MYSTRING[]"));
     builder.environment().put("LC_ALL", "C");
 
     assertThat(run(builder).lines()).containsExactly("MYSTRING[] = \"B\u00FChne\"");
@@ -298,7 +276,7 @@ class JarIT {
   void readsUmlautsAlsoWhereNoCharsetIsChosen() throws Exception {
     Path lines = Files.writeString(dir.resolve("lines"), "MYSTRING[] = \"B\u00FChne\"\n");
     ProcessBuilder builder =
-        jar(Cli.argsOn(server, "shell", "--yes")).redirectInput(lines.toFile());
+        Jar.process(Cli.argsOn(server, "shell", "--yes")).redirectInput(lines.toFile());
     builder.environment().put("LC_ALL", "C");
 
     assertThat(run(builder).code()).isZero();

@@ -5,11 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import no.hials.crosscom.cell.RecordedData;
 import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.cli.base.Jar;
 import no.hials.crosscom.cli.base.PseudoTerminal;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
@@ -25,21 +24,6 @@ import org.junit.jupiter.api.io.TempDir;
 class SamplingIT {
   @TempDir private Path dir;
   @KukaController private MockServer server;
-
-  private List<String> command(String name, String... args) {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-jar", Path.of("target", "jopenshowvar.jar").toString()));
-    command.addAll(List.of(Cli.argsOn(server, name, args)));
-    return command;
-  }
-
-  private static ProcessBuilder process(List<String> command) {
-    ProcessBuilder builder = new ProcessBuilder(command);
-    builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
-    builder.environment().keySet().remove("NO_COLOR");
-    return builder;
-  }
 
   /**
    * Runs a command on a terminal, presses a key when a text is there, and gives all that was shown.
@@ -108,7 +92,8 @@ class SamplingIT {
   /** Starts a recording, and waits for its first samples. */
   private Process recording(Path file) throws Exception {
     Process process =
-        process(command("record", "MYINT", "--period", "10ms", "--out", file.toString()))
+        Jar.process(
+                Cli.argsOn(server, "record", "MYINT", "--period", "10ms", "--out", file.toString()))
             .redirectOutput(ProcessBuilder.Redirect.DISCARD)
             .redirectError(dir.resolve("err").toFile())
             .start();

@@ -1,0 +1,39 @@
+package no.hials.crosscom.cli.base;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Runs the built jar in a process of its own. */
+public final class Jar {
+  public static final Path FILE = Path.of("target", "jopenshowvar.jar");
+
+  private Jar() {}
+
+  /** Returns the process to start, without the environment of the user who runs the tests. */
+  public static ProcessBuilder process(String... args) {
+    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    ProcessBuilder builder = new ProcessBuilder(java, "-jar", FILE.toString());
+    builder.command().addAll(List.of(args));
+    // the JVM says on stderr that it found them
+    builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
+    builder.environment().keySet().removeIf(name -> name.startsWith("JOPENSHOWVAR_"));
+    builder.environment().put("XDG_CONFIG_HOME", FILE.resolveSibling("none").toAbsolutePath() + "");
+    return builder;
+  }
+
+  /** Runs a process until it ends, with stdout and stderr in files of the folder. */
+  public static Cli.Result run(ProcessBuilder builder, Path folder)
+      throws IOException, InterruptedException {
+    Path out = folder.resolve("out");
+    Path err = folder.resolve("err");
+    Process process = builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start();
+    try {
+      int code = process.waitFor();
+      return new Cli.Result(code, Files.readString(out), Files.readString(err));
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+}

@@ -121,9 +121,10 @@ public final class JsonLine {
       return whole || string.text().length() != 1 ? "CHAR[]" : "CHAR";
     } else if (value instanceof KrlArray array) {
       return type(array.elements().get(0), false) + "[]";
-    } else {
+    } else if (value instanceof KrlStruct) {
       return "STRUC";
     }
+    throw new AssertionError(value);
   }
 
   static void write(JsonGenerator json, KrlValue value) throws IOException {
@@ -151,6 +152,8 @@ public final class JsonLine {
         write(json, field.value());
       }
       json.writeEndObject();
+    } else {
+      throw new AssertionError(value);
     }
   }
 }

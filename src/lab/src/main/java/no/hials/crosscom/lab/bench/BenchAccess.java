@@ -5,6 +5,7 @@ import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -54,7 +55,9 @@ public record BenchAccess(boolean write, String name, String type, int bytes) {
     } else if (value instanceof KrlStruct struct) {
       String name = struct.typeName();
       return name == null ? "STRUC" : name;
+    } else if (value instanceof KrlString) {
+      return "CHAR[]";
     }
-    return "CHAR[]";
+    throw new AssertionError(value);
   }
 }

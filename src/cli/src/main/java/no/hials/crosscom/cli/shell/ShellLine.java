@@ -17,8 +17,8 @@ sealed interface ShellLine {
   /** The words of the language itself, with their syntax and effect. */
   Map<String, String> OWN =
       Map.ofEntries(
-          Map.entry("get", "get NAME...          reads variables; read is the same"),
-          Map.entry("set", "set NAME VALUE       writes a variable; write is the same"),
+          Map.entry("get", "get NAME...          reads variables; also read"),
+          Map.entry("set", "set NAME VALUE       writes a variable; also write"),
           Map.entry("wait", "wait TIME            waits: 500, 500ms, 3s, 1m"),
           Map.entry("help", "help [NAME|COMMAND]  explains a variable or a command"),
           Map.entry("exit", "exit, quit, Ctrl-D   ends the shell"));
@@ -107,18 +107,31 @@ sealed interface ShellLine {
     if (words.isEmpty()) {
       return new Nothing();
     }
-    String first = words.get(0).toLowerCase(Locale.ROOT);
+    String first = canonical(words.get(0));
     List<String> rest = words.subList(1, words.size());
     return switch (first) {
-      case "get", "read" -> new Read(names(rest));
-      case "set", "write" -> write(first, rest);
+      case "get" -> new Read(names(rest));
+      case "set" -> write(first, rest);
       case "wait" -> new Wait(time(only(first, rest)));
       case "help" -> new Help(rest.isEmpty() ? "" : only(first, rest));
-      case "exit", "quit" -> {
+      case "drive", "mock", "run", "shell" ->
+          throw new ShellSyntaxException(first + " is not available in the shell");
+      case "exit" -> {
         nothingBehind(first, rest);
         yield new Exit();
       }
       default -> commands.contains(first) ? command(first, rest) : variable(words);
+    };
+  }
+
+  /** Returns a command in lower case, and of two names for a command the one in {@link #OWN}. */
+  static String canonical(String word) {
+    String lower = word.toLowerCase(Locale.ROOT);
+    return switch (lower) {
+      case "read" -> "get";
+      case "write" -> "set";
+      case "quit" -> "exit";
+      default -> lower;
     };
   }
 
@@ -142,23 +155,23 @@ sealed interface ShellLine {
     List<String> value = words.size() > 1 ? words.subList(sign ? 2 : 1, words.size()) : List.of();
     if (value.isEmpty()) {
       String form = command.isEmpty() ? "NAME = VALUE" : command + " NAME VALUE";
-      throw new ShellSyntaxException("a write is " + form + "; the value is missing");
+      throw new ShellSyntaxException("the value is missing: " + form);
     }
     String name = name(words.get(0));
     String text = String.join(" ", value);
     try {
       KrlValue.parse(text);
     } catch (KrlSyntaxException e) {
-      String what = text + " is no KRL value: " + e.getMessage();
+      String what = text + " is not a KRL value: " + e.getMessage();
       throw new ShellSyntaxException(
-          command.isEmpty() && !sign ? "there is no command " + name + ", and " + what : what);
+          command.isEmpty() && !sign ? "unknown command: " + name + "; as a write: " + what : what);
     }
     return new Write(name, text);
   }
 
   private static List<String> names(List<String> words) throws ShellSyntaxException {
     if (words.isEmpty()) {
-      throw new ShellSyntaxException("get needs the names of variables");
+      throw new ShellSyntaxException("missing names of variables: get NAME...");
     }
     for (String word : words) {
       name(word);
@@ -169,7 +182,7 @@ sealed interface ShellLine {
   private static String name(String word) throws ShellSyntaxException {
     if (!ShellWords.isName(word)) {
       throw new ShellSyntaxException(
-          "must be the name of a variable, as $OV_PRO, $POS_ACT.X or MYTEXT[], is " + word);
+          "must be a variable, such as $OV_PRO, $POS_ACT.X or MYTEXT[], is " + word);
     }
     return word;
   }
@@ -184,15 +197,14 @@ sealed interface ShellLine {
 
   private static String only(String command, List<String> rest) throws ShellSyntaxException {
     if (rest.size() != 1) {
-      throw new ShellSyntaxException(command + " needs one word after it, has " + rest.size());
+      throw new ShellSyntaxException(command + " needs one argument, has " + rest.size());
     }
     return rest.get(0);
   }
 
   private static void nothingBehind(String command, List<String> rest) throws ShellSyntaxException {
     if (!rest.isEmpty()) {
-      throw new ShellSyntaxException(
-          command + " needs nothing after it, has " + String.join(" ", rest));
+      throw new ShellSyntaxException(command + " takes no argument, has " + String.join(" ", rest));
     }
   }
 }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.cli.shell;
 
 import java.io.IOException;
-import java.util.Locale;
 import java.util.Optional;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.CatalogueEntry;
@@ -49,6 +48,8 @@ final class ShellSession {
         help(help.topic());
       } else if (line instanceof ShellLine.Command other) {
         return commands.run(console, other.words(), controller, writeOptions);
+      } else if (!(line instanceof ShellLine.Nothing)) {
+        throw new AssertionError(line);
       }
     } catch (IllegalArgumentException e) {
       // a name or a text that cannot be sent
@@ -109,7 +110,7 @@ final class ShellSession {
   }
 
   private void help(String topic) throws ShellSyntaxException {
-    String lower = topic.toLowerCase(Locale.ROOT);
+    String lower = ShellLine.canonical(topic);
     if (topic.isEmpty()) {
       ShellHelp.language(commands.names()).forEach(console::print);
     } else if (ShellLine.OWN.containsKey(lower)) {
@@ -119,8 +120,7 @@ final class ShellSession {
     } else {
       Optional<CatalogueEntry> symbol = symbols.find(topic);
       if (symbol.isEmpty()) {
-        throw new ShellSyntaxException(
-            topic + " is no command, and no variable that is known here; try vars WORD");
+        throw new ShellSyntaxException("unknown command or variable: " + topic + "; try vars WORD");
       }
       ShellHelp.of(topic, symbol.get(), symbols.known()).forEach(console::print);
     }

@@ -97,7 +97,7 @@ public final class WriteCommand extends ControllerCommand {
     try {
       return KrlValue.parse(value);
     } catch (KrlSyntaxException e) {
-      throw wrongUsage("VALUE is no KRL value: " + e.getMessage());
+      throw wrongUsage("VALUE is not a KRL value: " + e.getMessage());
     }
   }
 }

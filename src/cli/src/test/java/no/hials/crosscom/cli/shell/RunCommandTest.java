@@ -58,7 +58,7 @@ class RunCommandTest {
 
     result.failsInLines(2).hasSize(3);
     assertThat(result.errLines().get(0))
-        .startsWith("jopenshowvar: " + file + ":2: five is no KRL value");
+        .startsWith("jopenshowvar: " + file + ":2: five is not a KRL value");
     assertThat(result.errLines().get(1))
         .startsWith("jopenshowvar: " + file + ":3: unknown option: '--nonsense'");
     assertThat(result.errLines().get(2)).startsWith("jopenshowvar: " + file + ":4: ");

@@ -128,11 +128,13 @@ class ShellCommandTest {
 
   @Test
   void explainsTheLanguageAndItsCommands() {
-    Cli.Result result = ShellInput.runOn(server, "help\nhelp wait\nhelp vars\n", "shell");
+    Cli.Result result =
+        ShellInput.runOn(server, "help\nhelp wait\nhelp quit\nhelp vars\n", "shell");
 
     assertThat(result.out())
         .contains("$OV_PRO = 50")
         .contains("get NAME...")
+        .containsSubsequence("exit, quit", "exit, quit")
         .contains("Usage: jopenshowvar vars");
   }
 
@@ -140,7 +142,7 @@ class ShellCommandTest {
   void saysSoIfThereIsNothingToExplain() {
     ShellInput.runOn(server, "help nothing\n", "shell")
         .fails(2)
-        .contains("nothing is no command, and no variable that is known here");
+        .contains("unknown command or variable: nothing");
   }
 
   @Test

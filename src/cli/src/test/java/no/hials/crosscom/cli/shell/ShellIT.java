@@ -134,7 +134,7 @@ class ShellIT {
     try (PseudoTerminal shell = shell(Map.of("NO_COLOR", "1"), "--yes")) {
       shell.until(PROMPT).type(pasted("$OV_PRO = 40\r$OV_PRO\r50\rMYINT = 5\r") + "\r");
       shell
-          .until("must be the name of a variable")
+          .until("must be a variable, such as ")
           .until(PROMPT)
           .type(PseudoTerminal.CTRL_D)
           .finish();

@@ -140,7 +140,7 @@ class WriteCommandTest {
   void doesNotSendWhatJsonCannotShow() {
     Cli.runOn(server, "write", "--json", "MYFRAME", "{X 1.0")
         .fails(2)
-        .startsWith("jopenshowvar: VALUE is no KRL value: ");
+        .startsWith("jopenshowvar: VALUE is not a KRL value: ");
     assertThat(server.requestCount()).isZero();
   }
 

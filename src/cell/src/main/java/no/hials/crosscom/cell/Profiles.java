@@ -114,7 +114,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
         host,
         port == null ? ClientConfig.DEFAULT_PORT : port,
         timeout,
-        readOnly,
+        readOnly ? "read-only = true in " + table.place("read-only") : null,
         server == null ? simulated : server);
   }
 

@@ -13,7 +13,8 @@ import org.jspecify.annotations.Nullable;
  * @param host name or address; null for a simulated controller
  * @param port TCP port on the host
  * @param timeout limit for connecting and for each answer; null for the client's own limits
- * @param readOnly whether writes are refused here
+ * @param readOnlyBy the setting that makes it read-only, such as {@code
+ *     JOPENSHOWVAR_READ_ONLY=true}; null if writes are allowed
  * @param server the server of a simulated controller
  */
 public record Robot(
@@ -21,7 +22,7 @@ public record Robot(
     @Nullable String host,
     int port,
     @Nullable Duration timeout,
-    boolean readOnly,
+    @Nullable String readOnlyBy,
     ServerType server) {
 
   /** Does not reconnect, so that a command reports the loss of its connection. */
@@ -38,6 +39,6 @@ public record Robot(
 
   /** Returns this robot with the address of the server that simulates it. */
   public Robot at(String simulatedHost, int simulatedPort) {
-    return new Robot(name, simulatedHost, simulatedPort, timeout, readOnly, server);
+    return new Robot(name, simulatedHost, simulatedPort, timeout, readOnlyBy, server);
   }
 }

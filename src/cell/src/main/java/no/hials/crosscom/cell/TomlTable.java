@@ -35,7 +35,7 @@ final class TomlTable {
       return new TomlTable(file, new TomlLines(text), List.of(), readTable(parser));
     } catch (JacksonException e) {
       String place = e.getLocation() == null ? "" : ":" + e.getLocation().getLineNr();
-      throw new FileException(file + place + ": no TOML: " + e.getOriginalMessage(), e);
+      throw new FileException(file + place + ": invalid TOML: " + e.getOriginalMessage(), e);
     } catch (IOException e) {
       throw new FileException("cannot read " + file + ": " + e.getMessage(), e);
     }
@@ -127,13 +127,24 @@ final class TomlTable {
     }
     if (Stream.of(types).noneMatch(type -> type.isInstance(value))) {
       boolean text = List.of(types).contains(String.class);
-      throw error(key, text ? "must be a text in quotes" : "must be a number, without quotes");
+      throw error(
+          key, text ? "must be a text in quotes" : "must be a whole number, without quotes");
     }
     try {
       return converter.apply(value.toString());
     } catch (IllegalArgumentException e) {
       throw error(key, String.valueOf(e.getMessage()));
     }
+  }
+
+  /** Returns the file and line of a key. */
+  String place(String key) {
+    return place(pathOf(key));
+  }
+
+  private String place(List<String> keys) {
+    int line = lines.find(keys);
+    return file + (line == 0 ? "" : ":" + line);
   }
 
   /** Creates an exception about the table as a whole. */
@@ -146,10 +157,8 @@ final class TomlTable {
     return error(pathOf(key), message);
   }
 
-  private FileException error(List<String> place, String message) {
-    int line = lines.find(place);
-    return new FileException(
-        file + (line == 0 ? "" : ":" + line) + ": " + String.join(".", place) + ": " + message);
+  private FileException error(List<String> keys, String message) {
+    return new FileException(place(keys) + ": " + String.join(".", keys) + ": " + message);
   }
 
   private List<String> pathOf(String key) {

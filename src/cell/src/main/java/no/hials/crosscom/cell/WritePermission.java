@@ -42,7 +42,7 @@ public final class WritePermission {
 
   /** Returns whether nothing may be changed on a robot. */
   public boolean isReadOnly(Robot robot) {
-    return readOnly || robot.readOnly();
+    return readOnly || robot.readOnlyBy() != null;
   }
 
   /**
@@ -53,10 +53,7 @@ public final class WritePermission {
    */
   public void checkAllowed(Robot target, String what) throws NotSentException {
     if (isReadOnly(target)) {
-      String reason =
-          readOnly
-              ? "--read-only is given"
-              : "it is read-only by JOPENSHOWVAR_READ_ONLY or the configuration file";
+      String reason = readOnly ? "--read-only is given" : target.readOnlyBy();
       throw new NotSentException(target.label() + "did not " + what + ": " + reason);
     }
   }

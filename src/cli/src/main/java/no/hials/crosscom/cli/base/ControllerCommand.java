@@ -115,23 +115,23 @@ public abstract class ControllerCommand extends ConsoleCommand {
       return named();
     }
     if (mock) {
-      return List.of(new Robot("", null, 0, null, false, simulated()));
+      return List.of(new Robot("", null, 0, null, null, simulated()));
     }
     if (host != null) {
       if (host.isBlank()) {
         throw wrongUsage("--host must not be blank");
       }
-      return List.of(new Robot("", host, ClientConfig.DEFAULT_PORT, null, false, simulated()));
+      return List.of(new Robot("", host, ClientConfig.DEFAULT_PORT, null, null, simulated()));
     }
     if (environment.host() != null) {
       int itsPort = environment.port() == null ? ClientConfig.DEFAULT_PORT : environment.port();
-      return List.of(new Robot("", environment.host(), itsPort, null, false, simulated()));
+      return List.of(new Robot("", environment.host(), itsPort, null, null, simulated()));
     }
     Profiles profiles = Profiles.read(console()::environment, simulated());
     if (profiles == null || profiles.defaultRobot() == null) {
       throw wrongUsage(
-          "which controller? give --host HOST, or --mock for a simulated one, or @NAME for one of "
-              + Profiles.path(console()::environment));
+          "which controller? give --host HOST, or --mock for a simulated one"
+              + (profiles == null ? "" : ", or @NAME for a robot of " + profiles.file()));
     }
     return List.of(profiles.robot(profiles.defaultRobot()));
   }
@@ -193,7 +193,7 @@ public abstract class ControllerCommand extends ConsoleCommand {
         target.host(),
         port == null ? target.port() : port,
         limit,
-        target.readOnly() || readOnly,
+        readOnly ? "JOPENSHOWVAR_READ_ONLY=true" : target.readOnlyBy(),
         server == null ? target.server() : server);
   }
 

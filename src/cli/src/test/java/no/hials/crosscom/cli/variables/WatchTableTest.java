@@ -38,8 +38,7 @@ class WatchTableTest {
 
   @BeforeEach
   void start() throws IOException {
-    Robot target =
-        new Robot("", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
+    Robot target = new Robot("", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY);
     robot = new SampledRobot(target, Robots::open, sampling());
     robot.readFirst(List.of("MYINT", "MYFRAME"));
     table = new WatchTable(List.of(robot));
@@ -172,7 +171,7 @@ class WatchTableTest {
   @Test
   void labelsTheRowsOfARobotThatHasAName() throws IOException {
     Robot target =
-        new Robot("cell1", server.host(), server.port(), null, false, ServerType.KUKAVARPROXY);
+        new Robot("cell1", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY);
     try (SampledRobot unnamed = robot;
         SampledRobot named = new SampledRobot(target, Robots::open, sampling())) {
       table = new WatchTable(List.of(unnamed, named));

@@ -5,6 +5,7 @@ import java.io.FileOutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.time.Duration;
+import java.util.Arrays;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
@@ -77,7 +78,7 @@ public final class Main {
       implements IParameterExceptionHandler, IExecutionExceptionHandler {
     @Override
     public int handleParseException(ParameterException e, String[] args) {
-      return usageError(console, e).code();
+      return usageError(console, e, args).code();
     }
 
     @Override
@@ -87,11 +88,16 @@ public final class Main {
     }
   }
 
-  private static ExitCode usageError(Console console, ParameterException e) {
+  private static ExitCode usageError(Console console, ParameterException e, String... args) {
     console.error(ConsoleCommand.message(e));
     if (e instanceof MissingParameterException missing
-        && missing.getMissing().stream().anyMatch(ArgSpec::isPositional)) {
-      console.hint("in a shell, names with $ need single quotes: '$OV_PRO'");
+        && missing.getMissing().stream().anyMatch(ArgSpec::isPositional)
+        && e.getCommandLine().getCommand() instanceof ControllerCommand) {
+      boolean dash = Arrays.stream(args).anyMatch(arg -> arg.matches("-[^A-Za-z-].*"));
+      console.hint(
+          dash
+              ? "a value that begins with - and is not a number needs -- before the arguments"
+              : "in a shell, names with $ need single quotes: '$OV_PRO'");
     }
     if (e instanceof UnmatchedArgumentException unmatched
         && !unmatched.getSuggestions().isEmpty()) {

@@ -80,6 +80,14 @@ class UsageTest {
   }
 
   @Test
+  void givesAHintOnlyWhereItFits() {
+    assertThat(Cli.run("read", "--mock").errLines().get(1)).contains("single quotes");
+    assertThat(Cli.run("write", "MYINT", "-5x", "--mock").errLines().get(1))
+        .isEqualTo("a value that begins with - and is not a number needs -- before the arguments");
+    assertThat(Cli.run("experiment").errLines()).hasSize(2);
+  }
+
+  @Test
   void suggestsTheOptionThatWasMeant() {
     assertThat(Cli.run("read", "MYINT", "--mokc").errLines()).contains("did you mean: --mock?");
   }

@@ -18,7 +18,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
     exitCodeListHeading = "%nExit codes:%n",
     exitCodeList = {
       "0:done",
-      "1:refused by the controller",
+      "1:refused by the controller, or nothing found",
       "2:wrong usage, or a file with errors",
       "3:could not connect, or not listen",
       "4:connection lost, timed out or not this protocol",

@@ -108,7 +108,7 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
         files.put(name, content);
       } else if (!Arrays.equals(files.get(name), content)) {
         // the folder is the user's: its files must not be replaced here
-        throw new IOException("there is another " + name + " already");
+        throw new IOException(name + " already exists with other content");
       }
     } catch (IOException e) {
       throw FileException.cannot("use", file, e);
@@ -127,7 +127,7 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
     try {
       return controller.load(file);
     } catch (KrlFileException e) {
-      throw new FileException(file + " has errors, it was not loaded:\n" + e.getMessage(), e);
+      throw new FileException("cannot load " + file + ":\n" + e.getMessage(), e);
     } catch (IOException e) {
       throw FileException.cannot("read", file, e);
     }

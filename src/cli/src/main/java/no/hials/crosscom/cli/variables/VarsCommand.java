@@ -90,8 +90,7 @@ public final class VarsCommand extends ConsoleCommand {
                   symbol.meaning()));
       table.print(console());
     }
-    sayIfNothing(found);
-    return ExitCode.DONE;
+    return checkFound(found);
   }
 
   private ExitCode declared(Path file) throws FileException {
@@ -123,8 +122,7 @@ public final class VarsCommand extends ConsoleCommand {
                   row.value()));
       table.print(console());
     }
-    sayIfNothing(found);
-    return result.errors().isEmpty() ? ExitCode.DONE : ExitCode.USAGE;
+    return result.errors().isEmpty() ? checkFound(found) : ExitCode.USAGE;
   }
 
   private static ParseResult parse(Path file) throws FileException {
@@ -148,10 +146,12 @@ public final class VarsCommand extends ConsoleCommand {
     return words.stream().allMatch(word -> all.contains(word.toLowerCase(Locale.ROOT)));
   }
 
-  private void sayIfNothing(List<?> found) {
+  private ExitCode checkFound(List<?> found) {
     if (found.isEmpty() && !words.isEmpty()) {
-      console().error("nothing has " + String.join(" and ", words) + " in it");
+      console().error("no variable matches " + String.join(" and ", words));
+      return ExitCode.REFUSED;
     }
+    return ExitCode.DONE;
   }
 
   private static String json(CatalogueEntry symbol) {

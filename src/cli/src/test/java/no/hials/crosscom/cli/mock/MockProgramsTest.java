@@ -178,8 +178,7 @@ class MockProgramsTest {
     Cli.Result result = refused("--program", program);
 
     result.failsInLines(2).hasSizeGreaterThanOrEqualTo(3);
-    assertThat(result.errLines().get(0))
-        .isEqualTo("jopenshowvar: " + program + " has errors, it was not loaded:");
+    assertThat(result.errLines().get(0)).isEqualTo("jopenshowvar: cannot load " + program + ":");
     assertThat(result.errLines().get(1)).startsWith("bad.src:2:11: ");
     assertThat(result.errLines().get(2)).startsWith("bad.src:3:8: ");
   }

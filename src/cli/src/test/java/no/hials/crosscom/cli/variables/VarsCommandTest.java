@@ -42,8 +42,8 @@ class VarsCommandTest {
 
     assertThat(result.out()).isEmpty();
     assertThat(result.errLines())
-        .containsExactly("jopenshowvar: nothing has torque and unicorn in it");
-    assertThat(result.code()).isZero();
+        .containsExactly("jopenshowvar: no variable matches torque and unicorn");
+    assertThat(result.code()).isEqualTo(1);
   }
 
   @Test

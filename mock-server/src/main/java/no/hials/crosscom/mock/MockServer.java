@@ -5,6 +5,7 @@ import java.net.BindException;
 import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
@@ -157,7 +158,7 @@ public final class MockServer implements AutoCloseable {
    * @throws IOException if it cannot listen, for example because the port is in use
    */
   public static MockServer start(Consumer<MockServerConfig.Builder> changes) throws IOException {
-    return start(MockServerConfig.create(changes));
+    return start(MockServerConfig.create(Objects.requireNonNull(changes, "changes")));
   }
 
   /**
@@ -168,7 +169,7 @@ public final class MockServer implements AutoCloseable {
    * @throws IOException if it cannot listen, for example because the port is in use
    */
   public static MockServer start(MockServerConfig config) throws IOException {
-    MockServer server = new MockServer(config);
+    MockServer server = new MockServer(Objects.requireNonNull(config, "config"));
     server.clients.start();
     if (server.discovery != null) {
       server.clients.threads().start("discovery", server.discovery);

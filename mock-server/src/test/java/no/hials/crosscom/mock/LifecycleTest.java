@@ -1,6 +1,7 @@
 package no.hials.crosscom.mock;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
@@ -18,6 +19,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadArrayRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.WriteArrayRequest;
@@ -50,6 +52,17 @@ class LifecycleTest {
       assertThat(server.port()).isPositive();
       assertThat(server.config().port()).isZero();
     }
+  }
+
+  @Test
+  @SuppressWarnings("NullAway") // on purpose
+  void refusesNull() {
+    assertThatNullPointerException()
+        .isThrownBy(() -> MockServer.start((MockServerConfig) null))
+        .withMessage("config");
+    assertThatNullPointerException()
+        .isThrownBy(() -> MockServer.start((Consumer<MockServerConfig.Builder>) null))
+        .withMessage("changes");
   }
 
   @Test

@@ -170,7 +170,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComException if the exchange fails
    */
   public void readVariable(KRLVariable variable) throws IOException {
-    variables.read(variable);
+    variables.read(Objects.requireNonNull(variable, "variable"));
   }
 
   /**
@@ -187,7 +187,7 @@ public final class CrossComClient implements Closeable {
    * @throws IllegalStateException if the variable has no value
    */
   public void writeVariable(KRLVariable variable) throws IOException {
-    variables.write(variable);
+    variables.write(Objects.requireNonNull(variable, "variable"));
   }
 
   /**
@@ -293,8 +293,8 @@ public final class CrossComClient implements Closeable {
    */
   public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener) {
     Watch watch = new Watch(variables, connection, watchConfig, watches::remove);
-    watches.add(watch);
     watch.addListener(listener);
+    watches.add(watch);
     watch.start();
     if (isClosed()) {
       watch.close();
@@ -485,6 +485,7 @@ public final class CrossComClient implements Closeable {
    * @return a future of the result, which fails with the exception that the function throws
    */
   public <T extends @Nullable Object> CompletableFuture<T> async(CrossComFunction<T> function) {
+    Objects.requireNonNull(function, "function");
     return threads.async(call -> function.apply(this));
   }
 
@@ -499,9 +500,10 @@ public final class CrossComClient implements Closeable {
    * @return a future of the end, which fails with the exception that the action throws
    */
   public CompletableFuture<Void> asyncRun(CrossComAction action) {
-    return threads.<@Nullable Void>async(
-        call -> {
-          action.run(this);
+    Objects.requireNonNull(action, "action");
+    return this.<@Nullable Void>async(
+        c -> {
+          action.run(c);
           return null;
         });
   }

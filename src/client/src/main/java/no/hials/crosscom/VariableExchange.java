@@ -167,8 +167,9 @@ final class VariableExchange {
   // --- arrays
 
   void read(KRLArray array, ArrayProgress progress) throws CrossComException {
+    Objects.requireNonNull(progress, "progress");
     try {
-      readWhole(array);
+      readWhole(Objects.requireNonNull(array, "array"));
     } catch (CrossComAccessException e) {
       if (array.getDeclaredLength() == 0) {
         throw e;
@@ -200,6 +201,7 @@ final class VariableExchange {
   }
 
   void write(KRLArray array, ArrayProgress progress) throws CrossComException {
+    Objects.requireNonNull(progress, "progress");
     int total = array.length();
     if (total == 0) {
       throw new IllegalStateException(

@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Flow;
@@ -95,6 +96,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
    * @param listener called with each later sample, one after the other; its exceptions are logged
    */
   public void addListener(Consumer<? super Sample> listener) {
+    Objects.requireNonNull(listener, "listener");
     CompletableFuture<Void> unused =
         publisher.consume(
             sample -> {

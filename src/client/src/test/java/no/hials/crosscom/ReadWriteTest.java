@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -85,6 +87,32 @@ class ReadWriteTest extends RobotTest {
     assertThat(e.getValue()).isEqualTo("#AUT");
     assertThat(c.getValue()).isEqualTo('x');
     assertThat(s.getValue()).isEqualTo("a, {b} #c");
+  }
+
+  @Test
+  @SuppressWarnings("NullAway") // on purpose
+  void nullIsRefusedBeforeAnythingIsSent() {
+    KRLIntArray ints = new KRLIntArray("MYINTS");
+    ints.setValue(1, 2, 3);
+
+    assertThatNullPointerException()
+        .isThrownBy(() -> client.writeVariable(ints, null))
+        .withMessage("progress");
+    assertThatNullPointerException()
+        .isThrownBy(() -> client.readVariable(ints, null))
+        .withMessage("progress");
+    assertThatNullPointerException()
+        .isThrownBy(() -> client.readVariable(null))
+        .withMessage("variable");
+    assertThatNullPointerException()
+        .isThrownBy(() -> client.writeVariable(null))
+        .withMessage("variable");
+    assertThatNullPointerException().isThrownBy(() -> client.async(null)).withMessage("function");
+    assertThatNullPointerException().isThrownBy(() -> client.asyncRun(null)).withMessage("action");
+    assertThatNullPointerException()
+        .isThrownBy(() -> client.watch(Duration.ofMillis(5), null, "MYINT"))
+        .withMessage("listener");
+    assertThat(robot.requests()).isEmpty();
   }
 
   @Test

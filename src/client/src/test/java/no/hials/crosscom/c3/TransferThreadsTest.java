@@ -2,6 +2,7 @@ package no.hials.crosscom.c3;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -227,6 +228,22 @@ class TransferThreadsTest extends FilesRobotTest {
                     .uploadAsync(TWO_PARTS, FILE, TransferConfig.DEFAULT)
                     .get(60, TimeUnit.SECONDS))
         .withCauseInstanceOf(CrossComTransferException.class);
+  }
+
+  @Test
+  @SuppressWarnings("NullAway") // on purpose
+  void theTwinsOfTransfersRefuseNullAtOnce() {
+    TransferConfig config = TransferConfig.DEFAULT;
+
+    assertThatNullPointerException()
+        .isThrownBy(() -> files.uploadAsync((byte[]) null, FILE, config))
+        .withMessage("the source or target");
+    assertThatNullPointerException()
+        .isThrownBy(() -> files.downloadAsync(null, config))
+        .withMessage("name");
+    assertThatNullPointerException()
+        .isThrownBy(() -> files.uploadTextAsync("END", FILE, null))
+        .withMessage("config");
   }
 
   @Test

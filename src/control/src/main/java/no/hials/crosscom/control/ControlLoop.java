@@ -78,6 +78,8 @@ public final class ControlLoop implements AutoCloseable {
 
   static ControlLoop start(CrossComClient client, LoopConfig config, Law law, LoopTime time)
       throws ControlRefusedException {
+    Objects.requireNonNull(client, "client");
+    Objects.requireNonNull(config, "config");
     Objects.requireNonNull(law, "law");
     Target target = config.target() == null ? Target.standard(law) : config.target();
     Channel channel = new Channel(client);

@@ -3,6 +3,7 @@ package no.hials.crosscom.control;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 
 import java.io.IOException;
 import java.time.Duration;
@@ -56,6 +57,23 @@ class StoppingTest extends ControlTest {
       assertThat(held.get(held.size() / 2).actual().get(0)).isEqualTo(stoodAt);
       assertThat(Math.abs(controller.axes().a1())).isGreaterThan(Math.abs(stoodAt) + 1);
     }
+  }
+
+  @Test
+  @SuppressWarnings("NullAway") // on purpose
+  void aLoopWithoutClientConfigurationOrLawIsNotStarted() {
+    LoopConfig config = LoopConfig.create(LoopConfig.Builder::noInput);
+    Law law = Law.jointVelocity(s -> Axes.ZERO);
+
+    assertThatNullPointerException()
+        .isThrownBy(() -> ControlLoop.start(null, config, law))
+        .withMessage("client");
+    assertThatNullPointerException()
+        .isThrownBy(() -> ControlLoop.start(client, null, law))
+        .withMessage("config");
+    assertThatNullPointerException()
+        .isThrownBy(() -> ControlLoop.start(client, config, null))
+        .withMessage("law");
   }
 
   @Test

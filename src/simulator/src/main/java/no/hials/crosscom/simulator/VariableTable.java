@@ -270,6 +270,9 @@ public final class VariableTable {
    *     an uninitialised variable
    */
   public void declare(String name, String type, Access access, @Nullable String value) {
+    Objects.requireNonNull(name, "name");
+    Objects.requireNonNull(type, "type");
+    Objects.requireNonNull(access, "access");
     boolean isSignal = Scope.key(type).equals("SIGNAL");
     if (isSignal && value == null) {
       throw new IllegalArgumentException("SIGNAL " + name + " needs a wiring");

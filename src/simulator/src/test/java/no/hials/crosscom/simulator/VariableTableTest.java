@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
@@ -51,6 +52,21 @@ class VariableTableTest {
         catchThrowableOfType(RefusedException.class, () -> table.write(name, value, 255));
     assertThat(e).as("write of " + name + " = " + value).isNotNull();
     assertThat(e.reason()).as(e.getMessage()).isEqualTo(reason);
+  }
+
+  @Test
+  @SuppressWarnings("NullAway") // on purpose
+  void aDeclarationWithoutNameTypeOrAccessIsRefused() {
+    assertThatNullPointerException()
+        .isThrownBy(() -> table.declare(null, "INT", null))
+        .withMessage("name");
+    assertThatNullPointerException()
+        .isThrownBy(() -> table.declare("X", null, null))
+        .withMessage("type");
+    assertThatNullPointerException()
+        .isThrownBy(() -> table.declare("X", "INT", null, null))
+        .withMessage("access");
+    assertThat(table.contains("null")).isFalse();
   }
 
   @Nested

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
@@ -306,12 +307,14 @@ public final class C3Files implements ControllerFiles {
 
   @Override
   public CompletableFuture<Void> uploadAsync(Path source, String name, TransferConfig config) {
+    checkNull(source, name, config);
     return transferAsync(
         cancellation -> transfers.upload(source, checked(name), config, cancellation));
   }
 
   @Override
   public CompletableFuture<Void> uploadAsync(byte[] content, String name, TransferConfig config) {
+    checkNull(content, name, config);
     return transferAsync(
         cancellation -> transfers.upload(content, checked(name), config, cancellation));
   }
@@ -319,6 +322,7 @@ public final class C3Files implements ControllerFiles {
   @Override
   public CompletableFuture<Void> uploadAsync(
       InputStream content, long size, String name, TransferConfig config) {
+    checkNull(content, name, config);
     return transferAsync(
         cancellation ->
             transfers.upload(content, checkedSize(size), checked(name), config, cancellation));
@@ -326,26 +330,37 @@ public final class C3Files implements ControllerFiles {
 
   @Override
   public CompletableFuture<Void> uploadTextAsync(String text, String name, TransferConfig config) {
+    checkNull(text, name, config);
     return transferAsync(
         cancellation -> transfers.upload(encoded(text), checked(name), config, cancellation));
   }
 
   @Override
   public CompletableFuture<byte[]> downloadAsync(String name, TransferConfig config) {
+    checkNull(name, name, config);
     return channel.asyncTransfer(
         cancellation -> transfers.download(checked(name), config, cancellation));
   }
 
   @Override
   public CompletableFuture<Void> downloadAsync(String name, Path target, TransferConfig config) {
+    checkNull(target, name, config);
     return transferAsync(
         cancellation -> transfers.download(checked(name), target, config, cancellation));
   }
 
   @Override
   public CompletableFuture<String> downloadTextAsync(String name, TransferConfig config) {
+    checkNull(name, name, config);
     return channel.asyncTransfer(
         cancellation -> new String(transfers.download(checked(name), config, cancellation), TEXT));
+  }
+
+  /** Refuses null in the thread of the program. */
+  private static void checkNull(Object local, String name, TransferConfig config) {
+    Objects.requireNonNull(name, "name");
+    Objects.requireNonNull(config, "config");
+    Objects.requireNonNull(local, "the source or target");
   }
 
   /** A transfer. */

@@ -48,11 +48,7 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
       this.family = family;
     }
 
-    /**
-     * Adds the case of a class, or of all classes that a sealed interface permits.
-     *
-     * @throws IllegalArgumentException if a class has a case already
-     */
+    /** Adds the case of a class, or of all classes that a sealed interface permits. */
     public <S extends T> Cases<C, T, R, E> on(Class<S> type, Case<C, ? super S, R, E> code) {
       leaves(type)
           .forEach(

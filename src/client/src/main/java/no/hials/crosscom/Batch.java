@@ -51,18 +51,6 @@ abstract class Batch {
     variables.forEach(variable -> items.add(new Item(variable)));
   }
 
-  /** Reads variables, and returns one result per variable. */
-  static List<VariableResult> read(
-      VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
-    return new Reading(exchange, channel, variables).run();
-  }
-
-  /** Writes variables, all of which have a value, and returns one result per variable. */
-  static List<VariableResult> write(
-      VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
-    return new Writing(exchange, channel, variables).run();
-  }
-
   /** A variable and its failure, if any. */
   static final class Item {
     final KRLVariable variable;
@@ -81,6 +69,7 @@ abstract class Batch {
     }
   }
 
+  /** Runs the batch, and returns one result per variable. */
   final List<VariableResult> run() {
     if (canSendSeveral()) {
       runTogether();
@@ -228,7 +217,8 @@ abstract class Batch {
     return 2 + 2L * text.length();
   }
 
-  private static final class Reading extends Batch {
+  /** Reads variables. */
+  static final class Reading extends Batch {
     Reading(VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
       super(exchange, channel, variables, MessageType.READ_MULTIPLE, "read", "read");
     }
@@ -276,7 +266,8 @@ abstract class Batch {
     }
   }
 
-  private static final class Writing extends Batch {
+  /** Writes variables, all of which have a value. */
+  static final class Writing extends Batch {
     Writing(VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
       super(exchange, channel, variables, MessageType.WRITE_MULTIPLE, "write", "written");
     }

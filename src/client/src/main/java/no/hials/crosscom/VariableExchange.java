@@ -223,12 +223,12 @@ final class VariableExchange {
   // --- several variables
 
   List<VariableResult> readAll(List<? extends KRLVariable> variables) {
-    return Batch.read(this, channel, variables);
+    return new Batch.Reading(this, channel, variables).run();
   }
 
   List<VariableResult> writeAll(List<? extends KRLVariable> variables) {
     variables.forEach(KRLVariable::getStringValue); // refuses a variable without a value
-    return Batch.write(this, channel, variables);
+    return new Batch.Writing(this, channel, variables).run();
   }
 
   // --- setting a variable from an answer
@@ -434,22 +434,15 @@ final class VariableExchange {
       throw new NullPointerException("the value to be written to " + name);
     }
     int limit = config.maxAggregateLength();
-    if (limit > 0 && value.length() > limit) {
-      checkAggregate(name, value.toString(), limit);
-    }
-  }
-
-  private static void checkAggregate(String name, String value, int limit)
-      throws CrossComValueException {
-    if (value.stripLeading().startsWith("{")) {
+    if (limit > 0 && value.length() > limit && value.toString().stripLeading().startsWith("{")) {
       throw new CrossComValueException(
           name,
-          value,
+          value.toString(),
           "an aggregate to be written must have at most "
               + limit
               + " bytes, has "
               + value.length()
-              + AggregateLength.describe(value)
+              + AggregateLength.describe(value.toString())
               + ": "
               + value,
           null);

@@ -16,6 +16,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.Sample.Reading;
 import no.hials.crosscom.protocol.value.KrlArray;
@@ -245,27 +246,15 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
       return Math.abs((double) a.value() - b.value()) > config.deadBand();
     }
     if (before instanceof KrlStruct a && now instanceof KrlStruct b) {
-      if (a.fields().size() != b.fields().size()) {
-        return true;
-      }
-      for (KrlStruct.Field field : b.fields()) {
-        KrlValue old = a.get(field.name()).orElse(null);
-        if (old == null || differs(old, field.value())) {
-          return true;
-        }
-      }
-      return false;
+      return a.fields().size() != b.fields().size()
+          || b.fields().stream()
+              .anyMatch(f -> a.get(f.name()).map(old -> differs(old, f.value())).orElse(true));
     }
     if (before instanceof KrlArray a && now instanceof KrlArray b) {
-      if (a.elements().size() != b.elements().size()) {
-        return true;
-      }
-      for (int i = 0; i < a.elements().size(); i++) {
-        if (differs(a.elements().get(i), b.elements().get(i))) {
-          return true;
-        }
-      }
-      return false;
+      int size = a.elements().size();
+      return size != b.elements().size()
+          || IntStream.range(0, size)
+              .anyMatch(i -> differs(a.elements().get(i), b.elements().get(i)));
     }
     return !before.equals(now);
   }

@@ -5,21 +5,14 @@ import java.util.concurrent.CancellationException;
 /** Cancels an operation of many exchanges. */
 public interface Cancellation {
   /** Never cancelled. */
-  Cancellation NEVER =
-      new Cancellation() {
-        @Override
-        public void check() {}
-
-        @Override
-        public void commit() {}
-      };
+  Cancellation NEVER = new Cancellation() {};
 
   /** Throws a {@link CancellationException} if the operation is cancelled. */
-  void check();
+  default void check() {}
 
   /**
    * Throws a {@link CancellationException} if the operation is cancelled, and ensures that it is
    * not cancelled later. Calling it again does nothing.
    */
-  void commit();
+  default void commit() {}
 }

@@ -26,11 +26,7 @@ final class C3Channel implements MessageChannel {
 
   private @Nullable Connection pin;
 
-  C3Channel(ReconnectingConnection connection, Threads threads) {
-    this(connection, new ServerDetector(connection), threads, false);
-  }
-
-  private C3Channel(
+  C3Channel(
       ReconnectingConnection connection, ServerDetector detector, Threads threads, boolean pinned) {
     this.connection = connection;
     this.detector = detector;

@@ -107,7 +107,7 @@ public final class CrossComClient implements Closeable {
     this.config = Objects.requireNonNull(config, "config");
     this.connection = new ReconnectingConnection(config);
     this.threads = new Threads(config.port());
-    this.channel = new C3Channel(connection, threads);
+    this.channel = new C3Channel(connection, new ServerDetector(connection), threads, false);
     this.variables = new VariableExchange(config, connection, channel);
     this.programs = new C3Programs(channel);
     this.motion = new C3Motion(channel);

@@ -141,30 +141,26 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
 
   private void run() {
     try {
-      readPeriodically();
+      long period = config.period().toNanos();
+      long next = System.nanoTime();
+      while (!closed) {
+        long late = System.nanoTime() - next;
+        if (late < 0) {
+          LockSupport.parkNanos(this, -late);
+          continue;
+        }
+        long leftOut = late / period;
+        missed.addAndGet(leftOut);
+        missedSinceSample += leftOut;
+        next += (leftOut + 1) * period;
+        poll();
+      }
     } catch (RuntimeException | Error e) {
       LOG.warn("a watch failed", e);
       publisher.closeExceptionally(e);
     } finally {
       ended.accept(this);
       publisher.close();
-    }
-  }
-
-  private void readPeriodically() {
-    long period = config.period().toNanos();
-    long next = System.nanoTime();
-    while (!closed) {
-      long late = System.nanoTime() - next;
-      if (late < 0) {
-        LockSupport.parkNanos(this, -late);
-        continue;
-      }
-      long leftOut = late / period;
-      missed.addAndGet(leftOut);
-      missedSinceSample += leftOut;
-      next += (leftOut + 1) * period;
-      poll();
     }
   }
 

@@ -17,7 +17,7 @@ import picocli.CommandLine.Command;
     commandListHeading = "",
     description = {
       "Reads and writes the variables of a KUKA robot controller, through KUKAVARPROXY or C3"
-          + " Bridge on it, or of a simulated one.",
+          + " Bridge, or the variables of a simulated controller.",
       "A write can move a machine."
     },
     footer = {
@@ -28,11 +28,12 @@ import picocli.CommandLine.Command;
       "  jopenshowvar read '$POS_ACT' --mock",
       "  jopenshowvar read @cell1 @cell2 '$POS_ACT'",
       "",
-      "@NAME is a robot of the configuration file; in PowerShell '@NAME', in quotes. The file:",
-      "  ~/.config/jopenshowvar/config.toml, or below XDG_CONFIG_HOME",
+      "@NAME is a robot of the configuration file (in PowerShell, quote it: '@NAME'). The file"
+          + " is:",
+      "  $XDG_CONFIG_HOME/jopenshowvar/config.toml, by default ~/.config/...",
       "  %%APPDATA%%\\jopenshowvar\\config.toml on Windows",
-      "  what JOPENSHOWVAR_CONFIG names",
-      "What it may hold:",
+      "  the file named by JOPENSHOWVAR_CONFIG, if set",
+      "Example:",
       "  default = \"cell1\"",
       "  [robots.cell1]",
       "  host = \"172.31.1.147\"   # port = 7000",
@@ -41,12 +42,13 @@ import picocli.CommandLine.Command;
       "  [robots.sim]",
       "  mock = true             # server = \"c3\"",
       "",
-      "The controller is the first that is given of: --host, --mock or @NAME; JOPENSHOWVAR_HOST,"
-          + " with JOPENSHOWVAR_PORT; default of the file. The timeout is the first of: --timeout;"
-          + " that of @NAME; JOPENSHOWVAR_TIMEOUT; that of the default robot. It is read-only"
-          + " if any of --read-only, JOPENSHOWVAR_READ_ONLY=true and the robot of the file says so.",
+      "The controller is the first of these that is set: --host, --mock or @NAME;"
+          + " JOPENSHOWVAR_HOST and JOPENSHOWVAR_PORT; the default robot of the file. The timeout"
+          + " is the first of: --timeout; the timeout of @NAME; JOPENSHOWVAR_TIMEOUT; the timeout"
+          + " of the default robot. The controller is read-only if --read-only,"
+          + " JOPENSHOWVAR_READ_ONLY=true or read-only = true of the robot is set.",
       "",
-      "'jopenshowvar COMMAND --help' tells more, and the exit codes."
+      "See 'jopenshowvar COMMAND --help' for options and exit codes."
     })
 final class MainCommand implements CommandTree {
   private final Console console;

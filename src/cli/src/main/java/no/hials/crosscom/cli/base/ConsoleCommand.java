@@ -19,10 +19,10 @@ import picocli.CommandLine.UnmatchedArgumentException;
     exitCodeList = {
       "0:done",
       "1:refused by the controller, or nothing found",
-      "2:wrong usage, or a file with errors",
-      "3:could not connect, or not listen",
+      "2:wrong usage, or an error in a file",
+      "3:could not connect, or could not listen on the port",
       "4:connection lost, timed out or not this protocol",
-      "5:not sent: read-only, or not confirmed",
+      "5:not sent: the controller is read-only, or the user did not confirm",
       "70:internal error, please report it",
       "74:stdout or a file could not be written"
     })
@@ -50,8 +50,8 @@ public abstract class ConsoleCommand implements Callable<Integer> {
       names = {"-v", "--verbose"},
       order = 6,
       description = {
-        "Log to stderr what the connection does, and where an error comes from.",
-        "Twice (-vv): every frame, in hex."
+        "Log the connection and the stack traces of errors to stderr.",
+        "Use -vv to log every frame in hex, too."
       })
   private boolean[] verbose = {};
 

@@ -26,8 +26,8 @@ public abstract class ControllerCommand extends ConsoleCommand {
       names = "--robot",
       paramLabel = "NAME",
       description =
-          "A robot of the configuration file; @NAME is short for it. If no option names a controller,"
-              + " it is JOPENSHOWVAR_HOST, else the default robot of the file: see 'jopenshowvar"
+          "A robot of the configuration file; short form: @NAME. Without --host, --robot and"
+              + " --mock: JOPENSHOWVAR_HOST, or the default robot of the file; see 'jopenshowvar"
               + " --help'.")
   private List<String> robots = new ArrayList<>();
 
@@ -35,21 +35,21 @@ public abstract class ControllerCommand extends ConsoleCommand {
       names = "--port",
       paramLabel = "PORT",
       converter = Converters.Port.class,
-      description = "TCP port of the server there; 7000 if not given.")
+      description = "TCP port of the server. Default: 7000.")
   private @Nullable Integer port;
 
   @Option(
       names = "--mock",
       description =
-          "Talk to a simulated controller (KR 6 R900 sixx, KR C4) instead, which is started for this"
-              + " command and gone after it.")
+          "Use a simulated controller (KR 6 R900 sixx, KR C4), which runs only during this"
+              + " command.")
   private boolean mock;
 
   @Option(
       names = "--server",
       paramLabel = "SERVER",
       completionCandidates = Converters.ServerName.class,
-      description = "Which server the simulated controller has: kukavarproxy, or c3 for C3 Bridge.")
+      description = "Server of the simulated controller: kukavarproxy, or c3 for C3 Bridge.")
   private @Nullable ServerType server;
 
   @Option(
@@ -57,8 +57,8 @@ public abstract class ControllerCommand extends ConsoleCommand {
       order = 0,
       paramLabel = "TIME",
       description =
-          "How long to wait at most for the connection, and for each answer: 500 or 500ms, 3s, 1m. If"
-              + " not given, 5s for the connection and 3s for an answer.")
+          "Maximum time to wait for the connection and for each answer, such as 500 or 500ms,"
+              + " 3s, 1m. Default: 5s for the connection, 3s for an answer.")
   private @Nullable Duration timeout;
 
   /** Replaces each argument {@code @NAME} before {@code --} by {@code --robot=NAME}. */

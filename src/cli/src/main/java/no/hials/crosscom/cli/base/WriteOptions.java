@@ -11,13 +11,15 @@ public final class WriteOptions {
   @Option(
       names = {"-y", "--yes"},
       order = 5,
-      description = "Do not ask before something is changed outside T1, overwritten or deleted.")
+      description =
+          "Do not ask for confirmation before changes outside T1, and before files are"
+              + " overwritten or deleted.")
   private boolean yes;
 
   @Option(
       names = "--read-only",
       order = 5,
-      description = "Refuse whatever would change something, before it is sent.")
+      description = "Refuse to send anything that changes the controller.")
   private boolean readOnly;
 
   public boolean isYes() {

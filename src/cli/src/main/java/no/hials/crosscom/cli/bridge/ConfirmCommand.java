@@ -13,8 +13,8 @@ import picocli.CommandLine.Mixin;
 @Command(
     name = "confirm",
     description =
-        "Confirms all messages of the controller that can be confirmed, through C3 Bridge. A program"
-            + " that waits for that may go on.",
+        "Confirms all messages of the controller that can be confirmed, through C3 Bridge. A"
+            + " program that waits for a confirmation can continue.",
     footer = {
       "",
       "JSON: {\"command\":\"confirm\"}",

@@ -30,18 +30,20 @@ import picocli.CommandLine.Option;
 @Command(
     name = "discover",
     description =
-        "Asks the network where controllers are, by UDP, and prints who answered: the robot's model and"
-            + " serial number, the server, its version, and its address. Exit code 3 if nobody did.",
+        "Searches the network for controllers by UDP and prints each robot's model and serial"
+            + " number, and the type, version and address of its server. Exit code 3 if none"
+            + " answers.",
     footer = {
       "",
-      "Two ways to ask: C3 Bridge answers on UDP port 7000 (standard mode); KUKAVARPROXY, and C3 Bridge"
-          + " too, on port 6999, to port 7000 of this computer (legacy mode). Only one program of a"
-          + " computer can have that port; if it is taken and --legacy is not given, only the standard"
-          + " mode is used, and a message says so. Routers do not pass broadcasts on: give --address"
-          + " for a controller behind one.",
+      "In standard mode, C3 Bridge answers on UDP port 7000. In legacy mode, KUKAVARPROXY and C3"
+          + " Bridge answer on port 6999, to port 7000 of this computer. Only one program can use"
+          + " that port: if it is in use, the command prints a message and uses standard mode"
+          + " only, unless --legacy is given. Routers do not forward broadcasts; use --address"
+          + " for a controller in another network.",
       "",
-      "JSON: one object a server (JSON Lines), with model, serial, type (C3_BRIDGE or KUKAVARPROXY),"
-          + " version, host and port. What it did not say is an empty text, or null for the version.",
+      "JSON: one object per server (JSON Lines) with model, serial, type (C3_BRIDGE or"
+          + " KUKAVARPROXY), version, host and port. An unknown version is null; other unknown"
+          + " values are empty.",
       "",
       "Examples:",
       "  jopenshowvar discover",
@@ -52,29 +54,29 @@ public final class DiscoverCommand extends ConsoleCommand {
   @Option(
       names = "--timeout",
       paramLabel = "TIME",
-      description =
-          "How long to wait for answers, all of which is waited: 500ms, 3s; 1s if not given.")
+      description = "How long to collect answers, such as 500ms, 3s. Default: 1s.")
   private Duration timeout = Duration.ofSeconds(1);
 
   @Option(
       names = "--address",
       paramLabel = "HOST",
-      description = "Ask this IPv4 address, of a host or for broadcast. Can be repeated.")
+      description = "Ask this IPv4 address, of a host or for broadcasts. Can be repeated.")
   private List<String> addresses = new ArrayList<>();
 
   @Option(
       names = "--interface",
       paramLabel = "NAME",
       description =
-          "Ask all hosts that this network interface reaches by broadcast, such as eth0. Can be repeated. "
-              + "If neither this nor --address is given, all interfaces.")
+          "Broadcast on this network interface, such as eth0. Can be repeated. Default without"
+              + " --address: all interfaces.")
   private List<String> interfaces = new ArrayList<>();
 
   @Option(
       names = "--legacy",
       negatable = true,
       fallbackValue = "true",
-      description = "Insist on the legacy mode, or with --no-legacy ask in standard mode only.")
+      description =
+          "Fail if legacy mode is not possible. With --no-legacy: use standard mode" + " only.")
   private @Nullable Boolean legacy;
 
   @Option(
@@ -83,7 +85,7 @@ public final class DiscoverCommand extends ConsoleCommand {
       split = ",",
       hideParamSyntax = true,
       converter = Converters.ListeningPort.class,
-      description = "Other UDP ports than 7000,6999,7000.")
+      description = "The UDP ports to use. Default: 7000,6999,7000.")
   private List<Integer> ports = List.of(7000, 6999, 7000);
 
   @Option(names = "--json", description = "Print JSON, see below.")
@@ -129,7 +131,7 @@ public final class DiscoverCommand extends ConsoleCommand {
     try {
       config = DiscoveryConfig.create(cfg -> configure(cfg, withLegacy));
     } catch (IllegalArgumentException e) {
-      throw wrongUsage("no network interface reaches anybody by broadcast; give --address");
+      throw wrongUsage("no network interface can send broadcasts; give --address");
     }
     try {
       return Discovery.find(config);

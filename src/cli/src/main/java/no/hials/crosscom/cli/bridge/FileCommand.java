@@ -15,17 +15,17 @@ import picocli.CommandLine.Command;
         "Lists, uploads, downloads and deletes the files of the controller, through C3 Bridge.",
     footer = {
       "",
-      "Names on the controller are KRC:\\R1\\PROGRAM\\X.SRC or short /R1/X.SRC, in any case. In sh and"
-          + " bash a name with backslashes needs single quotes, or the shell takes them away:"
-          + " 'KRC:\\R1\\PROGRAM\\X.SRC'. PowerShell and cmd.exe need none; Git Bash on Windows makes"
-          + " another name of one that begins with /.",
+      "A name on the controller is KRC:\\R1\\PROGRAM\\X.SRC or, in short form, /R1/X.SRC. Case"
+          + " does not matter. In sh and bash, a name with backslashes needs single quotes:"
+          + " 'KRC:\\R1\\PROGRAM\\X.SRC'. PowerShell and cmd.exe need none. Git Bash on Windows"
+          + " changes names that begin with /; use the other form there.",
       "",
       "Examples:",
       "  jopenshowvar file ls 'KRC:\\R1\\PROGRAM' --host 172.31.1.147",
       "  jopenshowvar file put weld.src 'KRC:\\R1\\PROGRAM\\' --host 172.31.1.147",
       "  jopenshowvar file get /R1/WELD.SRC . --host 172.31.1.147",
       "",
-      "'jopenshowvar file COMMAND --help' tells more, and the exit codes."
+      "See 'jopenshowvar file COMMAND --help' for options and exit codes."
     })
 public final class FileCommand {
   private FileCommand() {}

@@ -17,8 +17,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     footerHeading = "%n",
     footer = {
-      "If TARGET is a folder or ends with a slash or backslash, the name stays. A file that is"
-          + " there already is overwritten only after a question, or with --yes.",
+      "If TARGET is a folder, or ends with a slash or backslash, the file keeps its name. An"
+          + " existing file is overwritten only after confirmation or with --yes.",
       "",
       "JSON: one object with command, source and name.",
       "",
@@ -33,7 +33,10 @@ final class FileCopy extends FileSubcommand {
   @Parameters(index = "0", paramLabel = "SOURCE", description = "A file on the controller.")
   private String source = "";
 
-  @Parameters(index = "1", paramLabel = "TARGET", description = "Its new name there, or a folder.")
+  @Parameters(
+      index = "1",
+      paramLabel = "TARGET",
+      description = "The new name on the controller," + " or a folder.")
   private String destination = "";
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();

@@ -28,16 +28,16 @@ import picocli.CommandLine.Parameters;
 /** {@code file get REMOTE... LOCAL}. */
 @Command(
     name = "get",
-    description = "Downloads files from the controller. Nothing changes there.",
+    description = "Downloads files from the controller.",
     footer = {
       "",
-      "LOCAL is a folder that is there, such as . for this one, or for one REMOTE the name that it"
-          + " is to have.",
+      "LOCAL is an existing folder, such as . for the current one, or the new name of a single"
+          + " file.",
       "",
-      "A file of this computer is overwritten only after a question, or with --yes. Each is written"
-          + " next to its place, as NAME.RANDOM.part, and takes its place when it is complete.",
+      "An existing local file is overwritten only after confirmation or with --yes. Each file is"
+          + " first written as NAME.RANDOM.part and renamed when it is complete.",
       "",
-      "JSON: one object a file (JSON Lines), with command, local, name and size.",
+      "JSON: one object per file (JSON Lines) with command, local, name and size.",
       "",
       "In sh and bash a name with backslashes needs single quotes.",
       "",
@@ -50,19 +50,18 @@ final class FileGet extends FileSubcommand {
       arity = "1..*",
       paramLabel = "REMOTE... LOCAL",
       hideParamSyntax = true,
-      description = "Files on the controller, and last the place on this computer.")
+      description = "The files on the controller, then the folder or file on this computer.")
   private List<String> arguments = List.of();
 
   @Option(
       names = "--with-dat",
-      description =
-          "With each .src and .sub, also the .dat of the same name next to it, if it exists.")
+      description = "Also transfer the data list (.dat) of each .src and .sub, if it exists.")
   private boolean withDat;
 
   @Option(
       names = {"-y", "--yes"},
       order = 5,
-      description = "Overwrite files of this computer without asking.")
+      description = "Overwrite local files without asking.")
   private boolean yes;
 
   /**
@@ -96,7 +95,7 @@ final class FileGet extends FileSubcommand {
     Path place = LocalFiles.path(this, arguments.get(arguments.size() - 1));
     boolean folder = java.nio.file.Files.isDirectory(place);
     if (!folder && count > 1) {
-      throw wrongUsage("for several files LOCAL must be a folder that is there, is " + place);
+      throw wrongUsage("for several files LOCAL must be an existing folder, is " + place);
     }
     if (!folder) {
       LocalFiles.checkFolderOf(place);
@@ -120,10 +119,10 @@ final class FileGet extends FileSubcommand {
     for (Job job : jobs) {
       // whatever the case: it does not count everywhere
       if (!locals.add(job.local().toString().toUpperCase(Locale.ROOT))) {
-        throw wrongUsage("two files would become " + job.local());
+        throw wrongUsage("two files would have the name " + job.local());
       }
       if (java.nio.file.Files.isDirectory(job.local())) {
-        throw wrongUsage(job.local() + " is a folder, it cannot become a file");
+        throw wrongUsage(job.local() + " is a folder");
       }
     }
     return jobs;

@@ -30,13 +30,13 @@ import picocli.CommandLine.Parameters;
     description = "Lists a folder of the controller: type, size, attributes and name of each item.",
     footer = {
       "",
-      "The order is the controller's. What it does not say is shown as -. Times are in the time"
-          + " zone of this computer. If the list is too long for one answer, only the names are"
-          + " asked for; with -l the rest, too. If that is too long as well, they are asked for"
-          + " type by type, and come in that order.",
+      "The items are in the order of the controller. Unknown values are shown as -. Times are in"
+          + " the time zone of this computer. If the list is too long for one answer, the command"
+          + " asks for names only, and if that is still too long, for each type of item"
+          + " separately.",
       "",
-      "JSON: one object an item (JSON Lines), with name, path, type, size and attributes (an"
-          + " array), with -l also created and modified in UTC. What is not known is null.",
+      "JSON: one object per item (JSON Lines) with name, path, type, size and attributes (an"
+          + " array); with -l also created and modified in UTC. Unknown values are null.",
       "",
       "In sh and bash a name with backslashes needs single quotes.",
       "",
@@ -50,12 +50,12 @@ final class FileLs extends FileSubcommand {
       index = "0",
       arity = "0..1",
       paramLabel = "FOLDER",
-      description = "The folder; KRC:\\R1 if not given.")
+      description = "The folder. Default: KRC:\\R1.")
   private String folder = "KRC:\\R1";
 
   @Option(
       names = {"-l", "--long"},
-      description = "With the time of the last change; this takes one more question an item.")
+      description = "Show the time of the last change; this sends one more request per item.")
   private boolean detailed;
 
   /** An item of the list, and its properties. */
@@ -134,7 +134,9 @@ final class FileLs extends FileSubcommand {
       }
     }
     console()
-        .hint("too many for one answer: asked for by type; one of an unknown type is left out");
+        .hint(
+            "the list is too long for one answer: it was read type by type, without items of"
+                + " unknown types");
     return entries;
   }
 

@@ -32,22 +32,20 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "put",
     description =
-        "Uploads files to the controller, and reads each of them back to make sure that what arrived"
-            + " is what was sent.",
+        "Uploads files to the controller, and reads each file back to verify its content.",
     footer = {
       "",
-      "REMOTE is a folder, or for one LOCAL the name that it is to have. One that ends with a slash"
-          + " or backslash is a folder; of another one the controller is asked.",
+      "REMOTE is a folder, or the new name of a single file. A name that ends with a slash or"
+          + " backslash is a folder; otherwise the command asks the controller whether it is one.",
       "",
-      "An existing file is overwritten only after a question, or with --yes. Of a file"
-          + " whose upload fails the controller has nothing, unless the message says otherwise;"
-          + " those after it are not uploaded.",
+      "An existing file is overwritten only after confirmation or with --yes. If an upload"
+          + " fails, the controller keeps no part of the file, unless the message says otherwise,"
+          + " and the remaining files are not uploaded.",
       "",
-      "With --select, what the controller answered is said: a program with errors is uploaded, but"
-          + " cannot be selected (exit code 1).",
+      "A program with errors can be uploaded, but --select fails with exit code 1.",
       "",
-      "JSON: one object a file (JSON Lines), with command, local, name and size; with --select one"
-          + " more with command, interpreter, program and state.",
+      "JSON: one object per file (JSON Lines) with command, local, name and size; with --select"
+          + " a last one with command, interpreter, program and state.",
       "",
       "In sh and bash a name with backslashes needs single quotes.",
       "",
@@ -62,16 +60,17 @@ final class FilePut extends FileSubcommand {
       arity = "1..*",
       paramLabel = "LOCAL... REMOTE",
       hideParamSyntax = true,
-      description = "Files of this computer, and last the place on the controller.")
+      description = "The files on this computer, then the folder or file on the controller.")
   private List<String> arguments = List.of();
 
   @Option(
       names = "--with-dat",
       description =
-          "With each .src and .sub, also the .dat of the same name next to it, if it exists.")
+          "Also transfer the data list (.dat) of each .src and .sub, if it exists. The data list"
+              + " in the case of its program takes precedence.")
   private boolean withDat;
 
-  @Option(names = "--select", description = "Select the .src that was uploaded. It is not started.")
+  @Option(names = "--select", description = "Select the uploaded .src without starting it.")
   private boolean select;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();
@@ -167,7 +166,7 @@ final class FilePut extends FileSubcommand {
         name = RemoteName.dataListOf(remote);
       }
       if (!names.add(name.toUpperCase(Locale.ROOT))) {
-        throw wrongUsage("two files would become " + name);
+        throw wrongUsage("two files would have the name " + name);
       }
       jobs.add(new Job(source.local(), name, files.exists(name)));
     }
@@ -193,7 +192,7 @@ final class FilePut extends FileSubcommand {
       controller.client().programs().select(program);
     } catch (CrossComRefusedException e) {
       ExitCode code =
-          refused(e, "likely cause: the program has errors; it is uploaded, but not selected");
+          refused(e, "likely cause: the program has errors; it was uploaded, but not selected");
       hintOfErrors(job.local());
       return code;
     }

@@ -19,13 +19,13 @@ import picocli.CommandLine.Parameters;
 /** {@code file rm NAME...}. */
 @Command(
     name = "rm",
-    description = "Deletes files on the controller. It asks before, unless --yes is given.",
+    description = "Deletes files on the controller. Asks for confirmation unless --yes is given.",
     footer = {
       "",
-      "Nothing is deleted unless all of them are there. If one cannot be deleted, those after it"
-          + " are not tried.",
+      "If a file does not exist, nothing is deleted. If a file cannot be deleted, the remaining"
+          + " ones are not tried.",
       "",
-      "JSON: one object a file (JSON Lines), with command and name.",
+      "JSON: one object per file (JSON Lines) with command and name.",
       "",
       "In sh and bash a name with backslashes needs single quotes.",
       "",
@@ -39,10 +39,10 @@ final class FileRm extends FileSubcommand {
 
   @Option(
       names = {"-r", "--recursive"},
-      description = "Folders too, with all that is in them, read-only or not.")
+      description = "Delete folders with their content, even if it is read-only.")
   private boolean recursive;
 
-  @Option(names = "--force", description = "Although it is read-only.")
+  @Option(names = "--force", description = "Delete read-only files, too.")
   private boolean force;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();
@@ -87,6 +87,6 @@ final class FileRm extends FileSubcommand {
   private static List<String> reasons(Set<String> folders) {
     return folders.isEmpty()
         ? List.of("deleting cannot be undone")
-        : List.of("all that is in " + String.join(", ", folders) + " goes, too");
+        : List.of("the content of " + String.join(", ", folders) + " will be deleted, too");
   }
 }

@@ -20,15 +20,15 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "stat",
     description =
-        "Prints what the controller knows about files and folders: both forms of the name, type,"
-            + " size, attributes, times and how it may be edited there.",
+        "Prints the properties of files and folders: both forms of the name, type, size,"
+            + " attributes, times and edit mode.",
     footer = {
       "",
-      "If one cannot be asked for, the others still are. Times are in the time zone of this"
-          + " computer. What is not known is shown as -.",
+      "If a file cannot be found, the remaining ones are still printed. Times are in the time"
+          + " zone of this computer. Unknown values are shown as -.",
       "",
-      "JSON: one object a file (JSON Lines), with name, path, krcName, type, size, attributes (an"
-          + " array), created, accessed, modified (in UTC) and editMode. What is not known is"
+      "JSON: one object per file (JSON Lines) with name, path, krcName, type, size, attributes"
+          + " (an array), created, accessed, modified (in UTC) and editMode. Unknown values are"
           + " null.",
       "",
       "In sh and bash a name with backslashes needs single quotes.",

@@ -23,13 +23,13 @@ import picocli.CommandLine.Command;
 @Command(
     name = "info",
     description =
-        "Prints what there is: which server in which version, the messages that it knows, the"
-            + " controller's host name and clock, the robot's model and serial number, and the"
-            + " operating mode.",
+        "Prints the type and version of the server, the messages it supports, the host name and"
+            + " clock of the controller, the robot's model and serial number, and the operating"
+            + " mode.",
     footer = {
       "",
-      "KUKAVARPROXY says nothing about itself, so its version, host and clock are not known, which"
-          + " is shown as -, and is null in JSON. So is a variable that cannot be read.",
+      "KUKAVARPROXY does not report its version, host name and clock. Unknown values and"
+          + " variables that cannot be read are shown as -, in JSON as null.",
       "",
       "JSON: one object with server, version, build, features (an array of numbers), host, clock,"
           + " model, serial and mode.",

@@ -19,16 +19,17 @@ import picocli.CommandLine.Parameters;
 @Command(
     footerHeading = "%n",
     footer = {
-      "PROGRAM is /R1/NAME, NAME alone, or with folders KRC:\\R1\\PROGRAM\\NAME.SRC. In sh and bash a"
-          + " name with backslashes needs single quotes, or the shell takes them away; PowerShell"
-          + " and cmd.exe need none.",
+      "PROGRAM is /R1/NAME, NAME alone, or a full path KRC:\\R1\\PROGRAM\\NAME.SRC. In sh and"
+          + " bash, a name with backslashes needs single quotes; PowerShell and cmd.exe need"
+          + " none.",
       "",
-      "Printed is what $PRO_NAME1[] and $PRO_STATE1 say right after the answer. JSON: one object"
-          + " with command, interpreter, program and state; what could not be read is null.",
+      "Prints $PRO_NAME1[] and $PRO_STATE1, read directly after the command. JSON: one object"
+          + " with command, interpreter, program and state; a variable that cannot be read is"
+          + " null.",
       "",
-      "A program with errors is refused with code 0 (GENERAL): the controller gives no reason. A"
-          + " command is never repeated; if no answer came, the message says that it may have been"
-          + " done or not.",
+      "The controller refuses a program with errors with code 0 (GENERAL), which gives no"
+          + " reason. A command is never repeated; if no answer arrives, it may or may not have"
+          + " been executed.",
       "",
       "Examples:",
       "  jopenshowvar program select /R1/ACTUATOR --host 172.31.1.147",
@@ -45,14 +46,14 @@ final class ProgramChoice extends BridgeCommand {
   @Option(
       names = "--parameters",
       paramLabel = "TEXT",
-      description = "What the program is called with, as KRL values with commas between them.")
+      description = "The arguments of the program: KRL values, separated by commas.")
   private String parameters = "";
 
   @Option(
       names = "--force",
       description =
-          "Select it even if another program is active (assumed: what a controller does"
-              + " then is not documented).")
+          "Select the program even if another one is active. The effect on a real controller is"
+              + " not documented.")
   private boolean force;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();

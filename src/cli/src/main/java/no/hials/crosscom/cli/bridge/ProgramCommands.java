@@ -20,7 +20,7 @@ import picocli.CommandLine.Command;
       "  jopenshowvar program start --host 172.31.1.147",
       "  jopenshowvar program stop --host 172.31.1.147",
       "",
-      "'jopenshowvar program COMMAND --help' tells more, and the exit codes."
+      "See 'jopenshowvar program COMMAND --help' for options and exit codes."
     })
 public final class ProgramCommands {
   private ProgramCommands() {}
@@ -31,24 +31,23 @@ public final class ProgramCommands {
     add(
         program,
         "select",
-        "Selects a program of the robot interpreter. It does not start it.",
+        "Selects a program of the robot interpreter without starting it.",
         new ProgramChoice("select", Programs::select));
     add(
         program,
         "start",
-        "Starts the selected program, or goes on with one that was stopped. The robot moves.",
+        "Starts the selected program, or resumes a stopped one. The robot moves.",
         new ProgramOrder("start", Programs::start));
     add(
         program,
         "stop",
-        "Stops the running program. It never asks, in no mode, since it makes the robot stand still;"
-            + " --read-only refuses it, as everything that is sent. This is no emergency stop: it"
-            + " takes a working network.",
+        "Stops the running program. Never asks for confirmation. With --read-only it is refused"
+            + " like other commands. This is not an emergency stop: it needs a working network.",
         new ProgramOrder("stop", Programs::stop));
     add(
         program,
         "reset",
-        "Resets the selected program, so that a start runs it from the beginning.",
+        "Resets the selected program, so that it starts from the beginning.",
         new ProgramOrder("reset", Programs::reset));
     add(
         program,

@@ -16,13 +16,11 @@ import picocli.CommandLine.Option;
 @Command(
     footerHeading = "%n",
     footer = {
-      "Printed is what $PRO_NAME1[] and $PRO_STATE1 (of the submit interpreter $PRO_NAME0[] and"
-          + " $PRO_STATE0) say right after the answer, which says that the command was accepted."
-          + " JSON: one object with command, interpreter, program and state; what could not be read"
-          + " is null.",
+      "Prints $PRO_NAME1[] and $PRO_STATE1 (with --submit: $PRO_NAME0[] and $PRO_STATE0), read"
+          + " when the controller has accepted the command. JSON: one object with command,"
+          + " interpreter, program and state; a variable that cannot be read is null.",
       "",
-      "A command is never repeated; if no answer came, the message says that it may have been done"
-          + " or not.",
+      "A command is never repeated; if no answer arrives, it may or may not have been executed.",
       "",
       "Examples:",
       "  jopenshowvar program start --host 172.31.1.147",
@@ -34,7 +32,7 @@ final class ProgramOrder extends BridgeCommand {
 
   @Option(
       names = "--submit",
-      description = "The program of the submit interpreter, not the robot's.")
+      description = "Use the submit interpreter instead of the robot interpreter.")
   private boolean submit;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();

@@ -41,34 +41,34 @@ import picocli.CommandLine.Option;
 @Command(
     name = "drive",
     description = {
-      "Moves the robot by hand, with keyboard, gamepad, a recording, or another program.",
-      "It moves a machine: a program on the controller has to follow, and somebody has to stand at"
+      "Moves the robot with the keyboard, a gamepad, a recording or another program.",
+      "It moves a machine: a KRL program must run on the controller, and a person must stand at"
           + " the emergency stop."
     },
     footer = {
       "",
-      "On the controller, actuator.src (base, tool) or ext_move_axis.src (joints) has to run, and"
-          + " jov_sps.sub as watchdog: see docs/how-to/drive-the-robot.md. With --mock a simulated"
-          + " robot does all that.",
+      "The controller must run actuator.src (base, tool) or ext_move_axis.src (joints), and"
+          + " jov_sps.sub as the watchdog: see docs/how-to/drive-the-robot.md. With --mock the"
+          + " simulated controller runs them.",
       "",
-      "The robot moves only while the dead-man is held and input comes: a key that repeats, a"
-          + " shoulder button of the gamepad, deadMan of a datagram, dead_man of a recording. It"
-          + " stays within limits: 5 degrees from the end of each axis, 300 mm around where it"
-          + " starts (base, tool), and the operating mode it starts in. What breaks one ends the"
-          + " command, and is told.",
+      "The robot moves only while input arrives and the dead-man is held: a repeating"
+          + " key, a shoulder button of the gamepad, deadMan in a datagram, or dead_man in a"
+          + " recording. The command ends with a message if the robot would come closer than 5"
+          + " degrees to the end of an axis, leave 300 mm around its start (base, tool), or if"
+          + " the operating mode changes.",
       "",
       "Keys:",
       "  w s, a d, r f   + and - of X, Y, Z (or A1, A2, A3; arrows and page keys too)",
       "  u j, i k, o l   + and - of A, B, C (or A4, A5, A6)",
       "  space           stop",
       "  + -             faster, slower",
-      "  q               end",
+      "  q               quit",
       "",
-      "UDP: JSON in each datagram, several a second:",
+      "UDP: one JSON object per datagram, several times per second:",
       "  {\"axes\": [0.5, 0, 0], \"deadMan\": true}",
       "",
-      "The exit code is 0 if it ended as you asked for, 1 if a limit or the state of the controller"
-          + " ended it, 4 if the connection or the device failed.",
+      "Exit code: 0 after a normal end, 1 if a limit or the state of the controller stopped the"
+          + " robot, 4 if the connection or the device failed.",
       "",
       "Examples:",
       "  jopenshowvar drive --mock",
@@ -88,72 +88,75 @@ public final class DriveCommand extends ControllerCommand {
       paramLabel = "DEVICE",
       converter = DriveDevice.Converter.class,
       description =
-          "keyboard (if not given), gamepad, csv:FILE for a recording, or udp:PORT for datagrams (udp"
-              + " for port 7070). Datagrams are taken from this computer only, unless an address of"
-              + " it is given: udp:ADDRESS:PORT. Then anyone who reaches that address can move the robot.")
+          "keyboard (default), gamepad, csv:FILE for a recording, or udp:PORT for datagrams (udp"
+              + " alone: port 7070). Only this computer can send datagrams, unless a local"
+              + " address is given: udp:ADDRESS:PORT. Then anyone who reaches that address can"
+              + " move the robot.")
   private DriveDevice.@Nullable Choice device;
 
   @Option(
       names = "--frame",
       paramLabel = "FRAME",
       description =
-          "What the device moves: base (if not given) for the tool along $BASE, tool for the tool"
-              + " along its own axes, joints for the axes of the robot.")
+          "The coordinates to move in: base (default) moves the tool along $BASE, tool along its"
+              + " own axes, joints moves the axes of the robot.")
   private String frame = "base";
 
   @Option(
       names = "--speed",
       paramLabel = "SPEED",
       description =
-          "What full deflection gives: mm/s, at most 250, 25 if not given; with joints degrees/s, at"
-              + " most 60, 5 if not given.")
+          "Speed at full deflection: in mm/s, at most 250, default 25; with joints in degrees/s,"
+              + " at most 60, default 5.")
   private @Nullable Double speed;
 
   @Option(
       names = "--turn",
       paramLabel = "SPEED",
-      description = "The same for rotations of the tool, degrees/s, at most 60; 5 if not given.")
+      description =
+          "Speed of rotations of the tool at full deflection, in degrees/s, at most"
+              + " 60. Default: 5.")
   private @Nullable Double turn;
 
   @Option(
       names = "--dead-zone",
       paramLabel = "PART",
       description =
-          "How far from the centre a stick is still at rest, 0 to less than 1; if not given, 0.15 for"
-              + " a gamepad, else 0.")
+          "Deflection below which a stick counts as centred, from 0 to less than 1. Default:"
+              + " 0.15 for a gamepad, 0 for other devices.")
   private @Nullable Double deadZone;
 
   @Option(
       names = "--period",
       paramLabel = "TIME",
-      description = "From one command to the next, 4ms to 100ms; 20ms if not given.")
+      description = "Period of the commands, 4ms to 100ms. Default: 20ms.")
   private Duration period = Duration.ofMillis(20);
 
   @Option(
       names = "--max-delay",
       paramLabel = "TIME",
       description =
-          "How long the controller may take to say where the robot is, at most 2s; 100ms if not"
-              + " given. A longer one ends it, when it has answered or --timeout is over.")
+          "Maximum time to read the position of the robot, at most 2s. Default: 100ms. A longer"
+              + " time ends the command, after the answer or after --timeout.")
   private Duration maxDelay = Duration.ofMillis(100);
 
-  @Option(names = "--for", paramLabel = "TIME", description = "End after this time.")
+  @Option(names = "--for", paramLabel = "TIME", description = "Stop after this time.")
   private @Nullable Duration length;
 
   @Option(
       names = "--record",
       paramLabel = "FILE",
       description =
-          "Write a CSV file at the end: when each cycle was, how long the accesses took, where the"
-              + " robot was to go, what was sent, and where it was. It has the last 200000 cycles."
-              + " An existing file needs --yes.")
+          "Write a CSV file with the time, access times, target position, command and actual"
+              + " position of each cycle, for the last 200000 cycles. An existing file needs"
+              + " --yes.")
   private @Nullable Path record;
 
   @Option(
       names = "--no-watchdog",
       order = 5,
       description =
-          "Drive without the watchdog on the controller: then nothing there stops the robot when this"
+          "Drive without the watchdog on the controller. Then nothing stops the robot if this"
               + " program or the network fails.")
   private boolean noWatchdog;
 
@@ -320,13 +323,15 @@ public final class DriveCommand extends ControllerCommand {
       console().print(summary(loop));
       if (loop.statistics().holding() == loop.statistics().cycles()) {
         console()
-            .hint("it was never told to move: the dead-man was not held, or all input too old");
+            .hint(
+                "the robot did not move: the dead-man was not held, or all input was"
+                    + " too old");
       }
       if (!noWatchdog && reason.isPlanned()) {
         DriveEnd.hintOnWatchdog(read(controller, "JOV_LIMIT")).ifPresent(console()::hint);
       }
       if (!loop.toldToStand()) {
-        console().error("the robot could not be told to stand: the watchdog has to stop it");
+        console().error("could not send the stop command: the watchdog must stop the robot");
       }
       ExitCode code = ended(reason, controller, space);
       write(loop.trace()); // last: a full disk must not hide why the robot was stopped
@@ -354,7 +359,7 @@ public final class DriveCommand extends ControllerCommand {
         Thread.currentThread().interrupt();
         return loop.stopReason().orElseThrow();
       } catch (ExecutionException e) {
-        throw new AssertionError("it is completed by a reason only", e);
+        throw new AssertionError("completed by a reason only", e);
       }
     }
   }

@@ -55,37 +55,38 @@ final class DriveEnd {
     List<String> hints = new ArrayList<>();
     switch (reason.kind()) {
       case PROGRAM, STALLED_FEEDBACK -> {
-        hints.add(
-            "a client moves no robot by itself: a program on the controller has to follow "
-                + space.variable);
+        hints.add("the robot moves only if a program on the controller follows " + space.variable);
         hints.add(
             selected(selected)
                 + "; select and start "
                 + program
                 + " (krl/"
                 + space.program
-                + ".src), and let the drives be on");
+                + ".src), and switch the drives on");
       }
       case WATCHDOG -> {
         hints.add(
-            "the watchdog stops the robot if this program or the network fails: it needs the"
-                + " variables of krl/config.dat and krl/jov_sps.sub in the submit interpreter");
-        hints.add("without both, --no-watchdog drives in your own responsibility");
+            "the watchdog stops the robot if this program or the network fails; it needs the"
+                + " variables of krl/config.dat, and krl/jov_sps.sub in the submit interpreter");
+        hints.add("without it, --no-watchdog drives at your own risk");
       }
-      case MODE -> hints.add("the mode was changed; start again in the new one");
+      case MODE -> hints.add("the operating mode changed; start again in the new mode");
       case ACCESS -> {
         if (cause(reason) instanceof CrossComAccessException) {
           hints.add(
-              "the controller has to know "
+              "the controller must have the variable "
                   + space.variable
                   + " (krl/config.dat), and "
                   + program
                   + " (krl/"
                   + space.program
-                  + ".src) has to follow it");
+                  + ".src) must follow it");
         }
       }
-      case WORKSPACE -> hints.add("start again where it stands: the workspace is around the start");
+      case WORKSPACE ->
+          hints.add(
+              "start again at the current position, which becomes the centre"
+                  + " of the workspace");
       default -> {
         // its message says all
       }
@@ -105,10 +106,10 @@ final class DriveEnd {
     return limit.isBlank() || limit.equals("0")
         ? Optional.empty()
         : Optional.of(
-            "the watchdog was on before (JOV_LIMIT is "
+            "the watchdog was already on (JOV_LIMIT is "
                 + limit
-                + "), as after an end that was not planned: it stays on and stops the program now;"
-                + " write 0 to JOV_LIMIT and start the program again");
+                + "), for example after a failure; it stays on and stops the program now: write"
+                + " 0 to JOV_LIMIT and start the program again");
   }
 
   private static String selected(String name) {

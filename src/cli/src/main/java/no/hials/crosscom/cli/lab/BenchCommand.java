@@ -40,24 +40,25 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "bench",
     description =
-        "Measures how long reads and writes take, by variable. Each client asks again as soon as it"
-            + " has its answer (a closed loop), one variable after the other.",
+        "Measures the times of reads and writes for each variable. Each client sends the next"
+            + " request when the previous one is answered (a closed loop).",
     footer = {
       "",
-      "A variable is written only if --write names it. It gets the value that was read just before,"
-          + " so that it keeps its value, unless something else changes it in between. --yes counts"
-          + " for such writes and for files that are there already.",
+      "Only variables of --write are written, with the value that was read directly before, so"
+          + " that they keep their value unless something else changes it at the same time. --yes"
+          + " applies to these writes and to existing files.",
       "",
-      "Times are those that a program waits: from the call to the value. An access that failed is"
-          + " counted with its kind and is in no time. After a lost connection a client makes a new"
-          + " one; it gives up when that fails, or after 10 failures in succession. Ctrl-C ends it,"
-          + " and prints what there is.",
+      "A time is measured from the call of the client to its return. Failed accesses are counted"
+          + " by kind, and not included in the times. After a lost connection, a client"
+          + " reconnects; it gives up if that fails, or after 10 consecutive failures. Ctrl-C"
+          + " ends the measurement and prints the results so far. The command itself has one more"
+          + " connection open, so KUKAVARPROXY, which accepts 10, allows --clients 9.",
       "",
-      "C3 Bridge measures reads, too: SERVER is the mean of what a read takes there, without the"
+      "C3 Bridge can measure reads itself: SERVER is the mean time of a read without the"
           + " network.",
       "",
-      "CSV: seconds since the start, client, access, name, access_ms (empty if it failed), failure."
-          + " JSON: a line for each access, times in ms.",
+      "CSV: seconds since the start, client, access, name, access_ms (empty if it failed),"
+          + " failure. JSON: one object per access, times in ms.",
       "",
       "Examples:",
       "  jopenshowvar bench --host 172.31.1.147 --plot times.png",
@@ -92,57 +93,58 @@ public final class BenchCommand extends ControllerCommand {
       arity = "0..*",
       paramLabel = "NAME",
       description =
-          "What to read. If nothing is named here and by --write: a variable of each type that every"
-              + " controller has.")
+          "The variables to read. Default without --write: one system variable of each type.")
   private List<String> names = new ArrayList<>();
 
   @Option(
       names = "--write",
       paramLabel = "NAME",
-      description = "Read this variable, and write back what was read. Can be repeated.")
+      description = "Read this variable and write its value back. Can be repeated.")
   private List<String> written = new ArrayList<>();
 
   @Option(
       names = "--clients",
       paramLabel = "NUMBER",
-      description =
-          "How many clients ask at the same time, each on a connection of its own; 1 if not given.")
+      description = "Number of clients at the same time, each with its own connection. Default: 1.")
   private int clients = 1;
 
   @Option(
       names = "--count",
       paramLabel = "NUMBER",
-      description = "How often each client does each access; 1000 if not given.")
+      description = "Number of measured accesses of each client to each variable. Default: 1000.")
   private @Nullable Long count;
 
   @Option(
       names = "--for",
       paramLabel = "TIME",
-      description = "How long to measure, instead of --count.")
+      description = "Duration of the measurement, instead of --count.")
   private @Nullable Duration length;
 
   @Option(
       names = "--warm-up",
       paramLabel = "NUMBER",
-      description = "How often each client does each access before; 100 if not given.")
+      description = "Number of accesses before the measurement. Default: 100.")
   private int warmUp = 100;
 
   @Option(
       names = "--latency",
       paramLabel = "LATENCY",
-      description = "How long a request takes the simulated controller, as in 'mock --latency'.")
+      description = "Latency of the simulated controller, see 'mock --help'.")
   private @Nullable String latency;
 
-  @Option(names = "--histogram", description = "Print a histogram for each access, too.")
+  @Option(names = "--histogram", description = "Also print a histogram for each access.")
   private boolean histogram;
 
   @Option(
       names = {"-o", "--out"},
       paramLabel = "FILE.csv",
-      description = "Write each access into a file.")
+      description = "Write each access to a file.")
   private @Nullable Path out;
 
-  @Option(names = "--plot", paramLabel = "FILE", description = "Draw the histograms, .png or .svg.")
+  @Option(
+      names = "--plot",
+      paramLabel = "FILE",
+      description = "Draw the histograms to this" + " file, .png or .svg.")
   private @Nullable Path plot;
 
   @Mixin private PictureOptions pictureOptions = new PictureOptions();

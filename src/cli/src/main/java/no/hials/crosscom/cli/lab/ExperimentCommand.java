@@ -35,21 +35,20 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "experiment",
     description = {
-      "Repeats the experiments of the papers on a simulated robot. It follows a figure by the"
-          + " programs of krl, and what was desired, sent and measured is drawn.",
-      "It reaches no real robot."
+      "Repeats the experiments of the papers on a simulated robot. The robot follows a figure by"
+          + " the programs in krl, and the desired, sent and measured positions are drawn.",
+      "It never connects to a real robot."
     },
     footer = {
       "",
-      "The robot is a KR 6 R900 sixx that runs krl/actuator.src or krl/ext_move_axis.src, with the"
-          + " watchdog of krl/jov_sps.sub, simulated in a process of its own in real time. The other"
-          + " programs of this computer disturb it: a loop that must keep a period needs a quiet"
-          + " one.",
+      "The robot is a KR 6 R900 sixx that runs krl/actuator.src or krl/ext_move_axis.src, with"
+          + " the watchdog krl/jov_sps.sub. It is simulated in real time in a separate process."
+          + " Other programs on this computer can disturb the period of the loop.",
       "",
-      "The exit code is 1 if a loop stopped the robot, by one of its limits or by an error.",
+      "The exit code is 1 if a limit or an error stopped the robot.",
       "",
-      "CSV: NAME.csv has a line for each cycle, NAME-figures.csv the figures; of an experiment with"
-          + " two loops, files for each.",
+      "CSV: NAME.csv has one line per cycle, NAME-figures.csv the results. An experiment with"
+          + " two loops has such files for each.",
       "",
       "Examples:",
       "  jopenshowvar experiment list",
@@ -70,21 +69,22 @@ public final class ExperimentCommand extends ConsoleCommand {
       paramLabel = "NAME",
       completionCandidates = Names.class,
       description =
-          "The experiment; 'list' lists them, 'all' runs all of them but endurance, which takes 10"
-              + " minutes.")
+          "The experiment. 'list' lists all names; 'all' runs all except endurance, which takes"
+              + " 10 minutes.")
   private List<String> names = new ArrayList<>();
 
   @Option(
       names = {"-o", "--out"},
       paramLabel = "FOLDER",
-      description = "Where the files go; here if not given. It is made if it is not there.")
+      description =
+          "The folder for the files, created if necessary. Default: the current" + " folder.")
   private Path folder = Path.of("");
 
   @Option(
       names = "--format",
       paramLabel = "FORMAT",
       completionCandidates = Formats.class,
-      description = "The form of the picture, png or svg; png if not given.")
+      description = "Format of the picture, png or svg. Default: png.")
   private String format = "png";
 
   @Option(names = "--csv", description = "Write CSV files next to the picture.")
@@ -92,7 +92,7 @@ public final class ExperimentCommand extends ConsoleCommand {
 
   @Option(
       names = {"-y", "--yes"},
-      description = "Write over files that are there already.")
+      description = "Overwrite existing files.")
   private boolean yes;
 
   @Mixin private PictureOptions picture = new PictureOptions();
@@ -100,35 +100,35 @@ public final class ExperimentCommand extends ConsoleCommand {
   @Option(
       names = "--for",
       paramLabel = "TIME",
-      description = "How long to run; 10s if not given, 10m for endurance.")
+      description = "Duration. Default: 10s, or 10m for endurance.")
   private @Nullable Duration length;
 
   @Option(
       names = "--lap",
       paramLabel = "TIME",
-      description = "How long the robot has for the figure once; 10s if not given.")
+      description = "Time for one lap of the figure. Default: 10s.")
   private @Nullable Duration lap;
 
   @Option(
       names = "--period",
       paramLabel = "TIME",
-      description = "Period of the loop, 4ms to 1s; 20ms if not given, 12ms for endurance.")
+      description = "Period of the loop, 4ms to 1s. Default: 20ms, or 12ms for endurance.")
   private @Nullable Duration period;
 
   @Option(
       names = "--step",
       paramLabel = "TIME",
       description =
-          "How long the robot's program is taken to need for one increment, 4ms to 1s; 12ms if not"
-              + " given. It makes the increments of velocities larger.")
+          "Assumed time of the robot's program for one increment, 4ms to 1s. Default: 12ms. A"
+              + " longer time means larger increments.")
   private @Nullable Duration step;
 
   @Option(
       names = "--latency",
       paramLabel = "LATENCY",
       description =
-          "How long a request takes the simulated controller, as in 'mock --latency'; krc4-2014 if"
-              + " not given, krc4 for endurance.")
+          "Latency of the simulated controller, see 'mock --help'. Default: krc4-2014, or krc4"
+              + " for endurance.")
   private @Nullable String latency;
 
   /** The names of the experiments. */
@@ -152,7 +152,7 @@ public final class ExperimentCommand extends ConsoleCommand {
   public ExitCode run() throws IOException {
     if (names.contains(LIST)) {
       if (names.size() > 1) {
-        throw wrongUsage("list stands alone");
+        throw wrongUsage("list excludes other names");
       }
       Table table = Table.ofValues();
       Experiment.all().forEach(each -> table.add(each.name(), each.description()));
@@ -196,7 +196,7 @@ public final class ExperimentCommand extends ConsoleCommand {
                           : each.name().equalsIgnoreCase(name))
               .toList();
       if (found.isEmpty()) {
-        throw wrongUsage("there is no experiment " + name + ", see 'experiment list'");
+        throw wrongUsage("unknown experiment: " + name + "; see 'experiment list'");
       }
       chosen.addAll(found);
     }

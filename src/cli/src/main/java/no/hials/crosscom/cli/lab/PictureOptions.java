@@ -23,8 +23,8 @@ final class PictureOptions {
       paramLabel = "WxH",
       converter = SizeConverter.class,
       description =
-          "Width and height of the picture in pixels, as 1200x800; if not given, 1000 wide and as high"
-              + " as it needs.")
+          "Size of the picture in pixels, such as 1200x800. Default: 1000 wide, with the height"
+              + " it needs.")
   private Chart.@Nullable Size size;
 
   /**

@@ -30,20 +30,20 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "plot",
     description = {
-      "Draws what record wrote, as PNG or SVG. Numbers over time, a panel for each unit; or, with"
-          + " --xy and --xyz, where a position went.",
-      "A gap in the recording is a gap in the line."
+      "Draws a recording as PNG or SVG: numbers over time with one panel per unit, or with --xy"
+          + " and --xyz the path of a position.",
+      "Gaps in the recording are gaps in the lines."
     },
     footer = {
       "",
-      "Units come from the table of system variables, else from the names of fields: X, Y, Z in mm,"
-          + " A, B, C and A1 to A6 in degrees. A column may say its own: 'force [N]'. TRUE is 1 and"
-          + " FALSE 0; other texts are not drawn.",
+      "Units come from the list of system variables or from the names of fields: X, Y, Z in mm,"
+          + " A, B, C and A1 to A6 in degrees. A column can set its unit: 'force [N]'. TRUE is"
+          + " drawn as 1 and FALSE as 0; other texts are not drawn.",
       "",
-      "Any other CSV file can be drawn, too, if its first line names the columns and its first"
-          + " column has numbers: they go to the right.",
+      "Other CSV files can be drawn, too, if the first line has the names of the columns and the"
+          + " first column has numbers, which become the horizontal axis.",
       "",
-      "Quoting: put names into single quotes.",
+      "Quoting: put names in single quotes.",
       "",
       "Examples:",
       "  jopenshowvar plot run.csv",
@@ -56,7 +56,7 @@ public final class PlotCommand extends ConsoleCommand {
   private static final int PANEL_HEIGHT = 280;
   private static final int MAX_HEIGHT = 4000;
 
-  @Parameters(index = "0", paramLabel = "FILE.csv", description = "What to draw.")
+  @Parameters(index = "0", paramLabel = "FILE.csv", description = "The recording.")
   private Path file = Path.of("");
 
   @Parameters(
@@ -64,41 +64,41 @@ public final class PlotCommand extends ConsoleCommand {
       arity = "0..*",
       paramLabel = "NAME",
       description =
-          "Columns: '$OV_PRO', '$POS_ACT.X', or with one name all of a structure or array: '$POS_ACT'."
-              + " access_ms is the time that each reading took. If none is given: all that was"
-              + " recorded, but S and T, and external axes that are 0 throughout.")
+          "A column ('$OV_PRO', '$POS_ACT.X'), or all columns of a structure or array"
+              + " ('$POS_ACT'). access_ms is the duration of each reading. Default: all columns"
+              + " except S and T, and external axes that are always 0.")
   private List<String> names = new ArrayList<>();
 
   @Option(
       names = "--xy",
       paramLabel = "NAME,NAME",
-      description = "Draw the second column over the first one, instead of both over time.")
+      description = "Draw the second column over the first one.")
   private @Nullable String xy;
 
   @Option(
       names = "--xyz",
       description =
-          "Draw where a position went: from above, from two sides, and isometric. NAME says which"
-              + " structures with X, Y and Z.")
+          "Draw the path of a position: from above, from two sides, and isometric. NAME is a"
+              + " structure with X, Y and Z.")
   private boolean xyz;
 
   @Option(
       names = "--title",
       paramLabel = "TEXT",
-      description = "What stands at the top; the file's name and time if not given.")
+      description = "The title. Default: name and time of the file.")
   private @Nullable String title;
 
   @Option(
       names = {"-o", "--out"},
       paramLabel = "FILE",
-      description = "The picture, .png or .svg; if not given, FILE.csv with .png in place of .csv.")
+      description = "The picture, .png or .svg. Default: FILE.png.")
   private @Nullable Path out;
 
   @Mixin private PictureOptions picture = new PictureOptions();
 
   @Option(
       names = {"-y", "--yes"},
-      description = "Write over the picture if it exists.")
+      description = "Overwrite an existing picture.")
   private boolean yes;
 
   @Override

@@ -34,22 +34,22 @@ import picocli.CommandLine.Option;
 @Command(
     name = "mock",
     description = {
-      "Simulates a controller with KUKAVARPROXY or C3 Bridge (KR 6 R900 sixx, KR C4) until Ctrl-C:"
-          + " its variables, its programs, its files and its robot.",
-      "The first line of stdout ends with the port, after the last colon."
+      "Simulates a controller with KUKAVARPROXY or C3 Bridge (KR 6 R900 sixx, KR C4) until"
+          + " Ctrl-C, with variables, programs, files and a robot.",
+      "The first line of stdout ends with a colon and the port."
     },
     footer = {
       "",
-      "Ctrl-C (SIGINT) and SIGTERM end it with exit code 0. Messages of the controller go to"
-          + " stderr. On a terminal the last line shows the simulated time, mode and programs, the"
-          + " axes in degrees, clients and requests; not with --verbose.",
+      "Ctrl-C (SIGINT) and SIGTERM end the command with exit code 0. Messages of the controller"
+          + " are printed to stderr. On a terminal, without --verbose, the last line shows the"
+          + " simulated time, mode, programs, axes in degrees, clients and requests.",
       "",
       "FAULT is NAME[:ARGUMENT][@REQUESTS][@VARIABLE][%%PROBABILITY]:",
       "  drop@3                 no answer to the third request",
       "  delay:200ms@$POS_ACT   requests for $POS_ACT take 200 ms",
       "  wrongId@5-10           wrong ids from the fifth to the tenth",
       "  closeAfter%%0.01        one connection in a hundred closed after an answer",
-      "A name that is wrong, as in --fault list, shows the list of all.",
+      "An unknown NAME, such as --fault list, prints a list of all names.",
       "",
       "Examples:",
       "  jopenshowvar mock",
@@ -69,15 +69,15 @@ public final class MockCommand extends ConsoleCommand {
       names = "--host",
       paramLabel = "ADDRESS",
       description =
-          "Local address to listen on. If not given, the loopback address, which only this machine"
-              + " reaches.")
+          "Local address to listen on. Default: the loopback address, reachable only from this"
+              + " computer.")
   private @Nullable String host;
 
   @Option(
       names = "--port",
       paramLabel = "PORT",
       converter = Converters.ListeningPort.class,
-      description = "TCP port to listen on, 0 for a free one; 7000 if not given.")
+      description = "TCP port to listen on, 0 for a free one. Default: 7000.")
   private int port = ClientConfig.DEFAULT_PORT;
 
   @Option(
@@ -85,8 +85,8 @@ public final class MockCommand extends ConsoleCommand {
       paramLabel = "PORT",
       converter = Converters.ListeningPort.class,
       description =
-          "UDP port on which WHEREAREYOU? is answered, to port 7000 of who asks; 0 for a free one. If"
-              + " not given, 6999, and none if that is in use.")
+          "UDP port for discovery (WHEREAREYOU?), 0 for a free one. Answers go to port 7000 of"
+              + " the sender. Default: 6999, or none if it is in use.")
   private @Nullable Integer discovery;
 
   @Option(
@@ -94,51 +94,50 @@ public final class MockCommand extends ConsoleCommand {
       paramLabel = "PORT",
       converter = Converters.ListeningPort.class,
       description =
-          "UDP port on which C3 Bridge answers, to whatever port it was asked from; 0 for a free one."
-              + " If not given, 7000, and none if that is in use.")
+          "UDP port for the standard discovery of C3 Bridge, 0 for a free one. Answers go to the"
+              + " port of the sender. Default: 7000, or none if it is in use.")
   private @Nullable Integer standardDiscovery;
 
-  @Option(names = "--no-discovery", description = "Do not answer WHEREAREYOU?.")
+  @Option(names = "--no-discovery", description = "Do not answer discovery.")
   private boolean noDiscovery;
 
   @Option(
       names = "--server",
       paramLabel = "SERVER",
-      description = "Which server it has: kukavarproxy (if not given), or c3 for C3 Bridge.")
+      description = "The server: kukavarproxy (default), or c3 for C3 Bridge.")
   private ServerType serverType = ServerType.KUKAVARPROXY;
 
   @Option(
       names = "--files",
       paramLabel = "FOLDER",
       description =
-          "Use this folder as KRC:\\ of C3 Bridge: what clients do happens to its files, and what is"
-              + " missing of R1 and STEU is made. If not given, a tree in memory.")
+          "Use this folder as KRC:\\ of C3 Bridge. Clients change the files in it; missing"
+              + " folders of R1 and STEU are created. Default: files in memory.")
   private @Nullable Path files;
 
   @Option(
       names = "--config",
       paramLabel = "FILE.dat",
-      description =
-          "Load a data list, such as your own $CONFIG.DAT or $MACHINE.DAT. Can be repeated.")
+      description = "Load a data list, such as a $CONFIG.DAT or $MACHINE.DAT. Can be repeated.")
   private List<Path> configs = new ArrayList<>();
 
   @Option(
       names = "--program",
       paramLabel = "FILE.src",
       description =
-          "Load a program (.src, or .sub for the submit interpreter), with the data list of the same"
-              + " name next to it. Can be repeated; the first .src and the first .sub"
-              + " are selected.")
+          "Load a program (.src, or .sub for the submit interpreter) and the data list of the"
+              + " same name next to it. Can be repeated; the first .src and the first .sub are"
+              + " selected.")
   private List<Path> programs = new ArrayList<>();
 
-  @Option(names = "--start", description = "Start the programs that are selected.")
+  @Option(names = "--start", description = "Start the selected programs.")
   private boolean start;
 
   @Option(
       names = "--mode",
       paramLabel = "MODE",
       converter = Converters.Mode.class,
-      description = "Operating mode: T1 (slow; if not given), T2, AUT or EXT.")
+      description = "Operating mode: T1 (default), T2, AUT or EXT.")
   private OperatingMode mode = OperatingMode.T1;
 
   @Option(
@@ -146,29 +145,29 @@ public final class MockCommand extends ConsoleCommand {
       paramLabel = "SPEED",
       converter = Converters.ClockSpeed.class,
       description =
-          "How fast the time of programs and robot passes: 10 for ten times as fast, max for as fast"
-              + " as this machine can; real if not given.")
+          "Speed of the simulation: a factor such as 10, max for as fast as possible, or real"
+              + " (default).")
   private SimulationClock speed = SimulationClock.real();
 
   @Option(
       names = "--latency",
       paramLabel = "LATENCY",
       description =
-          "How long a request takes: none (if not given), a time such as 5ms, krc4 as measured at a"
-              + " KR C4 (median 2.2 ms), krc4-2014 as in the papers of 2014 (mean 5 ms).")
+          "Latency of a request: none (default), a time such as 5ms, krc4 as measured on a KR C4"
+              + " (median 2.2 ms), or krc4-2014 as in the papers of 2014 (mean 5 ms).")
   private String latency = "none";
 
   @Option(
       names = "--fault",
       paramLabel = "FAULT",
-      description = "Let something go wrong; see below. Can be repeated.")
+      description = "Inject a fault, see below. Can be repeated.")
   private List<String> faults = new ArrayList<>();
 
   @Option(
       names = "--seed",
       paramLabel = "NUMBER",
       converter = Converters.Seed.class,
-      description = "Seed of the chance in latency and faults; 1 if not given.")
+      description = "Seed of the random numbers for latency and faults. Default: 1.")
   private long seed = 1;
 
   @Override
@@ -233,8 +232,8 @@ public final class MockCommand extends ConsoleCommand {
     return address.isLoopbackAddress()
         ? Optional.empty()
         : Optional.of(
-            "warning: anyone who reaches this machine over the network can read and write the"
-                + " controller's variables, and needs no password");
+            "warning: anyone who can reach this computer over the network can read and write the"
+                + " controller's variables without a password");
   }
 
   private static String shown(String host) {

@@ -24,16 +24,16 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "run",
     description =
-        "Runs a file with lines of the shell language, and stops at the first that fails. A write can"
-            + " move a machine.",
+        "Runs a file of shell commands and stops at the first line that fails. A write can move"
+            + " a machine.",
     footer = {
       "",
-      "The language is that of 'jopenshowvar shell', whose help tells it. All lines are checked"
-          + " before the first is run: of a file with a mistake nothing is sent. What fails is"
-          + " told with FILE:LINE before it; the exit code is that of the line.",
+      "The commands are those of 'jopenshowvar shell'; its command 'help' lists them. All lines"
+          + " are checked first: if one has an error, nothing is sent. Error messages begin with"
+          + " FILE:LINE. The exit code is that of the failed line.",
       "",
-      "On a terminal each write is asked for before it is sent; without one a file that writes"
-          + " needs --yes.",
+      "On a terminal, the command asks for confirmation before each write. Without a terminal, a"
+          + " file with writes needs --yes.",
       "",
       "Examples:",
       "  jopenshowvar run slow.jov --host 172.31.1.147 --yes",
@@ -43,13 +43,14 @@ import picocli.CommandLine.Parameters;
 public final class RunCommand extends ControllerCommand {
   private static final String STDIN = "-";
 
-  @Parameters(index = "0", paramLabel = "FILE", description = "The file, in UTF-8; - for stdin.")
+  @Parameters(index = "0", paramLabel = "FILE", description = "The file (UTF-8), or - for stdin.")
   private String file = "";
 
   @Option(
       names = "--dry-run",
       order = 5,
-      description = "Check the lines and print what each would do. Needs no controller.")
+      description =
+          "Check the file and print its commands without running them. Needs no" + " controller.")
   private boolean dryRun;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();

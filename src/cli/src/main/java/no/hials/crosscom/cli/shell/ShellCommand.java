@@ -22,19 +22,20 @@ import picocli.CommandLine.Mixin;
             + " can move a machine.",
     footer = {
       "",
-      "$OV_PRO reads, $OV_PRO = 50 or $OV_PRO 50 writes, help tells the rest; names need no quotes"
-          + " here. Tab completes commands, names, fields and the constants of enumerations, with"
-          + " C3 Bridge also what the data lists on the controller declare. Each write is asked"
-          + " for before it is sent, in every mode, unless --yes is given.",
+      "$OV_PRO reads, $OV_PRO = 50 or $OV_PRO 50 writes; 'help' lists all commands. Names need"
+          + " no quotes. Tab completes commands, names, fields and constants of enumerations,"
+          + " with C3 Bridge also variables from the data lists on the controller. In every mode,"
+          + " the shell asks for confirmation before each write, unless --yes is given.",
       "",
-      "A line that fails, also by a lost connection, prints why, and the prompt comes back; the"
-          + " next line connects again. A write is never repeated.",
+      "If a line fails, the shell prints the reason and continues. After a lost connection, the"
+          + " next line reconnects. A write is never repeated.",
       "",
-      "Where stdin or stdout is no terminal, there is no prompt and no question: the lines of stdin"
-          + " are run until one fails, whose exit code is the shell's. A write needs --yes then.",
+      "If stdin or stdout is not a terminal, the shell reads commands from stdin without a"
+          + " prompt, and stops at the first line that fails, with the exit code of that line."
+          + " Writes then need --yes.",
       "",
-      "What was typed is kept in $XDG_STATE_HOME/jopenshowvar/history, if that is not set in"
-          + " ~/.local/state; a line that begins with a blank is not.",
+      "The history is in $XDG_STATE_HOME/jopenshowvar/history, by default in ~/.local/state. A"
+          + " line that begins with a blank is not added.",
       "",
       "Examples:",
       "  jopenshowvar shell --host 172.31.1.147",

@@ -27,30 +27,28 @@ import picocli.CommandLine.Parameters;
 /** {@code read NAME...}. */
 @Command(
     name = "read",
-    description =
-        "Reads variables and prints a line NAME = VALUE for each, in the order given, the value as"
-            + " the controller prints it.",
+    description = "Reads variables and prints one line NAME = VALUE for each, in the order given.",
     footer = {
       "",
-      "If a variable cannot be read, the others still are; the exit code is that of the worst"
-          + " failure, which is the highest. A lost connection ends the command. Control characters"
-          + " in a value are printed as \\x0A, so that a line is a variable.",
+      "If a variable cannot be read, the remaining ones are still read; the exit code is the"
+          + " highest of all failures. A lost connection ends the command. VALUE is the text from"
+          + " the controller, with control characters printed as \\x0A, so that each variable has"
+          + " one line.",
       "",
-      "Several robots (@NAME @NAME) are asked at once, and printed in the order given, each line"
-          + " with the robot's name before it: cell1: $OV_PRO = 100. If one fails, the others are"
-          + " still printed.",
+      "Several robots (@NAME @NAME) are read at the same time and printed in the order given."
+          + " Each line begins with the robot's name: cell1: $OV_PRO = 100. If a robot fails, the"
+          + " others are still printed.",
       "",
-      "JSON: one object a line (JSON Lines), with name, type and value, and robot before them if"
-          + " there are several. The type is INT, REAL,"
-          + " BOOL, CHAR, CHAR[], ENUM or STRUC, or that of the elements with [] for a whole array."
-          + " INT and REAL are numbers, BOOL is true or false, the others are strings, an ENUM with"
-          + " its #; an array is an array; a STRUC is an object of its initialised fields under the"
-          + " names that the controller prints, and struc is the name of its type, or null."
-          + " Characters beyond ASCII are escaped. What is no KRL value is a string, its type"
-          + " UNKNOWN.",
+      "JSON: one object per line (JSON Lines) with name, type and value; with several robots"
+          + " also robot. The type is INT, REAL, BOOL, CHAR, CHAR[], ENUM or STRUC; for a whole"
+          + " array the type of its elements with []. The value of INT and REAL is a number, of"
+          + " BOOL true or false, of an array an array, of STRUC an object with the initialised"
+          + " fields, of other types a string. An ENUM begins with #. For STRUC, struc is the"
+          + " name of the type, or null. Characters outside ASCII are escaped. A text that is not"
+          + " a KRL value has the type UNKNOWN.",
       "",
-      "Quoting: a shell replaces $NAME and takes [ ] for a pattern, so put names into single"
-          + " quotes, in PowerShell too; cmd.exe needs none.",
+      "Quoting: a shell replaces $NAME and [ ] patterns, so put names in single quotes, in"
+          + " PowerShell too; cmd.exe needs no quotes.",
       "",
       "Examples:",
       "  jopenshowvar read '$POS_ACT' '$OV_PRO' --host 172.31.1.147",
@@ -63,8 +61,8 @@ public final class ReadCommand extends ControllerCommand {
       arity = "1..*",
       paramLabel = "NAME",
       description =
-          "A variable, a field of it ('$POS_ACT.X'), an element ('$TORQUE_AXIS_ACT[3]'), a whole"
-              + " array or a text ('$MODEL_NAME[]'). Upper or lower case.")
+          "A variable, a field ('$POS_ACT.X'), an element ('$TORQUE_AXIS_ACT[3]'), a whole array"
+              + " or a text ('$MODEL_NAME[]'). Case does not matter.")
   private List<String> names = List.of();
 
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")

@@ -36,45 +36,45 @@ import picocli.CommandLine.Option;
 @Command(
     name = "record",
     description = {
-      "Writes samples of variables to a file, as CSV or JSON Lines.",
-      "It reads at a fixed period, until Ctrl-C."
+      "Records variables to a file, as CSV or JSON Lines.",
+      "Reads at a fixed period until Ctrl-C."
     },
     footer = {
       "",
-      "Every variable must be readable at the start, or no file is made. A connection that is lost"
-          + " later is made again. Every sample is in the file at once. Ctrl-C (SIGINT) and"
-          + " SIGTERM end it with exit code 0; if --for or --count ends it while the connection is"
-          + " lost, the code is 4. If a reading takes longer than a period, the periods it missed"
-          + " are left out and counted.",
+      "All variables must be readable at the start, otherwise no file is created. After a lost"
+          + " connection, the command reconnects. Each sample is written immediately; with"
+          + " several robots, in the order of their times, after at most 1 s. Ctrl-C (SIGINT) and"
+          + " SIGTERM end the recording with exit code 0. If --for or --count ends it while the"
+          + " connection is lost, the exit code is 4. If a reading takes longer than a period,"
+          + " the missed periods are skipped and counted.",
       "",
-      "CSV (RFC 4180, UTF-8): a row a sample. The columns:",
-      "  time        when the reading began, by the clock of this computer:",
+      "CSV (RFC 4180, UTF-8): one row per sample. Columns:",
+      "  time        start of the reading, by the clock of this computer:",
       "              2026-05-04T10:15:30.123456Z",
-      "  seconds     the same, since the first sample",
-      "  robot       whose row it is; only if several are recorded",
-      "  $POS_ACT.X  a column for each number or text: a field, an element as",
-      "              NAME[1], or the variable itself; cell1:$POS_ACT.X if several",
-      "              robots are recorded. Numbers are as a KR C4 prints them, BOOL",
-      "              is TRUE or FALSE, an ENUM has its #, a text has no quotes",
-      "  access_ms   how long reading all variables took",
-      "  status      empty if all went well, or notes with ; between them",
-      "The columns of values are those that the variables have at the start, and stay. A field that"
-          + " is not initialised then has none, and one that is not initialised later is empty.",
+      "  seconds     the same, since the first sample of all robots",
+      "  robot       name of the robot; only with several robots",
+      "  $POS_ACT.X  one column for each number or text: a field, an element",
+      "              NAME[1], or the variable itself; with several robots",
+      "              cell1:$POS_ACT.X. Numbers are as on a KR C4, BOOL",
+      "              is TRUE or FALSE, an ENUM begins with #, a text has no quotes",
+      "  access_ms   duration of the reading of all variables",
+      "  status      empty, or notes separated by ;",
+      "The columns are set at the start. A field that is not initialised at the start has no"
+          + " column; a field that is not initialised later is empty.",
       "",
-      "Notes in the column status:",
-      "  missed N           N periods before this row were left out",
-      "  gap N; why         a row without values stands for N readings that failed,",
-      "                     as while the connection was lost; its time is that of the",
-      "                     loss",
-      "  dropped N          N samples before this row were lost, since the disk is",
+      "Notes in the status column:",
+      "  missed N           N periods before this row were skipped",
+      "  gap N; REASON      a row without values, for N failed readings before the",
+      "                     next row of the robot; its time is when the",
+      "                     connection was lost",
+      "  dropped N          N samples before this row were lost, because the disk is",
       "                     too slow",
-      "  no column for NAME a value that was not there at the start",
-      "  anything else      why a variable, whose cells are empty, could not be read",
+      "  no column for NAME a field that was not initialised at the start",
+      "  other text         why a variable could not be read; its cells are empty",
       "",
-      "JSON Lines: a line a sample, as 'watch --json' prints it.",
+      "JSON Lines: one line per sample, in the form of 'watch --json'.",
       "",
-      "Quoting: a shell replaces $NAME and takes [ ] for a pattern, so put names into single"
-          + " quotes.",
+      "Quoting: a shell replaces $NAME and [ ] patterns, so put names in single quotes.",
       "",
       "Examples:",
       "  jopenshowvar record '$POS_ACT' '$OV_PRO' --out run.csv --host 172.31.1.147",
@@ -88,13 +88,13 @@ public final class RecordCommand extends SamplingCommand {
       names = {"-o", "--out"},
       required = true,
       paramLabel = "FILE",
-      description = "The file to write; - for stdout. An existing file needs --yes.")
+      description = "The file to write, or - for stdout. An existing file needs --yes.")
   private String out = "";
 
   @Option(
       names = "--format",
       paramLabel = "FORMAT",
-      description = "csv or jsonl; if not given, jsonl for a FILE.jsonl, else csv.")
+      description = "csv or jsonl. Default: jsonl if FILE ends with .jsonl, otherwise csv.")
   private @Nullable String format;
 
   @Option(

@@ -20,26 +20,26 @@ abstract class SamplingCommand extends ControllerCommand {
       arity = "1..*",
       paramLabel = "NAME",
       description =
-          "A variable, a field of it ('$POS_ACT.X'), an element ('$TORQUE_AXIS_ACT[3]') or a whole"
-              + " array ('$TORQUE_AXIS_ACT[]'). Upper or lower case.")
+          "A variable, a field ('$POS_ACT.X'), an element ('$TORQUE_AXIS_ACT[3]') or a whole"
+              + " array ('$TORQUE_AXIS_ACT[]'). Case does not matter.")
   private List<String> names = List.of();
 
   @Option(
       names = "--period",
       paramLabel = "TIME",
-      description = "From one reading to the next: 20ms, 1.5s, 1m; 100ms if not given.")
+      description = "Period of the readings, such as 20ms, 1.5s, 1m. Default: 100ms.")
   private Duration period = Duration.ofMillis(100);
 
   @Option(
       names = "--for",
       paramLabel = "TIME",
-      description = "Stop after this time; if not given, with Ctrl-C.")
+      description = "Stop after this time. Default: run until Ctrl-C.")
   private @Nullable Duration length;
 
   @Option(
       names = "--count",
       paramLabel = "NUMBER",
-      description = "Stop after this many samples, of each robot if there are several.")
+      description = "Stop after this number of samples of each robot.")
   private @Nullable Long count;
 
   /** Connects to all robots that the user chose. */

@@ -27,19 +27,20 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "vars",
     description =
-        "Searches the built-in list of system variables, and prints type, unit, access (RO: read, RW:"
-            + " read and write) and meaning. Needs no controller.",
+        "Searches the built-in list of system variables and prints type, unit, access (RO: read,"
+            + " RW: read and write) and meaning. Needs no controller.",
     footer = {
       "",
-      "The list is of a KR C4 with KSS 8.3; it is not complete, and a controller may have others or"
-          + " allow less.",
+      "The list is for a KR C4 with KSS 8.3. It is not complete, and access can differ on a"
+          + " controller.",
       "",
-      "With --declared it lists what a data list declares, such as a robot's own $config.dat:"
-          + " variables, types and signals, and lines that give an element its value. With errors"
-          + " in the file these are printed with their places.",
+      "With --declared, the command lists the declarations of a data list, such as the"
+          + " $config.dat of a robot: variables, types, signals and initial values of elements."
+          + " Errors in the file are printed with line and column. Exit code 1 if nothing"
+          + " matches.",
       "",
-      "JSON: one object a line, with name, type, dimensions, unit, access and meaning; for"
-          + " --declared with name, type, value, global, const, line and comment.",
+      "JSON: one object per line with name, type, dimensions, unit, access and meaning; with"
+          + " --declared name, type, value, global, const, line and comment.",
       "",
       "Examples:",
       "  jopenshowvar vars torque",
@@ -51,14 +52,14 @@ public final class VarsCommand extends ConsoleCommand {
       arity = "0..*",
       paramLabel = "WORD",
       description =
-          "What to look for in name, type, unit and meaning, in upper or lower case; of several"
-              + " words all must be there. Everything if none is given.")
+          "Text to find in name, type, unit or meaning; case does not matter. With several"
+              + " words, all must match. Default: list everything.")
   private List<String> words = List.of();
 
   @Option(
       names = "--declared",
       paramLabel = "FILE",
-      description = "Search what this data list declares instead.")
+      description = "Search the declarations of this data list instead.")
   private @Nullable Path declared;
 
   @Option(names = "--json", description = "Print JSON, see below.")

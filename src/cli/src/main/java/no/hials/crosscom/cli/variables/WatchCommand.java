@@ -24,29 +24,29 @@ import picocli.CommandLine.Option;
 @Command(
     name = "watch",
     description = {
-      "Shows variables as they change: in a table on a terminal, else as lines.",
-      "A line is TIME NAME = VALUE, for each sample of each variable. It runs until Ctrl-C."
+      "Shows the values of variables until Ctrl-C: as a table on a terminal, otherwise as lines.",
+      "There is one line TIME NAME = VALUE for each sample of each variable."
     },
     footer = {
       "",
-      "The table has a row for each number or text, with its last change and the age of its value;"
-          + " the lines below it tell how long reading all takes, and how many periods were missed."
-          + " Keys: q ends it, as Ctrl-C (SIGINT) and SIGTERM do, with exit code 0. Where TERM is"
-          + " dumb, with --verbose and in the background there are lines instead. NO_COLOR=1 keeps"
-          + " colours away.",
+      "The table has one row for each number or text, with its last change and the age of its"
+          + " value. The lines below the table show the access time and the number of missed"
+          + " periods. Press q or Ctrl-C to quit; the exit code is then 0, also after SIGTERM."
+          + " With --verbose, in the background, or if TERM is dumb, lines are printed instead of"
+          + " a table. NO_COLOR=1 disables colours.",
       "",
-      "Every variable must be readable at the start. A connection that is lost later is made again;"
-          + " if --for or --count ends it before that, the exit code is 4.",
+      "All variables must be readable at the start. After a lost connection, the command"
+          + " reconnects; if --for or --count ends it before that, the exit code is 4. Lines of"
+          + " several robots are in the order of their times, except with --changes.",
       "",
-      "JSON: one object a line (JSON Lines) for each sample: time; seconds since the first sample;"
-          + " robot, if it has a name; access_ms, how long the reading took; missed, how many"
-          + " periods before it were left out since a reading took too long; failed, how many"
-          + " readings before it failed, as while the connection was lost; values by name, as"
-          + " 'read --json' prints them; errors by name, for those that could not be read; changed,"
-          + " the names of those that are not as in the sample before.",
+      "JSON: one object per sample (JSON Lines) with time; seconds since the first sample of all"
+          + " robots; robot, if it has a name; access_ms, the duration of the reading; missed,"
+          + " the number of periods skipped before it because a reading took too long; failed,"
+          + " the number of failed readings before it; values by name, in the form of 'read"
+          + " --json'; errors by name, for variables that could not be read; changed, the names"
+          + " of changed variables.",
       "",
-      "Quoting: a shell replaces $NAME and takes [ ] for a pattern, so put names into single"
-          + " quotes.",
+      "Quoting: a shell replaces $NAME and [ ] patterns, so put names in single quotes.",
       "",
       "Examples:",
       "  jopenshowvar watch '$POS_ACT' '$OV_PRO' --host 172.31.1.147",
@@ -54,9 +54,7 @@ import picocli.CommandLine.Option;
       "  jopenshowvar watch '$AXIS_ACT' --period 20ms --count 50 --json --mock"
     })
 public final class WatchCommand extends SamplingCommand {
-  @Option(
-      names = "--changes",
-      description = "Take only samples in which something changed, and print only what did.")
+  @Option(names = "--changes", description = "Print only variables that have changed.")
   private boolean changes;
 
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")

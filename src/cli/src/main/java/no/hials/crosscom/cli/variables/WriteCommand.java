@@ -18,30 +18,28 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "write",
     description =
-        "Writes a variable, and prints NAME = VALUE once the controller has confirmed it. A write can"
-            + " move a machine.",
+        "Writes a variable and prints NAME = VALUE when the controller has confirmed it. A write"
+            + " can move a machine.",
     footer = {
       "",
-      "The value is printed as it was sent: the controller confirms that, not what it stored. A"
-          + " write is never repeated. If no answer came, it may have been done or not, and the"
-          + " message says so: read the variable.",
+      "VALUE is printed as it was sent; the stored value can differ. A write is never repeated."
+          + " If no answer arrives, the variable may or may not have been written: read it.",
       "",
-      "Before it writes, it reads $MODE_OP. In T1 it goes on; else, or if that cannot be read, it"
-          + " asks on a terminal, and without one does not write. With --yes it neither reads nor"
-          + " asks. A read-only controller (--read-only, JOPENSHOWVAR_READ_ONLY=true, or"
-          + " read-only = true of a robot) is not even connected to.",
+      "The command first reads $MODE_OP. In T1 it writes. In other modes, or if $MODE_OP cannot"
+          + " be read, it asks for confirmation; without a terminal it does not write. With --yes"
+          + " it does not read $MODE_OP and does not ask. If the controller is read-only"
+          + " (--read-only, JOPENSHOWVAR_READ_ONLY=true, or read-only = true of a robot), the"
+          + " command does not connect.",
       "",
-      "JSON: the object that read --json prints, of the value that was sent. With --json a VALUE"
-          + " that is no KRL value is wrong usage, and not sent.",
+      "JSON: an object as of 'read --json', with the value that was sent. With --json, a VALUE"
+          + " that is not a KRL value is refused.",
       "",
-      "Quoting: a shell replaces $NAME and takes [ ] { } for patterns, so put NAME and VALUE into"
-          + " single quotes. The double quotes of a text belong to the value and stand inside"
-          + " them:",
+      "Quoting: a shell replaces $NAME and patterns with [ ] or { }, so put NAME and VALUE in"
+          + " single quotes. A text also needs its own double quotes:",
       "  sh, bash, zsh          '\"text\"'",
       "  PowerShell before 7.3  '\\\"text\\\"'",
       "  cmd.exe                \"\\\"text\\\"\"",
-      "A VALUE that begins with - needs nothing if it is a number, else -- between the options and"
-          + " NAME.",
+      "If VALUE begins with - and is not a number, put -- between the options and NAME.",
       "",
       "Examples:",
       "  jopenshowvar write '$OV_PRO' 50 --host 172.31.1.147",
@@ -51,18 +49,15 @@ import picocli.CommandLine.Parameters;
       "  jopenshowvar write MYPOS '{X 100.0,Z -20.5}' --mock"
     })
 public final class WriteCommand extends ControllerCommand {
-  @Parameters(
-      index = "0",
-      paramLabel = "NAME",
-      description = "A variable, a field of it or an element.")
+  @Parameters(index = "0", paramLabel = "NAME", description = "A variable, a field or an element.")
   private String name = "";
 
   @Parameters(
       index = "1",
       paramLabel = "VALUE",
       description =
-          "What to write, in KRL: 50, -1.5, TRUE, #T1, \"text\" with its double quotes, or an"
-              + " aggregate, whose fields that are left out stay as they are: {X 100.0,Z -20.5}")
+          "The KRL value: 50, -1.5, TRUE, #T1, \"text\" with its double quotes, or an aggregate"
+              + " such as {X 100.0,Z -20.5}, whose omitted fields stay unchanged.")
   private String value = "";
 
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")

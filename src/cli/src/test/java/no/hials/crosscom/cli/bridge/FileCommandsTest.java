@@ -104,7 +104,10 @@ class FileCommandsTest {
     Cli.Result result = run("file ls", "KRC:\\R1\\TP");
 
     assertThat(result.lines()).hasSize(3601).anyMatch(line -> line.matches("text .* FILE2799.TXT"));
-    assertThat(result.errLines()).singleElement().asString().startsWith("too many for one answer");
+    assertThat(result.errLines())
+        .singleElement()
+        .asString()
+        .startsWith("the list is too long for one answer");
     assertThat(result.code()).isZero();
   }
 
@@ -228,7 +231,7 @@ class FileCommandsTest {
         .contains("it is a folder, which needs --recursive");
 
     assertThat(run("file rm", "-r", "KRC:\\R1\\Old").err())
-        .contains("all that is in KRC:\\R1\\Old goes, too, which needs --yes");
+        .contains("the content of KRC:\\R1\\Old will be deleted, too, which needs --yes");
     assertThat(server.files().exists("KRC:\\R1\\Old\\X.SRC")).isTrue();
 
     assertThat(run("file rm", "-r", "--yes", "KRC:\\R1\\Old", "--json").lines())

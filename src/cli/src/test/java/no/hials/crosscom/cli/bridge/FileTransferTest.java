@@ -176,7 +176,7 @@ class FileTransferTest {
         .containsExactly(
             "jopenshowvar: the server refused the selection of program /R1/BAD: code 0"
                 + " (GENERAL: no reason given)",
-            "likely cause: the program has errors; it is uploaded, but not selected",
+            "likely cause: the program has errors; it was uploaded, but not selected",
             src + ":2:11: expected a value, found =");
     assertThat(result.code()).isEqualTo(1);
   }
@@ -261,9 +261,9 @@ class FileTransferTest {
   void doesNotLetTwoFilesBecomeOne() throws IOException {
     String local = file("a.src", A);
 
-    assertThat(put(local, local, "/R1/").err()).contains("two files would become /R1/a.src");
+    assertThat(put(local, local, "/R1/").err()).contains("two files would have the name /R1/a.src");
     assertThat(get("/R1/A.SRC", "KRC:\\R1\\TP\\A.SRC", dir.toString()).err())
-        .contains("two files would become ");
+        .contains("two files would have the name ");
   }
 
   // get
@@ -348,7 +348,7 @@ class FileTransferTest {
   @ParameterizedTest
   @ValueSource(strings = {"KRC:\\R1\\..", "/R1/.."})
   void leavesItsFolderForNoName(String name) throws IOException {
-    get(name, dir.toString()).fails(2).contains("is a folder, it cannot become a file");
+    get(name, dir.toString()).fails(2).contains("is a folder");
     assertThat(localFiles()).isEmpty();
   }
 

@@ -270,7 +270,7 @@ class DriveCommandTest {
       result
           .fails(1)
           .contains(
-              "a client moves no robot by itself: a program on the controller has to follow MYPOS",
+              "the robot moves only if a program on the controller follows MYPOS",
               "no program is selected there; select and start ACTUATOR (krl/actuator.src)",
               "docs/how-to/drive-the-robot.md");
       assertThat(result.errLines().get(1))

@@ -176,8 +176,8 @@ class ExperimentCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "position-circle list          | list stands alone",
-        "position-triangle             | there is no experiment position-triangle",
+        "position-circle list          | list excludes other names",
+        "position-triangle             | unknown experiment: position-triangle",
         "position-circle --period 3ms  | --period must be 4ms to 1s, is 3ms",
         "position-circle --step 2s     | --step must be 4ms to 1s, is 2000ms",
         "position-circle --format gif  | --format must be png or svg, is gif",

@@ -81,7 +81,7 @@ class MockFilesTest {
         .containsExactly(
             "jopenshowvar: cannot use "
                 + program
-                + ": there is another KRC:\\R1\\Program\\waits.src already");
+                + ": KRC:\\R1\\Program\\waits.src already exists with other content");
     assertThat(programs.resolve("waits.src")).hasContent("another one");
   }
 

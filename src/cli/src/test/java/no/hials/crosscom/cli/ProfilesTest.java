@@ -202,7 +202,7 @@ class ProfilesTest {
     assertThat(run("write", "@cell1", "MYINT", "5").lines()).containsExactly("MYINT = 5");
     run("write", "@cell1", "@cell2", "MYINT", "6")
         .fails(2)
-        .startsWith("jopenshowvar: one robot at a time, 2 are given");
+        .startsWith("jopenshowvar: this command takes one robot, 2 are given");
     assertThat(one.variables().get("MYINT")).isEqualTo("5");
     assertThat(two.requestCount()).isZero();
   }

@@ -98,7 +98,7 @@ public abstract class ControllerCommand extends ConsoleCommand {
   protected final Robot target() throws FileException {
     List<Robot> targets = targets();
     if (targets.size() != 1) {
-      throw wrongUsage("one robot at a time, " + targets.size() + " are given");
+      throw wrongUsage("this command takes one robot, " + targets.size() + " are given");
     }
     return targets.get(0);
   }

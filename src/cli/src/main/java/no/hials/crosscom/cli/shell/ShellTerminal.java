@@ -100,7 +100,7 @@ final class ShellTerminal implements Closeable {
       reader.setVariable(LineReader.HISTORY_FILE, file);
     } catch (IOException e) {
       console.error(
-          "what is typed is not kept: " + FileException.cannot("use", file, e).getMessage());
+          "the history is not saved: " + FileException.cannot("use", file, e).getMessage());
     }
   }
 

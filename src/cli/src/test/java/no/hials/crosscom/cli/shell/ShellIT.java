@@ -121,7 +121,7 @@ class ShellIT {
   void worksWithoutAHistoryThatCannotBeWritten() throws Exception {
     Files.createFile(state.resolve("jopenshowvar"));
     try (PseudoTerminal shell = shell(Map.of())) {
-      shell.until("what is typed is not kept: ");
+      shell.until("the history is not saved: ");
       shell.until(PROMPT).type("$OV_PRO\r").until("$OV_PRO = 100");
 
       assertThat(shell.until(PROMPT).type(PseudoTerminal.CTRL_D).finish())

@@ -501,9 +501,9 @@ public final class CrossComClient implements Closeable {
    */
   public CompletableFuture<Void> asyncRun(CrossComAction action) {
     Objects.requireNonNull(action, "action");
-    return this.<@Nullable Void>async(
-        c -> {
-          action.run(c);
+    return threads.<@Nullable Void>async(
+        call -> {
+          action.run(this);
           return null;
         });
   }

@@ -1,4 +1,6 @@
-/** The parts that every front end needs: named robots, permission to write, sampling, recordings. */
+/**
+ * The parts that every front end needs: named robots, permission to write, sampling, recordings.
+ */
 module no.hials.crosscom.cell {
   requires transitive com.fasterxml.jackson.core;
   requires com.fasterxml.jackson.dataformat.toml;

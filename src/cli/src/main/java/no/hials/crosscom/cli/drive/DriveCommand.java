@@ -324,8 +324,7 @@ public final class DriveCommand extends ControllerCommand {
       if (loop.statistics().holding() == loop.statistics().cycles()) {
         console()
             .hint(
-                "the robot did not move: the dead-man was not held, or all input was"
-                    + " too old");
+                "the robot did not move: the dead-man was not held, or all input was" + " too old");
       }
       if (!noWatchdog && reason.isPlanned()) {
         DriveEnd.hintOnWatchdog(read(controller, "JOV_LIMIT")).ifPresent(console()::hint);

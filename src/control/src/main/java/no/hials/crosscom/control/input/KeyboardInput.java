@@ -55,6 +55,9 @@ public final class KeyboardInput implements InputDevice {
   private static final int STEPS = 10;
   private static final long POLL_MILLIS = 50;
 
+  /** The longest wait of {@link #close} for the end of the typing. */
+  private static final long LAST_KEYS_MILLIS = 2000;
+
   /** The maximum time between the parts of an escape sequence. */
   private static final long SEQUENCE_MILLIS = 200;
 
@@ -248,12 +251,28 @@ public final class KeyboardInput implements InputDevice {
     return ended;
   }
 
-  /** Restores the terminal. */
+  private void discardKeys() {
+    long end = System.nanoTime() + LAST_KEYS_MILLIS * 1_000_000;
+    try {
+      NonBlockingReader reader = terminal.reader();
+      while (System.nanoTime() < end && reader.read(HOLD) >= 0) {
+        // the next one
+      }
+    } catch (IOException | RuntimeException | java.io.IOError e) {
+      // the terminal is closed, and has no more keys
+    }
+  }
+
+  /**
+   * Discards the keys that were typed meanwhile, so that a shell does not run them, and restores
+   * the terminal. While a key is still held it waits for its release, at most 2 s.
+   */
   @Override
   public void close() throws IOException {
     closed = true;
     try {
       thread.join();
+      discardKeys();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

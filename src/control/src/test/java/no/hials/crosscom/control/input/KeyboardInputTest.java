@@ -5,11 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Predicate;
 import org.jline.terminal.Attributes;
 import org.jline.terminal.Attributes.LocalFlag;
 import org.jline.terminal.impl.LineDisciplineTerminal;
+import org.jline.utils.NonBlockingReader;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -175,6 +178,37 @@ class KeyboardInputTest {
 
     await(input -> !input.deadMan());
     assertThat(keyboard.isEnded()).isTrue();
+  }
+
+  @Test
+  void keysThatNobodyReadAreNotLeftToTheShell() throws Exception {
+    AtomicInteger left = new AtomicInteger(-1);
+    LineDisciplineTerminal shared =
+        new LineDisciplineTerminal(
+            "test", "xterm", new ByteArrayOutputStream(), StandardCharsets.UTF_8) {
+          @Override
+          protected void doClose() throws IOException {
+            left.set(reader().read(1)); // as the shell would
+            super.doClose();
+          }
+        };
+    AtomicBoolean failed = new AtomicBoolean();
+    KeyboardInput failing =
+        KeyboardInput.on(
+            shared,
+            () -> {
+              failed.set(true);
+              throw new IllegalStateException("no more time");
+            });
+    shared.processInputBytes(new byte[] {'w'}); // ends the thread that reads
+    while (!failed.get()) {
+      Thread.onSpinWait();
+    }
+
+    shared.processInputBytes("rm -r *\n".getBytes(StandardCharsets.UTF_8));
+    failing.close();
+
+    assertThat(left).hasValue(NonBlockingReader.READ_EXPIRED);
   }
 
   @Test

@@ -1,5 +1,6 @@
 package no.hials.crosscom.control.input;
 
+import com.badlogic.gdx.utils.SharedLibraryLoader;
 import com.studiohartman.jamepad.Configuration;
 import com.studiohartman.jamepad.ControllerAxis;
 import com.studiohartman.jamepad.ControllerButton;
@@ -36,8 +37,9 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>It needs Jamepad ({@code com.badlogicgames.jamepad:jamepad}), which is not a dependency of
  * this library. Its jar contains SDL 2 with native code for Linux, macOS and Windows, and it needs
- * no display. <b>This class was tested only without a gamepad</b>: SDL starts and finds none. It
- * was never used with a real gamepad.
+ * no display. The native code is unpacked into a new private folder each time. <b>This class was
+ * tested only without a gamepad</b>: SDL starts and finds none. It was never used with a real
+ * gamepad.
  *
  * <p>It runs the daemon thread {@code crosscom-input-gamepad}, which polls SDL 200 times a second,
  * until it is closed.
@@ -62,8 +64,25 @@ public final class GamepadInput implements InputDevice {
 
   /** Uses only SDL's own list of gamepads; the default list causes warnings on stderr. */
   private static final class Manager extends ControllerManager {
-    Manager() {
-      super(new Configuration());
+    private static boolean loaded;
+
+    private Manager(Configuration configuration) {
+      super(configuration);
+    }
+
+    /**
+     * Loads SDL and creates a manager. Jamepad's own loader would load a file of a predictable
+     * folder, which another user can create.
+     */
+    static synchronized Manager create() throws IOException {
+      if (!loaded) {
+        NativeLibrary.load(
+            ControllerManager.class, new SharedLibraryLoader().mapLibraryName("jamepad"));
+        loaded = true;
+      }
+      Configuration configuration = new Configuration();
+      configuration.loadNativeLibrary = false;
+      return new Manager(configuration);
     }
 
     @Override
@@ -104,9 +123,9 @@ public final class GamepadInput implements InputDevice {
   private void run() {
     ControllerManager manager;
     try {
-      manager = new Manager();
+      manager = Manager.create();
       manager.initSDLGamepad();
-    } catch (RuntimeException | LinkageError e) {
+    } catch (IOException | RuntimeException | LinkageError e) {
       start.completeExceptionally(new IOException("SDL cannot be used: " + e.getMessage(), e));
       return;
     }

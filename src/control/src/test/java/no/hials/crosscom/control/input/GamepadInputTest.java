@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
+import com.badlogic.gdx.utils.SharedLibraryLoader;
 import com.studiohartman.jamepad.ControllerAxis;
 import com.studiohartman.jamepad.ControllerButton;
 import java.io.IOException;
@@ -105,5 +106,8 @@ class GamepadInputTest {
           .isThrownBy(GamepadInput::open)
           .withMessage("no gamepad found");
     }
+    assertThat(SharedLibraryLoader.isLoaded("jamepad"))
+        .as("loaded from the predictable folder of Jamepad's loader")
+        .isFalse();
   }
 }

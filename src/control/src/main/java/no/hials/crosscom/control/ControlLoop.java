@@ -15,12 +15,13 @@ import org.slf4j.LoggerFactory;
  * law and writes one structure, which a KRL program follows.
  *
  * <p><b>It moves a machine.</b> Before the first command, the loop checks the operating mode, the
- * state of the robot program, the limits and the watchdog. While it runs, it checks each command
- * against the limits of {@link Safety}. A violated limit, an exception or a failed access ends the
- * loop: it writes the command to stand once, if the connection allows, and nothing after that.
- * {@link #stopReason} then returns the reason. A loop does not start again, and a write is never
- * repeated. A read that the client repeats on a new connection has not failed if the value is fresh
- * enough ({@link Safety#maxFeedbackAge}).
+ * state of the robot program, the limits, the watchdog, and that no other client sends a heartbeat
+ * ({@link LoopConfig.Builder#takeover}). While it runs, it checks each command against the limits
+ * of {@link Safety}. A violated limit, an exception or a failed access ends the loop: it writes the
+ * command to stand once, if the connection allows, and nothing after that. {@link #stopReason} then
+ * returns the reason. A loop does not start again, and a write is never repeated. A read that the
+ * client repeats on a new connection has not failed if the value is fresh enough ({@link
+ * Safety#maxFeedbackAge}).
  *
  * <p>If the command to stand could not be written, the watchdog stops the program on the
  * controller, since the heartbeat has ended. The watchdog stays armed except after a planned end,
@@ -62,8 +63,9 @@ public final class ControlLoop implements AutoCloseable {
   }
 
   /**
-   * Checks the controller and starts a loop. It blocks until the checks are done: about ten
-   * accesses, and up to a second until the watchdog has seen the heartbeat.
+   * Checks the controller and starts a loop. It blocks until the checks are done: about twelve
+   * accesses, and up to a second until the watchdog has seen the heartbeat. If the watchdog is on,
+   * it first watches for a part of its time whether another client sends a heartbeat.
    *
    * @param client the connection; it stays open when the loop ends
    * @param config the settings
@@ -91,8 +93,10 @@ public final class ControlLoop implements AutoCloseable {
       LoopConfig config, Target target, Channel channel, Space<P> space, LoopTime time)
       throws ControlRefusedException {
     Safety safety = config.safety();
-    Guard guard = Preflight.check(channel, safety, space instanceof Space.Cartesian);
     Heartbeat heartbeat = new Heartbeat(channel, time, safety.watchdog());
+    heartbeat.observe();
+    Guard guard = Preflight.check(channel, safety, space instanceof Space.Cartesian);
+    heartbeat.checkAlone(config.takeover());
     if (heartbeat.start()) {
       LOG.warn(
           "the watchdog was on before this loop, as after an unplanned end;"

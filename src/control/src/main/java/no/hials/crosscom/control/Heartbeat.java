@@ -1,8 +1,11 @@
 package no.hials.crosscom.control;
 
 import java.time.Duration;
+import java.util.concurrent.ThreadLocalRandom;
+import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.control.StopReason.StopKind;
+import org.jspecify.annotations.Nullable;
 
 /** The heartbeat for the watchdog of {@code krl/jov_sps.sub}. */
 final class Heartbeat {
@@ -14,6 +17,21 @@ final class Heartbeat {
   private static final int ATTEMPTS = 50;
 
   private static final long PAUSE = Duration.ofMillis(20).toNanos();
+
+  /**
+   * The part of the watchdog's time in which another loop beats, late or not. After the whole time
+   * the watchdog would stop a program for which nobody beats.
+   */
+  private static final double BEAT_OF_OTHER = 3.0 / 8;
+
+  /** The longest wait for a beat of another driver. */
+  private static final long LONGEST_SILENCE = Duration.ofSeconds(10).toNanos();
+
+  /** The silence after which another driver counts as stopped if the watchdog is off. */
+  private static final long SILENCE = Duration.ofMillis(500).toNanos();
+
+  /** The time in which another driver has to stop for a takeover. */
+  private static final Duration TAKEOVER = Duration.ofSeconds(5);
 
   /** The number of beats within the time of the watchdog. */
   private static final int BEATS = 4;
@@ -31,11 +49,87 @@ final class Heartbeat {
   private int limitBefore;
   private long next;
 
+  /** The heartbeat before the other checks; null if the controller does not have it. */
+  private @Nullable Integer first;
+
   Heartbeat(Channel channel, LoopTime time, Duration limit) {
     this.channel = channel;
     this.time = time;
     this.limitMillis = limit.toMillis();
     this.interval = limit.toNanos() / BEATS;
+  }
+
+  /** Reads the heartbeat before the other checks, for {@link #checkAlone}. */
+  void observe() throws ControlRefusedException {
+    try {
+      first = channel.readInt(BEAT);
+    } catch (ControlRefusedException e) {
+      if (!(e.reason().cause() instanceof CrossComAccessException)) {
+        throw e;
+      }
+      // without the variable there is no driver with a heartbeat, and start() refuses a watchdog
+    }
+  }
+
+  /**
+   * Checks that no other client has sent a heartbeat since {@link #observe}. If the watchdog is on,
+   * it watches for a part of its time.
+   *
+   * @param takeover whether another driver is stopped, instead of refusing to start
+   */
+  void checkAlone(boolean takeover) throws ControlRefusedException {
+    if (first == null) {
+      return;
+    }
+    long silence = Math.min(LONGEST_SILENCE, (long) (BEAT_OF_OTHER * 1e6 * channel.readInt(LIMIT)));
+    long end = time.nanoTime() + silence;
+    int found = channel.readInt(BEAT);
+    while (found == first && time.nanoTime() < end) {
+      pause();
+      found = channel.readInt(BEAT);
+    }
+    if (found == first) {
+      return;
+    }
+    if (!takeover) {
+      throw new ControlRefusedException(
+          StopKind.OTHER_DRIVER,
+          BEAT
+              + " must not change before the start, changed from "
+              + first
+              + " to "
+              + found
+              + "; another client drives the robot");
+    }
+    takeOver(silence > 0 ? silence : SILENCE);
+  }
+
+  /** Replaces the beats of another loop, which stops when it no longer sees its own. */
+  private void takeOver(long silence) throws ControlRefusedException {
+    beat.setValue(random());
+    long begin = time.nanoTime();
+    long replaced = begin;
+    channel.write(beat);
+    while (time.nanoTime() - replaced <= silence) {
+      pause();
+      if (channel.readInt(BEAT) != beat.intValue()) {
+        if (time.nanoTime() - begin > TAKEOVER.toNanos()) {
+          throw new ControlRefusedException(
+              StopKind.OTHER_DRIVER,
+              "the other driver must stop within "
+                  + TAKEOVER.toSeconds()
+                  + " s of the takeover, still changes "
+                  + BEAT);
+        }
+        replaced = time.nanoTime();
+        channel.write(beat);
+      }
+    }
+  }
+
+  /** Returns a beat far from those of other drivers, which therefore see each other. */
+  private static int random() {
+    return ThreadLocalRandom.current().nextInt(Integer.MAX_VALUE);
   }
 
   /**
@@ -49,8 +143,7 @@ final class Heartbeat {
     }
     try {
       limitBefore = channel.readInt(LIMIT);
-      channel.read(beat);
-      count();
+      beat.setValue(random());
       if (channel.readInt(SEEN) == beat.intValue()) {
         count(); // an earlier beat proves nothing
       }

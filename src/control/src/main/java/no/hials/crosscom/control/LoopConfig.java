@@ -81,6 +81,11 @@ public final class LoopConfig {
     return options.input;
   }
 
+  /** Returns whether the loop stops another driver, instead of refusing to start. */
+  public boolean takeover() {
+    return options.takeover;
+  }
+
   /** Returns the time after which the loop ends; zero for never. */
   public Duration duration() {
     return options.duration;
@@ -100,6 +105,7 @@ public final class LoopConfig {
     private Safety safety = Safety.create(changes -> {});
     private @Nullable InputDevice input;
     private boolean inputKnown;
+    private boolean takeover;
     private Duration duration = Duration.ZERO;
     private int traceLength = 10_000;
   }
@@ -177,6 +183,17 @@ public final class LoopConfig {
     public Builder noInput() {
       options.input = null;
       options.inputKnown = true;
+      return this;
+    }
+
+    /**
+     * Takes over from another client that sends a heartbeat. A control loop stops when its
+     * heartbeat is replaced; if the other client does not stop within 5 s, this loop does not
+     * start. By default, a loop does not start while another client sends a heartbeat. A client
+     * without a heartbeat is not noticed.
+     */
+    public Builder takeover() {
+      options.takeover = true;
       return this;
     }
 

@@ -17,9 +17,9 @@ import no.hials.crosscom.kinematics.Frame;
  *
  * <p><b>It moves a machine</b>, at the speed in {@code JOV_SPEED}; the robot moves to the first
  * point with a PTP motion. Every point is checked against the limits of {@link Safety} for the axes
- * and the tool, and the mode, the program and the watchdog are checked before the motion starts.
- * The limits of speed and step do not apply. The player sends the heartbeat while it waits for the
- * end, so the robot stops if the connection is lost.
+ * and the tool, and the mode, the program, the watchdog, and that no other client sends a heartbeat
+ * are checked before the motion starts. The limits of speed and step do not apply. The player sends
+ * the heartbeat while it waits for the end, so the robot stops if the connection is lost.
  *
  * <p>Not thread-safe. It starts no thread.
  */
@@ -115,6 +115,8 @@ public final class PathPlayer {
   private void play(int command, List<KRLVariable> points, Duration limit)
       throws ControlRefusedException, InterruptedException {
     Heartbeat heartbeat = new Heartbeat(channel, time, safety.watchdog());
+    heartbeat.observe();
+    heartbeat.checkAlone(false);
     heartbeat.start();
     boolean done = false;
     try {

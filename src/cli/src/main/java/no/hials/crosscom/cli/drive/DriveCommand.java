@@ -160,6 +160,14 @@ public final class DriveCommand extends ControllerCommand {
               + " program or the network fails.")
   private boolean noWatchdog;
 
+  @Option(
+      names = "--takeover",
+      order = 5,
+      description =
+          "Stop another client that drives the robot, and drive instead. Without it, nothing starts"
+              + " while another client sends a heartbeat.")
+  private boolean takeover;
+
   @Mixin private WriteOptions writeOptions = new WriteOptions();
 
   @Override
@@ -192,12 +200,16 @@ public final class DriveCommand extends ControllerCommand {
         Safety safety = safety(space, fullSpeed, fullTurn, mode);
         LoopConfig config =
             LoopConfig.create(
-                cfg ->
-                    cfg.period(period)
-                        .safety(safety)
-                        .input(opened)
-                        .duration(length == null ? Duration.ZERO : length)
-                        .traceLength(record == null ? 1 : RECORDED_CYCLES));
+                cfg -> {
+                  cfg.period(period)
+                      .safety(safety)
+                      .input(opened)
+                      .duration(length == null ? Duration.ZERO : length)
+                      .traceLength(record == null ? 1 : RECORDED_CYCLES);
+                  if (takeover) {
+                    cfg.takeover();
+                  }
+                });
         return drive(controller, config, space, fullSpeed, fullTurn, opened, stop);
       }
     }

@@ -31,7 +31,8 @@ final class DriveEnd {
           STALLED_FEEDBACK,
           MODE,
           PROGRAM,
-          WATCHDOG ->
+          WATCHDOG,
+          OTHER_DRIVER ->
           ExitCode.REFUSED;
     };
   }
@@ -70,6 +71,10 @@ final class DriveEnd {
                 + " variables of krl/config.dat, and krl/jov_sps.sub in the submit interpreter");
         hints.add("without it, --no-watchdog drives at your own risk");
       }
+      case OTHER_DRIVER ->
+          hints.add(
+              "two drivers would move one robot: end the other one; --takeover stops it, if it is a"
+                  + " control loop of this library");
       case MODE -> hints.add("the operating mode changed; start again in the new mode");
       case ACCESS -> {
         if (cause(reason) instanceof CrossComAccessException) {

@@ -16,7 +16,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import no.hials.crosscom.cli.Main;
@@ -295,6 +297,32 @@ class DriveCommandTest {
       Cli.runOn(server, "drive", "--device=udp:0", "--yes")
           .fails(1)
           .contains("WATCHDOG: the watchdog does not see the heartbeat", "--no-watchdog drives");
+    }
+  }
+
+  @Test
+  void aSecondDriverIsRefusedOrTakesOver() throws Exception {
+    try (MockServer server = robot(DriveSpace.JOINTS)) {
+      AtomicInteger beat = new AtomicInteger();
+      server.faults(
+          request -> {
+            if (request.names().equals(List.of("JOV_HEARTBEAT"))) {
+              server.variables().set("JOV_HEARTBEAT", "" + beat.incrementAndGet());
+            }
+            return Optional.empty();
+          });
+      String[] drive =
+          Cli.argsOn(
+              server, "drive", "--device=udp:0", "--yes", "--frame=joints", "--max-delay=2s");
+
+      Cli.run(drive)
+          .fails(1)
+          .contains("OTHER_DRIVER: JOV_HEARTBEAT must not change before the start", "--takeover");
+      String[] takeover = java.util.Arrays.copyOf(drive, drive.length + 1);
+      takeover[drive.length] = "--takeover";
+      Cli.run(takeover)
+          .fails(1)
+          .contains("OTHER_DRIVER: the other driver must stop within 5 s of the takeover");
     }
   }
 

@@ -104,7 +104,7 @@ public final class MockServer implements AutoCloseable {
       return () -> handler;
     }
     C3VariableHandler access = new C3VariableHandler(variables, bridge, config);
-    C3ProgramHandler control = new C3ProgramHandler(this::controller);
+    C3ProgramHandler control = new C3ProgramHandler(this::controller, config.version());
     return () -> new C3Handler(bridge, access, control, new C3FileHandler(files, this::isSelected));
   }
 
@@ -282,9 +282,9 @@ public final class MockServer implements AutoCloseable {
 
   /**
    * Returns how many times the server has dropped bytes without an answer, because they were not a
-   * whole request in one read ({@link MockServerConfig#joinSplitRequests}) or arrived while another
-   * request was served ({@link MockServerConfig#pendingRequests}). {@link #requests} does not
-   * contain them.
+   * whole request in one read ({@link MockServerConfig#joinSplitRequests}), followed a request in
+   * the same receive (KUKAVARPROXY), or arrived while another request was served ({@link
+   * MockServerConfig#pendingRequests}). {@link #requests} does not contain them.
    */
   public long dropCount() {
     return service.dropCount();

@@ -468,9 +468,10 @@ public final class MockServerConfig {
 
     /**
      * Sets whether the server joins the pieces of a request, as C3 Bridge does (the default).
-     * KUKAVARPROXY reads at most 2048 bytes at a time, answers the whole requests in them in turn,
-     * and drops the rest without an answer (docs/reference/kukavarproxy.md#pieces-of-requests).
-     * Assumed: it takes the next bytes it reads for the start of a request.
+     * KUKAVARPROXY reads at most 2048 bytes at a time and drops the pieces without an answer.
+     * Assumed: it takes the next bytes it reads for the start of a request. In both cases
+     * KUKAVARPROXY drops the bytes after a request in the same receive
+     * (docs/reference/kukavarproxy.md#pieces-of-requests).
      */
     public Builder joinSplitRequests(boolean value) {
       options.joinSplitRequests = value;

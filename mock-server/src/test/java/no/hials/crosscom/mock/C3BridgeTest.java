@@ -38,6 +38,8 @@ import no.hials.crosscom.protocol.file.Bytes;
 import no.hials.crosscom.protocol.file.FileRequest.BeginReadRequest;
 import no.hials.crosscom.protocol.file.FileRequest.BeginWriteRequest;
 import no.hials.crosscom.protocol.file.FileRequest.ContentRequest;
+import no.hials.crosscom.protocol.file.FileRequest.CopyFileRequest;
+import no.hials.crosscom.protocol.file.FileRequest.DeleteFileRequest;
 import no.hials.crosscom.protocol.file.FileRequest.FileNameRequest;
 import no.hials.crosscom.protocol.file.FileRequest.FilePropertiesRequest;
 import no.hials.crosscom.protocol.file.FileRequest.ListDirectoryRequest;
@@ -51,6 +53,8 @@ import no.hials.crosscom.protocol.file.FileResponse.WriteDataResponse;
 import no.hials.crosscom.protocol.program.ProgramRequest.MotionRequest;
 import no.hials.crosscom.protocol.program.ProgramRequest.PendantKeyRequest;
 import no.hials.crosscom.protocol.program.ProgramRequest.ProgramControlRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest.ProgramSelectRequest;
+import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.server.ServerResponse.FeaturesResponse;
 import no.hials.crosscom.protocol.server.ServerResponse.InformationResponse;
@@ -74,6 +78,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the behaviour of C3 Bridge beyond the measured rows. */
 final class C3BridgeTest {
@@ -220,13 +225,20 @@ final class C3BridgeTest {
   @Test
   void saysWhatItIs() throws IOException {
     assertThat(client.read("@PROXY_TYPE").value()).isEqualTo("C3 BRIDGE INTERFACE");
-    assertThat(client.read("@proxy_type").value()).isEqualTo("C3 BRIDGE INTERFACE");
     assertThat(client.read("@PROXY_HOSTNAME").value()).isEqualTo("KRC4");
     assertThat(client.read("@PROXY_ENABLED").value()).isEqualTo("TRUE");
     assertThat(Instant.parse(client.read("@PROXY_TIME").value()))
         .isBetween(Instant.now().minusSeconds(60), Instant.now());
     assertThat(text(new WriteUtf16Request(1, "@PROXY_TYPE", "X")).tail())
         .isEqualTo(Tail.FAILURE_ZERO);
+  }
+
+  @Test
+  void hasItsOwnNamesInCapitalLettersOnly() throws IOException {
+    assertThat(client.read("@proxy_type"))
+        .isEqualTo(new ValueResponse(7, MessageType.READ, "", Tail.FAILURE_ZERO));
+    assertThat(text(new ReadUtf16Request(1, "@Proxy_Type")))
+        .isEqualTo(new TextResponse(1, MessageType.READ_UTF16, "", Tail.FAILURE_ZERO));
   }
 
   @Test
@@ -297,7 +309,7 @@ final class C3BridgeTest {
     BenchmarkResponse read =
         (BenchmarkResponse) client.exchange(new BenchmarkReadRequest(1, 3, names));
     assertThat(read.tail()).isEqualTo(Tail.SUCCESS);
-    assertThat(read.count()).isEqualTo(11);
+    assertThat(read.count()).isEqualTo(10);
     assertThat(read.iterations()).isEqualTo(3);
     assertThat(read.differenceMillis()).isEqualTo(read.stopMillis() - read.startMillis());
 
@@ -310,16 +322,39 @@ final class C3BridgeTest {
     assertThat(server.requests()).extracting(RecordedRequest::isWrite).containsExactly(false, true);
   }
 
+  // docs/reference/c3-messages.md#benchmark-17
+
   @Test
-  void endsABenchmarkAtTheFirstAccessThatIsRefused() throws IOException {
+  void continuesABenchmarkAfterARefusedAccess() throws IOException {
     List<Assignment> items = List.of(new Assignment("NOPE", "1"), new Assignment("MYINT", "8"));
     BenchmarkResponse answer =
-        (BenchmarkResponse) client.exchange(new BenchmarkWriteRequest(1, 0xFFFF_FFFFL, items));
-    assertThat(answer.tail()).isEqualTo(Tail.FAILURE_ZERO);
-    assertThat(server.variables().get("MYINT")).isEqualTo("0");
+        (BenchmarkResponse) client.exchange(new BenchmarkWriteRequest(1, 5, items));
+    assertThat(answer.tail()).isEqualTo(Tail.SUCCESS);
+    assertThat(answer.count()).isEqualTo(2);
+    assertThat(answer.iterations()).isEqualTo(5);
+    assertThat(server.variables().get("MYINT")).isEqualTo("8");
+  }
+
+  @Test
+  void answersTheMostIterationsAsOneLess() throws IOException {
     BenchmarkResponse none =
         (BenchmarkResponse) client.exchange(new BenchmarkReadRequest(1, 0xFFFF_FFFFL, List.of()));
     assertThat(none.tail()).isEqualTo(Tail.SUCCESS);
+    assertThat(none.iterations()).isEqualTo(0xFFFF_FFFEL);
+  }
+
+  @Test
+  void doesNotParseTheNamesOfABenchmarkAfterTheTenth() throws IOException {
+    byte[] whole = Codec.encode(new BenchmarkReadRequest(1, 1, Collections.nCopies(10, "PING")));
+    whole[6] = 12; // count
+    client.send(whole);
+    assertThat(client.response())
+        .isInstanceOfSatisfying(
+            BenchmarkResponse.class,
+            answer -> {
+              assertThat(answer.count()).isEqualTo(10);
+              assertThat(answer.tail()).isEqualTo(Tail.SUCCESS);
+            });
   }
 
   @Test
@@ -337,6 +372,54 @@ final class C3BridgeTest {
     assertThat(server.clientCount()).isZero();
   }
 
+  // programs, keys and malformed file content
+
+  @Test
+  void needsInVersion10ParametersToSelectAProgram() throws Exception {
+    restart(cfg -> cfg.version(new Version(1, 0, 0)));
+    server.controller().load("MAIN.SRC", "DEF MAIN(N:IN)\nINT N\nEND\n");
+    for (ProgramCommand command : List.of(ProgramCommand.SELECT, ProgramCommand.RUN)) {
+      assertThat(select(command, "")).isEqualTo(tail(ErrorCode.PROTOCOL));
+      assertThat(select(command, "1")).isEqualTo(Tail.SUCCESS);
+      server.controller().robot().stop();
+    }
+  }
+
+  private static Tail tail(ErrorCode code) {
+    return new Tail(code.code(), 0);
+  }
+
+  private Tail select(ProgramCommand command, String parameters) throws IOException {
+    Request request =
+        new ProgramSelectRequest(
+            1, Code.of(command), Code.of(Interpreter.SUBMIT), "/R1/MAIN", parameters, true);
+    return ((ProgramResponse) client.exchange(request)).tail();
+  }
+
+  @Test
+  void releasesThe6DMouseWhateverTheNumberOfTheAxis() throws IOException {
+    client.send("01 75 00 0C 0C 04 00 00 00 63 00 00 00 00 00 01");
+    assertThat(client.receive(9)).isEqualTo("01 75 00 05 0C 04 00 01 01");
+  }
+
+  @Test
+  void releasesAStartKeyBackwardThatWasNotPressed() throws IOException {
+    client.send("01 75 00 0C 0C 01 00 00 00 01 00 00 00 00 01 01");
+    assertThat(client.receive(9)).isEqualTo("01 75 00 05 0C 01 00 01 01");
+  }
+
+  @Test
+  void repeatsTheOperationOfATruncatedEndOfAWrite() throws IOException {
+    client.send("01 75 00 02 1D 04");
+    assertThat(client.receive(9)).isEqualTo("01 75 00 05 1D 04 00 09 00");
+  }
+
+  @Test
+  void answersTruncatedDataWithoutABeginWithSize0() throws IOException {
+    client.send("01 75 00 0B 1D 02 00 00 00 00 00 00 00 0A 78");
+    assertThat(client.receive(17)).isEqualTo("01 75 00 0D 1D 02 00 00 00 00 00 00 00 00 00 01 01");
+  }
+
   // files
 
   @Test
@@ -350,6 +433,41 @@ final class C3BridgeTest {
       assertThat(((ContentSizeResponse) other.exchange(size)).size()).isZero();
     }
     assertThat(((ContentSizeResponse) client.exchange(size)).size()).isEqualTo(100);
+  }
+
+  // docs/reference/c3-messages.md#files-20-to-28
+
+  private static final String PROGRAMS = "KRC:\\R1\\Program\\";
+
+  private void putModule() throws IOException {
+    for (String name : List.of("job.src", "job.dat", "jobs.txt")) {
+      server.files().put(PROGRAMS + name, name);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {PROGRAMS + "JOB", "/R1/job"})
+  void deletesAModuleByItsName(String name) throws IOException {
+    putModule();
+    assertThat(client.exchange(new DeleteFileRequest(1, false, name)))
+        .isEqualTo(new PlainResponse(1, MessageType.DELETE_FILE, Tail.SUCCESS));
+    assertThat(server.files().list(PROGRAMS)).containsExactly("jobs.txt");
+    assertThat(client.exchange(new DeleteFileRequest(2, false, name)))
+        .isEqualTo(new PlainResponse(2, MessageType.DELETE_FILE, Tail.FAILURE_ZERO));
+  }
+
+  @Test
+  void copiesAModuleByItsName() throws IOException {
+    putModule();
+    CopyFileRequest copy =
+        new CopyFileRequest(
+            1, MessageType.COPY_FILE, Flags.none(CopyFlag.class), "/R1/JOB", PROGRAMS + "two");
+    assertThat(client.exchange(copy))
+        .isEqualTo(new PlainResponse(1, MessageType.COPY_FILE, Tail.SUCCESS));
+    assertThat(server.files().get("/R1/TWO.SRC")).asString().isEqualTo("job.src");
+    assertThat(server.files().get("/R1/TWO.DAT")).asString().isEqualTo("job.dat");
+    assertThat(client.exchange(copy))
+        .isEqualTo(new PlainResponse(1, MessageType.COPY_FILE, tail(ErrorCode.ACCESS)));
   }
 
   @Test

@@ -111,7 +111,7 @@ class FaultTest {
   @Test
   void dropsARequest() throws IOException {
     server.enqueue(Fault.drop());
-    client.send(WRITE);
+    client.sendUnanswered(WRITE);
     assertServesOn();
     assertExecuted(false);
   }
@@ -119,7 +119,7 @@ class FaultTest {
   @Test
   void dropsAnAnswer() throws IOException {
     server.enqueue(Fault.dropAnswer());
-    client.send(WRITE);
+    client.sendUnanswered(WRITE);
     assertServesOn();
     assertExecuted(true);
   }
@@ -222,8 +222,8 @@ class FaultTest {
   @Test
   void gluesAnAnswerToTheNextOne() throws IOException {
     server.enqueue(Fault.glueToNext(), Fault.glueToNext());
-    client.send(WRITE);
-    client.send(WRITE);
+    client.sendUnanswered(WRITE);
+    client.sendUnanswered(WRITE);
     client.send(PING);
     assertReceives(WRITTEN + " " + WRITTEN + " " + PONG);
     assertExecuted(true);
@@ -282,7 +282,7 @@ class FaultTest {
   void hasNothingToCutIfThereIsNoAnswer() throws IOException {
     server.enqueue(Fault.oneByteAtATime(), Fault.answer("1", Tail.SUCCESS), Fault.emptyAnswer());
     for (int i = 0; i < 3; i++) {
-      client.send("00 01 00 00");
+      client.sendUnanswered("00 01 00 00");
     }
     assertServesOn();
     server.enqueue(Fault.closeAfter());

@@ -24,12 +24,14 @@ public final class RawClient implements AutoCloseable {
 
   private static final HexFormat HEX = HexFormat.ofDelimiter(" ").withUpperCase();
 
+  private final MockServer server;
   private final Socket socket;
   private final InputStream in;
   private final ServerType type;
   private @Nullable FrameReader frames;
 
   public RawClient(MockServer server) throws IOException {
+    this.server = server;
     socket = new Socket(server.host(), server.port());
     socket.setTcpNoDelay(true);
     socket.setSoTimeout(GIVE_UP_MILLIS);
@@ -43,6 +45,18 @@ public final class RawClient implements AutoCloseable {
 
   void send(byte[] bytes) throws IOException {
     socket.getOutputStream().write(bytes);
+  }
+
+  /**
+   * Sends a request without an answer, and waits until it is served: KUKAVARPROXY would drop the
+   * next request if it received both at once.
+   */
+  void sendUnanswered(String hex) throws IOException {
+    long before = server.requestCount();
+    send(hex);
+    while (server.requestCount() == before) {
+      Thread.onSpinWait();
+    }
   }
 
   /** Closes the sending direction; bytes can still be received. */

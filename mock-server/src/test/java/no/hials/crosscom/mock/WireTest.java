@@ -199,12 +199,11 @@ class WireTest {
         "00 01 00 00", // no function
         "00 01 00 01 00", // no name length
         "00 01 00 0A 00 00 08 24 4F 56 5F 50 52 4F", // name length too large
-        "00 01 00 0A 00 00 06 24 4F 56 5F 50 52 4F", // a byte after the name
         "00 01 00 0A 01 00 07 24 4F 56 5F 50 52 4F", // a write without a value
         "00 01 00 07 03 00 01 41 00 01 41" // an array of half a number
       })
   void doesNotAnswerAMalformedRequestAndStaysConnected(String request) throws IOException {
-    client.send(request);
+    client.sendUnanswered(request);
     assertNothingBeforePong();
     RecordedRequest recorded = server.requests().get(0);
     assertThat(recorded.request()).isNull();
@@ -223,6 +222,16 @@ class WireTest {
     assertAnswer(
         "00 02 00 08 02 00 05 54 57 4F 5B 5D", // TWO[]
         "00 02 00 0A 02 00 04 00 01 FF FE 00 01 01");
+  }
+
+  @Test
+  void answersFunction2OnASingleElementWithoutElements() throws IOException {
+    server.variables().declare("TWO[2]", "INT", "1 2");
+    for (String name : List.of("TWO[1]", "$OV_PRO")) {
+      assertThat(client.exchange(new ReadArrayRequest(2, name)))
+          .as(name)
+          .isEqualTo(new ReadArrayResponse(2, List.of(), Tail.SUCCESS));
+    }
   }
 
   @Test
@@ -261,11 +270,57 @@ class WireTest {
     assertThat(client.receiveAsManyAs(ANSWER_100)).isEqualTo(ANSWER_100);
   }
 
+  // docs/reference/kukavarproxy.md#pieces-of-requests
+
+  @ParameterizedTest
+  @ValueSource(strings = {"00", "00 00 00 00 00 00 00", PING})
+  void dropsTheBytesAfterARequestInTheSameReceive(String surplus) throws IOException {
+    for (int i = 0; i < 3; i++) {
+      assertAnswer(READ_OV_PRO + " " + surplus, ANSWER_100);
+    }
+    assertNothingBeforePong();
+    assertThat(server.dropCount()).isEqualTo(3);
+    assertThat(server.requestCount()).isEqualTo(4);
+  }
+
   @Test
-  void answersTwoRequestsOfOneSegmentInTurn() throws IOException {
-    client.send(READ_OV_PRO + " " + PING);
-    String both = ANSWER_100 + " " + PONG;
-    assertThat(client.receiveAsManyAs(both)).isEqualTo(both);
+  void dropsTheBytesAfterTheLastPieceOfARequest() throws IOException {
+    client.send(READ_OV_PRO.substring(0, 20));
+    client.send(READ_OV_PRO.substring(21) + " 00");
+    assertThat(client.receiveAsManyAs(ANSWER_100)).isEqualTo(ANSWER_100);
+    assertNothingBeforePong();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"00 00", "00 07", "00 08", "00 09", "00 0E", "FF FF"})
+  void answersAReadWithAWrongLengthField(String length) throws IOException {
+    assertAnswer("00 00 " + length + " 00 00 07 24 4F 56 5F 50 52 4F", ANSWER_100);
+    assertNothingBeforePong();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"00 0B", "00 12"})
+  void answersAWriteWithAWrongLengthField(String length) throws IOException {
+    assertAnswer(
+        "00 01 " + length + " 01 00 07 24 4F 56 5F 50 52 4F 00 02 35 30",
+        "00 01 00 08 01 00 02 35 30 00 01 01");
+    assertThat(server.variables().get("$OV_PRO")).isEqualTo("50");
+    assertNothingBeforePong();
+  }
+
+  @Test
+  void readsTheNameByItsOwnLength() throws IOException {
+    // $OV_PR and a byte more, which the length field counts
+    assertAnswer("00 01 00 0A 00 00 06 24 4F 56 5F 50 52 4F", "00 01 00 06 00 00 00 00 01 01");
+    assertThat(server.requests().get(0).name()).isEqualTo("$OV_PR");
+  }
+
+  @Test
+  void joinsThePiecesOfALongWrite() throws IOException {
+    String value = "x".repeat(60_000);
+    assertThat(client.write("NO", value))
+        .isEqualTo(new ValueResponse(8, MessageType.WRITE, value, Tail.FAILURE));
+    assertNothingBeforePong();
   }
 
   @Test

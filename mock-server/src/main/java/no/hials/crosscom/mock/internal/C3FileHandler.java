@@ -1,6 +1,7 @@
 package no.hials.crosscom.mock.internal;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
@@ -101,6 +102,9 @@ public final class C3FileHandler implements AutoCloseable {
                                   () ->
                                       it.tree.delete(delete.name(), delete.always(), it.selected)))
                       .on(CopyFileRequest.class, (it, copy) -> plain(copy, () -> it.copy(copy))));
+
+  /** Operation, offset and size, which precede the data of a write. */
+  private static final int DATA_FIELDS = 1 + 4 + 4;
 
   private final ControllerFileSystem tree;
   private final Predicate<String> selected;
@@ -265,7 +269,12 @@ public final class C3FileHandler implements AutoCloseable {
 
   private static ContentResponse content(
       Request request, Code<ContentOperation> operation, Tail tail) {
-    return new ContentResponse(request.id(), request.type(), operation, tail);
+    return content(request.id(), request.type(), operation, tail);
+  }
+
+  private static ContentResponse content(
+      int id, MessageType type, Code<ContentOperation> operation, Tail tail) {
+    return new ContentResponse(id, type, operation, tail);
   }
 
   private ContentSizeResponse size(Request request, ContentOperation operation, Tail tail) {
@@ -280,8 +289,8 @@ public final class C3FileHandler implements AutoCloseable {
 
   /**
    * Answers a request of a type from 20 to 30 with malformed fields (the rows with code 9 of
-   * c3-vectors.tsv). Of file content, the data and the start of a write are measured, the rest is
-   * assumed.
+   * c3-vectors.tsv; docs/reference/c3-messages.md#file-content-29-and-30). Of file content, those
+   * of type 29 are measured, those of type 30 assumed.
    */
   Response malformed(MalformedRequestException request) {
     int id = request.id();
@@ -291,8 +300,18 @@ public final class C3FileHandler implements AutoCloseable {
     if (type != MessageType.WRITE_CONTENT && type != MessageType.READ_CONTENT) {
       return C3Answers.empty(id, type, fields, tail);
     }
-    return fields.length > 0 && fields[0] == ContentOperation.BEGIN.code()
-        ? size(id, type, ContentOperation.BEGIN, tail)
-        : new PlainResponse(id, type, tail);
+    Code<ContentOperation> operation =
+        new Code<>(ContentOperation.class, fields.length == 0 ? 0 : fields[0] & 0xFF);
+    if (operation.is(ContentOperation.BEGIN)) {
+      return size(id, type, ContentOperation.BEGIN, tail);
+    }
+    if (operation.is(ContentOperation.END)) {
+      return content(id, type, operation, tail);
+    }
+    if (type == MessageType.WRITE_CONTENT && fields.length >= DATA_FIELDS && !writing.isOpen()) {
+      long offset = Integer.toUnsignedLong(ByteBuffer.wrap(fields).getInt(1));
+      return new WriteDataResponse(id, offset, 0, Tail.SUCCESS);
+    }
+    return new PlainResponse(id, type, tail);
   }
 }

@@ -8,6 +8,7 @@ import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.PlainResponse;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.Version;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.MotionType;
@@ -56,6 +57,9 @@ public final class C3ProgramHandler {
                       .on(MotionRequest.class, C3ProgramHandler::answer)
                       .on(PendantKeyRequest.class, C3ProgramHandler::answer));
 
+  /** Version 1.0 refuses empty parameters (docs/reference/c3-messages.md#program-control-10). */
+  private static final Version PARAMETERS_OPTIONAL = new Version(1, 1, 0);
+
   private static final String[] MOUSE = {"X", "Y", "Z", "A", "B", "C"};
 
   /** A distance beyond the reach of the arm, mm, and an angle below half a turn, degrees. */
@@ -65,10 +69,12 @@ public final class C3ProgramHandler {
   private static final int FIRST_ANGLE = 3;
 
   private final Supplier<Controller> controller;
+  private final Version version;
 
   /** Creates the handler for all connections. */
-  public C3ProgramHandler(Supplier<Controller> controller) {
+  public C3ProgramHandler(Supplier<Controller> controller, Version version) {
     this.controller = controller;
+    this.version = version;
   }
 
   /** Creates the controller before the files change, because it watches them. */
@@ -162,6 +168,9 @@ public final class C3ProgramHandler {
 
   /** Assumed: selects in the robot interpreter; force stops an active program first. */
   private ErrorCode select(ProgramSelectRequest request) throws KrlFileException {
+    if (request.parameters().isEmpty() && version.compareTo(PARAMETERS_OPTIONAL) < 0) {
+      return ErrorCode.PROTOCOL;
+    }
     if (request.name().isBlank()) {
       throw new IllegalArgumentException("the name of a program must not be blank");
     }
@@ -242,7 +251,10 @@ public final class C3ProgramHandler {
       case START -> startKey(request);
       case STOP -> stopKey(request);
       case JOG -> jog(request, MotionKind.PTP, axis(request));
-      case MOUSE -> jog(request, MotionKind.LIN_REL, difference(request));
+      // only the release itself reaches the controller, not the number of the axis
+      // (docs/reference/c3-messages.md#pendant-keys-12)
+      case MOUSE ->
+          request.released() ? releaseJog() : jog(request, MotionKind.LIN_REL, difference(request));
     };
   }
 
@@ -250,7 +262,7 @@ public final class C3ProgramHandler {
     Code<Interpreter> number = new Code<>(Interpreter.class, request.number());
     ProgramControl program = interpreter(number);
     // 0 is forward (row "12 key start, interpreter 1, forward" of c3-vectors.tsv)
-    if (request.direction()) {
+    if (request.direction() && !request.released()) {
       return ErrorCode.NOT_IMPLEMENTED;
     }
     if (!request.released()) {
@@ -271,12 +283,15 @@ public final class C3ProgramHandler {
 
   private ErrorCode jog(PendantKeyRequest request, MotionKind kind, KrlStruct target)
       throws KrlExecutionException {
-    Controller machine = controller.get();
     if (request.released()) {
-      machine.releaseJog();
-    } else {
-      machine.jog(kind, target);
+      return releaseJog();
     }
+    controller.get().jog(kind, target);
+    return ErrorCode.SUCCESS;
+  }
+
+  private ErrorCode releaseJog() {
+    controller.get().releaseJog();
     return ErrorCode.SUCCESS;
   }
 

@@ -3,7 +3,6 @@ package no.hials.crosscom.mock.internal;
 import java.net.InetSocketAddress;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
-import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
@@ -39,20 +38,20 @@ public final class C3ProxyVariables {
     this.address = address;
   }
 
-  /** Returns the value of a variable, null if there is no variable of the name. */
+  /**
+   * Returns the value of a variable, null if there is no variable of the name. The names are
+   * case-sensitive (docs/reference/c3-messages.md#internal-variables).
+   */
   @Nullable String find(String name) {
-    // variable names are case-insensitive, PING is not
-    // (docs/reference/c3-messages.md#internal-variables)
     return name.equals("PING") ? "PONG" : findProxy(name);
   }
 
   /** Returns the same as {@link #find} without {@code PING}, which UDP does not answer. */
   @Nullable String findProxy(String name) {
-    String key = name.toUpperCase(Locale.ROOT);
-    if (!key.startsWith(PREFIX)) {
+    if (!name.startsWith(PREFIX)) {
       return null;
     }
-    return switch (key.substring(PREFIX.length())) {
+    return switch (name.substring(PREFIX.length())) {
       case "TYPE" -> "C3 BRIDGE INTERFACE";
       case "VERSION" -> config.version() + " (OPEN SOURCE)";
       case "FEATURES" -> featureDigits();

@@ -35,10 +35,14 @@ import org.jspecify.annotations.Nullable;
 
 /** Executes the requests of C3 Bridge for variables: types 0, 1, 4 to 7 and 17. */
 public final class C3VariableHandler {
+  private static final long U32 = 0xFFFF_FFFFL;
+
   /** The most variables of a benchmark (docs/reference/c3-messages.md#benchmark-17). */
   private static final int BENCHMARKED = 10;
 
-  private static final long U32 = 0xFFFF_FFFFL;
+  /** The most iterations in an answer (docs/reference/c3-messages.md#benchmark-17). */
+  private static final long MAX_ITERATIONS = 0xFFFF_FFFEL;
+
   private static final int NANOS_PER_MILLI = 1_000_000;
 
   private static final TypeSwitch<C3VariableHandler, VariableRequest, Outcome, RuntimeException>
@@ -223,9 +227,12 @@ public final class C3VariableHandler {
     return batch.answer(request);
   }
 
+  /**
+   * Returns the value that was stored, empty if it cannot be read
+   * (docs/reference/c3-messages.md#several-variables-6-and-7).
+   */
   private Result readBack(Assignment item) {
-    Result read = readWide(item.name());
-    return read.refused() == null ? read : new Result(item.value());
+    return new Result(readWide(item.name()).value());
   }
 
   private static Outcome empty(
@@ -280,15 +287,19 @@ public final class C3VariableHandler {
     return benchmark(request, true, request.iterations(), trials);
   }
 
-  /** Assumed: the first refused access ends the benchmark. The end of the server ends it, too. */
-  private static Outcome benchmark(
-      Request request, boolean write, long iterations, List<Trial> trials) {
-    List<Trial> used = trials.subList(0, Math.min(BENCHMARKED, trials.size()));
+  /**
+   * A refused access does not end the run, which is a success
+   * (docs/reference/c3-messages.md#benchmark-17). The end of the server ends it.
+   */
+  private static Outcome benchmark(Request request, boolean write, long asked, List<Trial> all) {
+    List<Trial> trials = all.subList(0, Math.min(BENCHMARKED, all.size()));
+    long iterations = Math.min(asked, MAX_ITERATIONS);
     RefusedException refused = null;
     long start = millis();
-    for (long i = 0; i < iterations && refused == null && !used.isEmpty(); i++) {
-      for (Trial trial : used) {
-        refused = refused == null ? trial.run().refused() : refused;
+    for (long i = 0; i < iterations && !trials.isEmpty(); i++) {
+      for (Trial trial : trials) {
+        RefusedException found = trial.run().refused();
+        refused = refused == null ? found : refused;
       }
       if (Thread.currentThread().isInterrupted()) {
         break;
@@ -304,7 +315,7 @@ public final class C3VariableHandler {
             start,
             stop,
             (stop - start) & U32,
-            refused == null ? Tail.SUCCESS : Tail.FAILURE_ZERO);
+            Tail.SUCCESS);
     return new Outcome(response, refused);
   }
 

@@ -91,13 +91,12 @@ final class ClientConnection {
   }
 
   private RequestReader frames(InputStream in) {
-    if (!config.joinSplitRequests()) {
-      return RequestReader.ofSingleReads(
-          in, bytes -> service.drop(number, bytes, "not a whole request in one read"));
-    }
-    return config.server() == ServerType.C3_BRIDGE
-        ? RequestReader.joinedUntilEmpty(in)
-        : RequestReader.joined(in);
+    return config.server() == ServerType.C3_BRIDGE && config.joinSplitRequests()
+        ? RequestReader.joined(in)
+        : new ReceivedRequests(
+            in,
+            config.joinSplitRequests(),
+            bytes -> service.drop(number, bytes, "not part of a whole request"));
   }
 
   private static void hold(ResponsePlan delivery) throws InterruptedException {

@@ -128,7 +128,10 @@ public final class KukavarproxyHandler implements RequestHandler {
 
   private Outcome readArray(ReadArrayRequest request) {
     try {
-      List<Integer> words = words(variables.readValue(request.name()));
+      KrlValue value = variables.readValue(request.name());
+      // of a single element empty (docs/reference/wire-format.md#integer-arrays); the tail is
+      // assumed
+      List<Integer> words = value instanceof KrlArray ? words(value) : List.of();
       checkLength(2 * words.size());
       return new Outcome(new ReadArrayResponse(request.id(), words, Tail.SUCCESS), null);
     } catch (RefusedException e) {

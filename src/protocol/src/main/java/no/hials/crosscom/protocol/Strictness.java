@@ -9,7 +9,8 @@ public enum Strictness {
   /**
    * Reads a request as C3 Bridge does (docs/reference/c3-messages.md#framing): ignores bytes after
    * the last field, and reads the complete assignments of a write of several variables that ends
-   * early. Assumed: a truth value other than 0 is true, as in the tail of an answer.
+   * early, and needs only the first ten variables of a benchmark. Assumed: a truth value other than
+   * 0 is true, as in the tail of an answer.
    */
   LENIENT
 }

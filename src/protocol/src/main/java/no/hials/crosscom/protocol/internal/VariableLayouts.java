@@ -26,6 +26,12 @@ import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 
 /** The layouts of the messages about variables: types 0 to 7 and 17. */
 public final class VariableLayouts {
+  /**
+   * The variables of a benchmark that C3 Bridge parses; those after them can be cut off
+   * (docs/reference/c3-messages.md#benchmark-17).
+   */
+  private static final int BENCHMARKED = 10;
+
   private VariableLayouts() {}
 
   static void addTo(Layouts all) {
@@ -92,7 +98,7 @@ public final class VariableLayouts {
         },
         (id, in) -> {
           int count = in.u8("count");
-          return new WriteMultipleRequest(id, count, assignments(count, in, in.isLenient()));
+          return new WriteMultipleRequest(id, count, assignments(count, in, 0));
         });
     all.writer(
         MultipleResponse.class,
@@ -161,20 +167,29 @@ public final class VariableLayouts {
     }
   }
 
-  /** Reads assignments; if some may be missing, the complete ones. */
-  private static List<Assignment> assignments(int count, FieldReader in, boolean someMayBeMissing)
+  /** Reads assignments, of which a lenient decoder needs only the first ones. */
+  private static List<Assignment> assignments(int count, FieldReader in, int needed)
       throws MalformedFrameException {
-    List<Assignment> assignments = new ArrayList<>();
+    return items(count, in, needed, it -> new Assignment(it.wide("name"), it.wide("value")));
+  }
+
+  private interface Item<T> {
+    T read(FieldReader in) throws MalformedFrameException;
+  }
+
+  private static <T> List<T> items(int count, FieldReader in, int needed, Item<T> item)
+      throws MalformedFrameException {
+    List<T> items = new ArrayList<>();
     try {
-      while (assignments.size() < count) {
-        assignments.add(new Assignment(in.wide("name"), in.wide("value")));
+      while (items.size() < count) {
+        items.add(item.read(in));
       }
     } catch (MalformedFrameException e) {
-      if (!someMayBeMissing) {
+      if (!in.isLenient() || items.size() < Math.min(count, needed)) {
         throw e;
       }
     }
-    return assignments;
+    return items;
   }
 
   private static List<AccessResult> results(FieldReader in) throws MalformedFrameException {
@@ -191,7 +206,8 @@ public final class VariableLayouts {
     int count = in.u8("count");
     long iterations = in.u32("iterations");
     return write
-        ? new BenchmarkWriteRequest(id, iterations, assignments(count, in, false))
-        : new BenchmarkReadRequest(id, iterations, in.wides(count, "name"));
+        ? new BenchmarkWriteRequest(id, iterations, assignments(count, in, BENCHMARKED))
+        : new BenchmarkReadRequest(
+            id, iterations, items(count, in, BENCHMARKED, it -> it.wide("name")));
   }
 }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.locks.ReentrantLock;
@@ -287,24 +288,34 @@ public final class ControllerFileSystem implements FileTree {
   }
 
   /**
-   * Deletes an item.
+   * Deletes an item, or all files of a module.
    *
+   * @param name an item, or a module without extension
    * @param always whether to delete a read-only file, and a folder with its content
    */
   public void delete(String name, boolean always, Predicate<String> inUse) throws IOException {
     lockedDo(
         () -> {
-          FileItem item = names.existing(name);
-          refuseTop(item);
-          writer.refuseInUse(item, inUse);
-          if (!always && item.readOnly()) {
-            throw FileRefusedException.access(item.path(), "is read-only");
+          List<FileItem> items = names.existingOrModule(name);
+          for (FileItem item : items) {
+            refuseDelete(item, always, inUse);
           }
-          if (!always && item.directory() && !store.children(item.path()).isEmpty()) {
-            throw FileRefusedException.access(item.path(), "is not empty");
+          for (FileItem item : items) {
+            deleteAll(item);
           }
-          deleteAll(item);
         });
+  }
+
+  private void refuseDelete(FileItem item, boolean always, Predicate<String> inUse)
+      throws IOException {
+    refuseTop(item);
+    writer.refuseInUse(item, inUse);
+    if (!always && item.readOnly()) {
+      throw FileRefusedException.access(item.path(), "is read-only");
+    }
+    if (!always && item.directory() && !store.children(item.path()).isEmpty()) {
+      throw FileRefusedException.access(item.path(), "is not empty");
+    }
   }
 
   private static void refuseTop(FileItem item) throws IOException {
@@ -323,8 +334,8 @@ public final class ControllerFileSystem implements FileTree {
   }
 
   /**
-   * Copies a file, or with the flag recursive a folder with its content. The copy has new times,
-   * and is not read-only (assumed).
+   * Copies a file, all files of a module, or with the flag recursive a folder with its content. The
+   * copy has new times, and is not read-only (assumed).
    *
    * @param destination the name of the copy, not the folder to put it in
    * @param flags recursive and the two of overwriting are used
@@ -334,7 +345,12 @@ public final class ControllerFileSystem implements FileTree {
       throws IOException {
     lockedDo(
         () -> {
-          FileItem item = names.existing(source);
+          List<FileItem> items = names.existingOrModule(source);
+          if (!FileItem.isModule(source) && FileItem.isModule(items.get(0).path().name())) {
+            copyModule(items, destination, flags, inUse);
+            return;
+          }
+          FileItem item = items.get(0);
           ControllerPath path = names.resolve(destination);
           refuseWithin(item, path);
           FileItem old = writer.overwritten(path, flags, inUse);
@@ -351,6 +367,26 @@ public final class ControllerFileSystem implements FileTree {
           writer.reserve(checkNames(item, own), path);
           copyFolder(item, own);
         });
+  }
+
+  /** Copies the files of a module; the extension of the destination does not matter (assumed). */
+  private void copyModule(
+      List<FileItem> files, String destination, Flags<CopyFlag> flags, Predicate<String> inUse)
+      throws IOException {
+    String base = FileItem.isModule(destination) ? FileItem.base(destination) : destination;
+    List<ControllerPath> paths = new ArrayList<>();
+    long bytes = 0;
+    for (FileItem file : files) {
+      ControllerPath path = names.resolve(base + "." + FileItem.extension(file.path().name()));
+      names.asStored(path);
+      writer.overwritten(path, flags, inUse);
+      paths.add(path);
+      bytes += ItemStore.ITEM_COST + file.size();
+    }
+    writer.reserve(bytes, paths.get(0));
+    for (int i = 0; i < paths.size(); i++) {
+      writer.write(paths.get(i), store.read(files.get(i)), store.find(paths.get(i)));
+    }
   }
 
   private static void refuseFile(ControllerPath path, @Nullable FileItem old) throws IOException {

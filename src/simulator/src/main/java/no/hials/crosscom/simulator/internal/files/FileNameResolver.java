@@ -12,6 +12,8 @@ final class FileNameResolver {
 
   private static final String PROGRAM_FOLDER = "Program";
 
+  private static final List<String> MODULE_EXTENSIONS = List.of("src", "sub", "dat");
+
   private final ItemStore store;
 
   FileNameResolver(ItemStore store) {
@@ -66,6 +68,28 @@ final class FileNameResolver {
       throw FileRefusedException.missing(path);
     }
     return item;
+  }
+
+  /**
+   * Returns the item of a name, or the files of the module that a name without extension means
+   * (docs/reference/c3-messages.md#files-20-to-28).
+   */
+  List<FileItem> existingOrModule(String name) throws IOException {
+    FileItem item = store.find(resolve(name));
+    if (item != null) {
+      return List.of(item);
+    }
+    List<FileItem> files = new ArrayList<>();
+    for (String extension : MODULE_EXTENSIONS) {
+      FileItem file = store.find(resolve(name + "." + extension));
+      if (file != null && !file.directory()) {
+        files.add(file);
+      }
+    }
+    if (files.isEmpty()) {
+      throw FileRefusedException.missing(resolve(name));
+    }
+    return files;
   }
 
   FileItem existingFile(String name) throws IOException {

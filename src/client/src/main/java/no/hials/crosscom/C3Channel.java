@@ -5,9 +5,11 @@ import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.internal.CancellableOperation;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.TypedResponse;
+import no.hials.crosscom.protocol.program.ProgramRequest.ProgramSelectRequest;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -78,9 +80,19 @@ final class C3Channel implements MessageChannel {
       throws CrossComException {
     TypedResponse response = exchange(request, answer, what).response();
     if (!response.tail().success()) {
-      throw new CrossComRefusedException(what, response.tail().code());
+      int code = response.tail().code();
+      throw new CrossComRefusedException(what, code, hint(request, code));
     }
     return answer.cast(response);
+  }
+
+  /** Explains the refusal of version 1.0 (docs/reference/c3-messages.md#program-control-10). */
+  private static String hint(Request request, int code) {
+    return request instanceof ProgramSelectRequest select
+            && select.parameters().isEmpty()
+            && code == ErrorCode.PROTOCOL.code()
+        ? "; C3 Bridge 1.0 needs parameters that are not empty"
+        : "";
   }
 
   /**

@@ -14,7 +14,19 @@ public final class CrossComRefusedException extends CrossComException {
   private final int code;
 
   CrossComRefusedException(String command, int code) {
-    super("the server refused the " + command + ": code " + code + describe(code), null, false);
+    this(command, code, "");
+  }
+
+  /**
+   * Creates the exception.
+   *
+   * @param hint a text after the message, can be empty
+   */
+  CrossComRefusedException(String command, int code, String hint) {
+    super(
+        "the server refused the " + command + ": code " + code + describe(code) + hint,
+        null,
+        false);
     this.command = command;
     this.code = code;
   }

@@ -427,6 +427,18 @@ class C3BridgeTest {
   }
 
   @Test
+  void aRefusalOfEmptyParametersByVersion10HasAHint() throws Exception {
+    restart(cfg -> cfg.version(new Version(1, 0, 0)));
+    String hint = "; C3 Bridge 1.0 needs parameters that are not empty";
+    assertThatExceptionOfType(CrossComRefusedException.class)
+        .isThrownBy(() -> client.programs().select("MAIN"))
+        .withMessageEndingWith("malformed)" + hint);
+    assertThatExceptionOfType(CrossComRefusedException.class)
+        .isThrownBy(() -> client.programs().run("MAIN", "1", false))
+        .withMessageNotContaining(hint);
+  }
+
+  @Test
   void aCommandWhoseConnectionBreaksIsNotRepeatedAndItsOutcomeUnknown() throws Exception {
     client.getServer();
     robot.enqueue(Fault.closeBefore());

@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * @param connection the number of the connection, from 1, in the order in which they were accepted
  * @param time the time when the server started to serve the request
  * @param request the message; null if the bytes are not a message or its function is not supported
- * @param hex the bytes in hex if there is no message, otherwise null; of more than 256 bytes the
+ * @param hex the bytes in hex if there is no message, otherwise null; of more than 64 bytes the
  *     rest is only counted
  * @param refusal the reason why the controller refused the access; null without a refusal, if the
  *     request did not reach the controller, and while a fault is chosen, which happens earlier

@@ -80,7 +80,7 @@ public final class MockServer implements AutoCloseable {
 
   private MockServer(MockServerConfig config) throws IOException {
     this.config = config;
-    requests = new RequestLog(config.recordedRequests());
+    requests = new RequestLog(config.recordedRequests(), config.recordedBytes());
     files = config.files().orElseGet(FileTree::inMemory);
     C3ProxyVariables bridge = new C3ProxyVariables(config, this::address);
     service = new RequestDispatcher(config, handlers(bridge), faults, requests);
@@ -258,7 +258,8 @@ public final class MockServer implements AutoCloseable {
 
   /**
    * Returns a copy of the last requests, answered or not, in the order in which they were served. A
-   * request is recorded before its answer is sent.
+   * request is recorded before its answer is sent. The oldest are discarded if they are too many or
+   * too large.
    */
   public List<RecordedRequest> requests() {
     return requests.all();
@@ -273,6 +274,14 @@ public final class MockServer implements AutoCloseable {
    */
   public Optional<RecordedRequest> takeRequest(Duration timeout) throws InterruptedException {
     return requests.take(timeout.toNanos());
+  }
+
+  /**
+   * Returns how many of the {@link #requestCount} were not kept, because they were more than {@link
+   * MockServerConfig#recordedRequests} or {@link MockServerConfig#recordedBytes}.
+   */
+  public long discardedRequestCount() {
+    return requests.discarded();
   }
 
   /** Returns the number of requests since the start, kept or not. */

@@ -180,6 +180,11 @@ public final class MockServerConfig {
     return options.recordedRequests;
   }
 
+  /** Returns the bytes that the kept requests may take. */
+  public long recordedBytes() {
+    return options.recordedBytes;
+  }
+
   /** Returns the time that the controller takes for a request. */
   public Latency latency() {
     return options.latency;
@@ -238,6 +243,7 @@ public final class MockServerConfig {
     private @Nullable Duration idleTimeout;
     private int maxAggregateLength = MAX_AGGREGATE;
     private int recordedRequests = 10_000;
+    private long recordedBytes = 16L << 20;
     private Latency latency = Latency.none();
     private boolean oneAtATime = true;
     private @Nullable PendingRequests pendingRequests;
@@ -438,6 +444,16 @@ public final class MockServerConfig {
     /** Sets the number of requests that are kept, 0 to 10,000,000. The default is 10,000. */
     public Builder recordedRequests(int value) {
       options.recordedRequests = range("recordedRequests", value, MAX_RECORDED);
+      return this;
+    }
+
+    /**
+     * Sets the bytes that the kept requests may take, about; the oldest are discarded first, and
+     * the last request is kept in any case. The default is 16 MiB.
+     */
+    public Builder recordedBytes(long value) {
+      check(value >= 0, "recordedBytes must be 0 or more", value);
+      options.recordedBytes = value;
       return this;
     }
 

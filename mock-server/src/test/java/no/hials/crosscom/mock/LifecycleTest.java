@@ -409,6 +409,36 @@ class LifecycleTest {
   }
 
   @Test
+  void keepsTheRequestsThatFitInto16MebibytesUnlessToldOtherwise() throws Exception {
+    String value = "x".repeat(60_000);
+    try (MockServer server = MockServer.start();
+        RawClient client = new RawClient(server)) {
+      for (int i = 0; i < 400; i++) {
+        client.write("NO", value);
+      }
+      long kept = server.requests().size();
+      assertThat(kept).isBetween(200L, (16L << 20) / 60_000);
+      assertThat(server.requests()).last().extracting(RecordedRequest::number).isEqualTo(400L);
+      assertThat(server.discardedRequestCount()).isEqualTo(400 - kept);
+      assertThat(server.takeRequest(Duration.ZERO).orElseThrow().number()).isEqualTo(401 - kept);
+    }
+  }
+
+  @Test
+  void keepsTheLastRequestHoweverLarge() throws Exception {
+    try (MockServer server = MockServer.start(cfg -> cfg.recordedBytes(0));
+        RawClient client = new RawClient(server)) {
+      client.write("MYINT", "1");
+      client.write("MYINT", "2");
+      assertThat(server.requests()).extracting(RecordedRequest::value).containsExactly("2");
+      server.clearRequests();
+      client.write("MYINT", "3");
+      assertThat(server.requests()).extracting(RecordedRequest::value).containsExactly("3");
+      assertThat(server.discardedRequestCount()).isEqualTo(1);
+    }
+  }
+
+  @Test
   void canRecordNothing() throws Exception {
     try (MockServer server = MockServer.start(cfg -> cfg.recordedRequests(0));
         RawClient client = new RawClient(server)) {

@@ -248,6 +248,7 @@ class MockServerConfigTest {
     assertRefused(cfg -> cfg.idleTimeout(Duration.ofDays(25)), "idleTimeout");
     assertRefused(cfg -> cfg.maxAggregateLength(-1), "maxAggregateLength");
     assertRefused(cfg -> cfg.recordedRequests(-1), "recordedRequests");
+    assertRefused(cfg -> cfg.recordedBytes(-1), "recordedBytes");
     assertRefused(cfg -> cfg.discoveryPort(-1), "discoveryPort must be 0 to 65535, is -1");
     assertRefused(cfg -> cfg.discoveryPort(65_536), "discoveryPort");
     assertRefused(cfg -> cfg.discoveryReplyPort(65_536), "discoveryReplyPort");

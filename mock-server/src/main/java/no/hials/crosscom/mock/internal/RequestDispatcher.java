@@ -129,7 +129,8 @@ public final class RequestDispatcher {
       fault = faults.next(recorded);
       result = answer(handler, decoded, fault.executes());
       served++;
-      requests.add(result.refused() == null ? recorded : refused(recorded, result.refused()));
+      requests.add(
+          result.refused() == null ? recorded : refused(recorded, result.refused()), frame.length);
       if (config.oneAtATime()) {
         Pause.ofNanos(result.nanos());
       }

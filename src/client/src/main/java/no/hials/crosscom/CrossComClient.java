@@ -377,12 +377,11 @@ public final class CrossComClient implements Closeable {
    * Reads a variable and describes the access in one line.
    *
    * @param name the variable's name
-   * @return {@code NAME #read time=Nms #value=VALUE}
-   * @throws CrossComAccessException if the controller refuses
+   * @return {@code NAME #read time=Nms #value=VALUE}; the value is empty if the controller refuses
    * @throws CrossComException if the exchange fails
    */
   public String simpleRead(String name) throws IOException {
-    return variables.read(name).describe(name);
+    return variables.readOrEmpty(name).describe(name);
   }
 
   /**
@@ -390,20 +389,19 @@ public final class CrossComClient implements Closeable {
    *
    * @param name the variable's name
    * @param val the value as KRL text
-   * @return {@code NAME #read time=Nms #value=VALUE}, with the value that the server echoed
-   * @throws CrossComAccessException if the controller refuses
+   * @return {@code NAME #read time=Nms #value=VALUE}, with the value that the server echoed; empty
+   *     if the controller refuses
    * @throws CrossComException if the exchange fails
    */
   public String simpleWrite(String name, String val) throws IOException {
-    return variables.write(name, val).describe(name);
+    return variables.writeOrEmpty(name, val).describe(name);
   }
 
   /**
    * Reads or writes a variable by name.
    *
    * @param request a read or a write
-   * @return the result
-   * @throws CrossComAccessException if the controller refuses
+   * @return the result; its value is empty if the controller refuses
    * @throws CrossComException if the exchange fails
    * @deprecated use {@link #readVariable} and {@link #writeVariable}, or {@link #readText} and
    *     {@link #writeText} if the type is not known
@@ -413,7 +411,7 @@ public final class CrossComClient implements Closeable {
     String name = request.getVariable();
     String value = request.getValue();
     return new Callback(
-        request, value == null ? variables.read(name) : variables.write(name, value));
+        request, value == null ? variables.readOrEmpty(name) : variables.writeOrEmpty(name, value));
   }
 
   /**

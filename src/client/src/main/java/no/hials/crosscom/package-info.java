@@ -4,7 +4,7 @@
  *
  * <p>One exchange is one request and its answer, under one lock, because the server serves one
  * request at a time. Every failure is a {@link no.hials.crosscom.CrossComException}; none becomes a
- * value.
+ * value, except in the original's {@code simpleRead}, {@code simpleWrite} and {@code sendRequest}.
  */
 @NullMarked
 package no.hials.crosscom;

@@ -8,5 +8,6 @@ module no.hials.crosscom {
   exports no.hials.crosscom.KRL;
   exports no.hials.crosscom.KRL.structs;
   exports no.hials.crosscom.c3;
+  exports no.hials.crosscom.networking;
   exports no.hials.crosscom.variables;
 }

@@ -7,13 +7,20 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Asks for a read or a write by name, for {@link CrossComClient#sendRequest}. It is a write if it
- * has a value, whatever its id.
+ * has a value, whatever its id. Programs may derive classes; {@link #getCmd} is not called to send
+ * a request.
  *
  * @deprecated use {@link CrossComClient#readVariable} and {@link CrossComClient#writeVariable}, or
  *     {@link CrossComClient#readText} and {@link CrossComClient#writeText} if the type is not known
  */
 @Deprecated
-public final class Request {
+public class Request {
+  /** The function of a read. */
+  public static final char READ = 0;
+
+  /** The function of a write. */
+  public static final char WRITE = 1;
+
   private final int id;
   private final String variable;
   private final @Nullable String value;
@@ -41,8 +48,8 @@ public final class Request {
     this.value = value;
   }
 
-  /** Returns the number of this request. */
-  public int getId() {
+  /** Returns the number of this request. Not public: a program's class may have such a method. */
+  int getId() {
     return id;
   }
 
@@ -52,7 +59,7 @@ public final class Request {
   }
 
   /** Returns the value to write as KRL text; null for a read. */
-  public @Nullable String getValue() {
+  @Nullable String getValue() {
     return value;
   }
 

@@ -59,7 +59,9 @@ public final class CheckBeforeMoving {
       System.out.println("not moved: " + objection.get());
       return;
     }
-    client.writeFields(new KRLE6Axis("JOV_AXIS").setA1(to), "A1");
+    KRLE6Axis target = new KRLE6Axis("JOV_AXIS");
+    target.setA1(to);
+    client.writeFields(target, "A1");
     await(client, "A1 at " + to, () -> Math.abs(client.readJointAngles()[0] - to) < ARRIVED);
     System.out.println("A1 is at " + client.readJointAngles()[0]);
   }

@@ -3,7 +3,6 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.Locale;
-import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.control.ControlLoop;
 import no.hials.crosscom.control.Law;
@@ -37,7 +36,7 @@ public final class ControlByPosition {
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
     try (Cell cell = Cell.of(args, "follow_pos.src", "JOV_POS")) {
-      KRLE6Pos position = KRLVariable.POS_ACT();
+      KRLE6Pos position = new KRLE6Pos("$POS_ACT");
       cell.client().readVariable(position);
       Frame start = frame(position);
       LoopConfig config =

@@ -59,7 +59,7 @@ public final class DigitalTwin {
       throws IOException, InterruptedException {
     RobotModel model = RobotModel.kr6r900sixx();
     KRLE6Axis axes = KRLVariable.AXIS_ACT();
-    KRLE6Pos position = KRLVariable.POS_ACT();
+    KRLE6Pos position = new KRLE6Pos("$POS_ACT");
     for (int i = 0; i < SAMPLES; i++) {
       pause.pause();
       for (VariableResult result : client.readVariables(axes, position)) {

@@ -58,8 +58,7 @@ public final class FollowAPath {
       for (int i = 1; i <= POINTS; i++) {
         double a1 = start[0] + SWING / 2 * (1 - Math.cos(2 * Math.PI * i / POINTS));
         KRLE6Axis point = new KRLE6Axis("JOV_PATH_AXIS[" + i + "]");
-        point.setA1(a1).setA2(start[1]).setA3(start[2]);
-        point.setA4(start[3]).setA5(start[4]).setA6(start[5]);
+        point.setA1ToA6(a1, start[1], start[2], start[3], start[4], start[5]);
         client.writeFields(point, "A1", "A2", "A3", "A4", "A5", "A6");
       }
       client.writeText("JOV_COUNT", String.valueOf(POINTS));

@@ -3,7 +3,6 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.mock.MockServer;
@@ -53,7 +52,7 @@ public final class MoveTheSimulatedRobot {
   }
 
   private static void print(Controller controller, CrossComClient client) throws IOException {
-    KRLE6Pos position = KRLVariable.POS_ACT();
+    KRLE6Pos position = new KRLE6Pos("$POS_ACT");
     client.readVariable(position);
     System.out.printf(
         "%5d ms: X %.1f mm, Z %.1f mm, %s%n",

@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.c3.TransferConfig;
@@ -106,7 +105,7 @@ public final class RunKrlProgram {
   }
 
   private static double height(CrossComClient client) throws IOException {
-    KRLE6Pos position = KRLVariable.POS_ACT();
+    KRLE6Pos position = new KRLE6Pos("$POS_ACT");
     client.readVariable(position);
     return position.getZ();
   }

@@ -3,7 +3,6 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import java.util.Locale;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
@@ -56,7 +55,7 @@ public final class SolveKinematics {
     try (MockServer robot = MockServer.start();
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       robot.controller().place(AXES);
-      KRLE6Pos position = KRLVariable.POS_ACT();
+      KRLE6Pos position = new KRLE6Pos("$POS_ACT");
       client.readVariable(position);
       System.out.println("$POS_ACT: " + text(position));
       System.out.println("S " + (int) position.getS() + ", T " + (int) position.getT());

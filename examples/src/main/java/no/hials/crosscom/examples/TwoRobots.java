@@ -69,7 +69,8 @@ public final class TwoRobots {
     CompletableFuture.allOf(lead, actual).get();
 
     KRLE6Axis target = new KRLE6Axis("JOV_AXIS");
-    follower.writeVariable(target.setA1ToA6(lead.get()));
+    target.setA1ToA6(lead.get());
+    follower.writeVariable(target);
     if (print) {
       System.out.printf(
           Locale.ROOT,

@@ -11,7 +11,6 @@ import java.util.List;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComRefusedException;
-import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.c3.TransferConfig;
@@ -65,7 +64,7 @@ class EndToEndTest {
   }
 
   private KRLE6Pos position() throws Exception {
-    KRLE6Pos position = KRLVariable.POS_ACT();
+    KRLE6Pos position = new KRLE6Pos("$POS_ACT");
     client.readVariable(position);
     return position;
   }

@@ -10,7 +10,6 @@ import java.time.Duration;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.KRLBool;
 import no.hials.crosscom.KRL.KRLInt;
-import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
@@ -92,7 +91,7 @@ class KrlProgramsTest {
   }
 
   private KRLE6Pos position() throws IOException {
-    KRLE6Pos position = KRLVariable.POS_ACT();
+    KRLE6Pos position = new KRLE6Pos("$POS_ACT");
     client.readVariable(position);
     return position;
   }
@@ -189,7 +188,9 @@ class KrlProgramsTest {
     run("play_path.src");
     for (int i = 1; i <= 50; i++) {
       KRLE6Axis point = new KRLE6Axis("JOV_PATH_AXIS[" + i + "]");
-      point.setA1(20 * Math.sin(i / 8.0)).setA2(-90).setA3(90 + i / 5.0);
+      point.setA1(20 * Math.sin(i / 8.0));
+      point.setA2(-90);
+      point.setA3(90 + i / 5.0);
       client.writeVariable(point);
     }
     writeInt("JOV_COUNT", 50);
@@ -216,7 +217,8 @@ class KrlProgramsTest {
       point.setZ(start.getZ() - 2 * (i - 1));
       point.setA(start.getA()).setB(start.getB()).setC(start.getC());
       // of the first point, the robot's position; LIN to the others ignores them
-      point.setS(start.getS()).setT(start.getT());
+      point.setS(start.getS());
+      point.setT(start.getT());
       client.writeVariable(point);
     }
     writeInt("JOV_COUNT", 50);

@@ -69,7 +69,7 @@ public final class Callback {
     return readTime;
   }
 
-  /** Returns the value as KRL text. */
+  /** Returns the value as KRL text; empty if the controller refused the access. */
   public String getStringValue() {
     return stringValue;
   }
@@ -78,9 +78,10 @@ public final class Callback {
    * Parses the value.
    *
    * @return a variable of the text's type
-   * @throws NumberFormatException if the text is of no supported type
+   * @throws NumberFormatException if the text is empty or of no supported type
    */
-  public Variable<?> getVariable() {
+  @SuppressWarnings("rawtypes") // as in the original, so that its programs compile
+  public Variable getVariable() {
     return Variable.parseVariable(this);
   }
 
@@ -94,7 +95,7 @@ public final class Callback {
         + option
         + ", readTime="
         + readTime / 1_000_000
-        + "ms , value="
+        + "ms, value="
         + stringValue
         + '}';
   }

@@ -267,15 +267,18 @@ class KRLRecordTest extends RobotTest {
   @Test
   void geometricTypesAreReadAndWritten() throws Exception {
     robot.variables().declare("MYPOSITIONS", "POSITIONS", null);
-    write(
-        "MYPOSITIONS",
-        Positions.class,
-        new Positions(
-            new KRLFrame("F").setXToZ(1, 2, 3),
-            new KRLPos("P").setX(4).setS(2).setT(34),
-            new KRLE6Pos("EP").setE6(5)));
+    KRLFrame frame = new KRLFrame("F");
+    frame.setXToZ(1, 2, 3);
+    KRLPos pos = new KRLPos("P").setX(4);
+    pos.setS(2);
+    pos.setT(34);
+    write("MYPOSITIONS", Positions.class, new Positions(frame, pos, new KRLE6Pos("EP").setE6(5)));
     robot.variables().declare("MYAXES", "AXES", null);
-    write("MYAXES", Axes.class, new Axes(new KRLAxis("A").setA1(6), new KRLE6Axis("EA").setE1(7)));
+    KRLAxis axis = new KRLAxis("A");
+    axis.setA1(6);
+    KRLE6Axis e6axis = new KRLE6Axis("EA");
+    e6axis.setE1(7);
+    write("MYAXES", Axes.class, new Axes(axis, e6axis));
 
     Positions positions = read("MYPOSITIONS", Positions.class);
     assertThat(positions.frame().asArrayXToZ()).containsExactly(1, 2, 3);

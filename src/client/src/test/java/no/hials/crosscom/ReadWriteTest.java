@@ -214,7 +214,9 @@ class ReadWriteTest extends RobotTest {
   @Test
   void aStructureIsWrittenWholeAndFieldsNeverSetAreZero() throws Exception {
     robot.variables().set("MYPOS", "{X 100.0,Z 300.0}");
-    client.writeVariable(new KRLE6Pos("MYPOS").setX(2).setS(6).setE6(1e-7));
+    KRLE6Pos pos = new KRLE6Pos("MYPOS").setX(2).setE6(1e-7);
+    pos.setS(6);
+    client.writeVariable(pos);
 
     assertThat(robot.variables().get("MYPOS"))
         .isEqualTo(
@@ -314,7 +316,7 @@ class ReadWriteTest extends RobotTest {
 
   @Test
   void posActIsAnE6Pos() throws Exception {
-    KRLE6Pos position = KRLVariable.POS_ACT();
+    KRLE6Pos position = new KRLE6Pos("$POS_ACT");
     client.readVariable(position);
 
     assertThat(position.asArrayXToZ()).containsExactly(525, 0, 890);
@@ -492,7 +494,10 @@ class ReadWriteTest extends RobotTest {
   void aFullE6PosOfAnyValuesFitsIntoOneWrite() throws Exception {
     KRLE6Pos pos = new KRLE6Pos("MYPOS");
     double worst = -1.17549435E-38;
-    pos.setXToZ(worst, worst, worst).setAToC(worst, worst, worst).setS(63).setT(4095);
+    pos.setXToZ(worst, worst, worst);
+    pos.setAToC(worst, worst, worst);
+    pos.setS(63);
+    pos.setT(4095);
     pos.setE1ToE6(worst, worst, worst, worst, worst, worst);
     client.writeVariable(pos);
 

@@ -395,8 +395,8 @@ abstract class FieldType {
       }
       KRLStruct struct = (KRLStruct) value;
       String[] all = struct.getNodes();
-      Map<String, ?> values = struct.getValue();
-      String[] there = Arrays.stream(all).filter(values::containsKey).toArray(String[]::new);
+      List<Object> present = Arrays.asList(struct.getValue().keySet().toArray());
+      String[] there = Arrays.stream(all).filter(present::contains).toArray(String[]::new);
       if (there.length == all.length) {
         out.append(struct.getStringValue());
       } else if (there.length == 0) {

@@ -1,9 +1,11 @@
 package no.hials.crosscom.KRL;
 
+import java.lang.reflect.Method;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
-import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.internal.BoxedFrame;
 import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
@@ -20,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Programs may derive classes. The client's own classes read numbers without creating objects.
  */
 public abstract class KRLVariable {
-  private static final AtomicInteger IDS = new AtomicInteger();
+  private static final AtomicInteger IDS = new AtomicInteger(1);
 
   private final int id;
   private final String name;
@@ -28,8 +30,10 @@ public abstract class KRLVariable {
   private long readTime = -1;
 
   /** Whether the class is part of the client, so its printing is not overridden. */
-  private final boolean builtIn =
-      getClass().getPackageName().startsWith(KRLVariable.class.getPackageName());
+  private final boolean builtIn = isBuiltIn(getClass());
+
+  /** Whether the class is a program's, with a method of its own that sets the value from text. */
+  private final boolean parsesItself = !builtIn && parsesItself(getClass());
 
   private @Nullable KrlText writeText;
 
@@ -44,7 +48,7 @@ public abstract class KRLVariable {
    *     $TORQUE_AXIS_ACT[3]}; the controller ignores case
    * @throws IllegalArgumentException if the name is blank or too long for a message
    */
-  protected KRLVariable(String name) {
+  public KRLVariable(String name) {
     Objects.requireNonNull(name, "name");
     if (name.isBlank()) {
       throw new IllegalArgumentException("a variable's name must not be blank");
@@ -57,7 +61,7 @@ public abstract class KRLVariable {
   /**
    * Returns a number that is unique in this program. It is not the id of the messages.
    *
-   * @return the number; later variables have larger numbers
+   * @return the number, from 1; later variables have larger numbers
    */
   public int getId() {
     return id;
@@ -120,6 +124,27 @@ public abstract class KRLVariable {
    */
   protected boolean appendValue(KrlText text) {
     return false;
+  }
+
+  /**
+   * Returns whether a program's class overrides {@link #setValueFromString}, which then must be
+   * called instead of a method of the client that sets the value in place.
+   */
+  private static boolean parsesItself(Class<?> type) {
+    for (Class<?> c = type; c != null && !isBuiltIn(c); c = c.getSuperclass()) {
+      List<String> names = Arrays.stream(c.getDeclaredMethods()).map(Method::getName).toList();
+      if (names.contains("setValueFrom")) {
+        return false;
+      }
+      if (names.contains("setValueFromString")) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static boolean isBuiltIn(Class<?> type) {
+    return type.getPackageName().startsWith(KRLVariable.class.getPackageName());
   }
 
   private CharSequence writeText() {
@@ -219,9 +244,15 @@ public abstract class KRLVariable {
     return new KRLE6Axis("$AXIS_ACT");
   }
 
-  /** Returns a new variable for the position of the tool {@code $POS_ACT}, in mm and degrees. */
-  public static KRLE6Pos POS_ACT() {
-    return new KRLE6Pos("$POS_ACT");
+  /**
+   * Returns a new variable for {@code $POS_ACT}, as the original does. Reading it fails, because
+   * {@code $POS_ACT} is an E6POS and no REAL.
+   *
+   * @deprecated use {@code new KRLE6Pos("$POS_ACT")}
+   */
+  @Deprecated
+  public static KRLReal POS_ACT() {
+    return new KRLReal("$POS_ACT");
   }
 
   /** Returns the value as shown by {@link #toString}. */
@@ -261,7 +292,7 @@ public abstract class KRLVariable {
 
     @Override
     public boolean scan(KRLVariable variable, KrlScanner scanner, boolean written) {
-      return variable.setValueFrom(scanner, written);
+      return !variable.parsesItself && variable.setValueFrom(scanner, written);
     }
 
     @Override

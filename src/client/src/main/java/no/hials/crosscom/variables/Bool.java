@@ -11,6 +11,6 @@ public class Bool extends Variable<Boolean> {
    * @param readTime the time of the access, in ns
    */
   public Bool(int id, String name, Boolean value, long readTime) {
-    super(id, name, "Bool", value, readTime);
+    super(id, name, "Boolean", value, readTime);
   }
 }

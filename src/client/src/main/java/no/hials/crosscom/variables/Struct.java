@@ -11,8 +11,9 @@ import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 
-/** Holds an aggregate. */
-public class Struct extends Variable<List<StructNode<?>>> {
+/** Holds an aggregate. Its nodes are of the raw type, as in the original. */
+@SuppressWarnings("rawtypes")
+public class Struct extends Variable<List<StructNode>> {
   /**
    * Creates a variable.
    *
@@ -21,7 +22,7 @@ public class Struct extends Variable<List<StructNode<?>>> {
    * @param value the fields
    * @param readTime the time of the access, in ns
    */
-  public Struct(int id, String name, List<StructNode<?>> value, long readTime) {
+  public Struct(int id, String name, List<StructNode> value, long readTime) {
     super(id, name, "Struct", value, readTime);
   }
 
@@ -33,15 +34,15 @@ public class Struct extends Variable<List<StructNode<?>>> {
    *     its {@code #}) or a text, a list of nodes for a nested aggregate
    * @throws IllegalArgumentException if the text is not an aggregate
    */
-  public static List<StructNode<?>> parseString(String value) {
+  public static List<StructNode> parseString(String value) {
     if (KrlValue.parse(value) instanceof KrlStruct struct) {
       return nodes(struct);
     }
     throw new IllegalArgumentException("expected an aggregate in braces, found: " + value);
   }
 
-  static List<StructNode<?>> nodes(KrlStruct struct) {
-    List<StructNode<?>> nodes = new ArrayList<>();
+  static List<StructNode> nodes(KrlStruct struct) {
+    List<StructNode> nodes = new ArrayList<>();
     for (KrlStruct.Field field : struct.fields()) {
       nodes.add(new StructNode<>(field.name(), toJava(field.value())));
     }

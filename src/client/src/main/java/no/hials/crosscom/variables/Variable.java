@@ -25,20 +25,24 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
   protected E value;
 
   /**
-   * Creates a variable.
+   * Creates a variable whose value is null until it is set.
    *
    * @param id the number of the request
    * @param name the variable's name
    * @param dataType the type's name, such as {@code Int}
-   * @param value the value
    * @param readTime the time of the access, in ns
    */
-  protected Variable(int id, String name, String dataType, E value, long readTime) {
+  @SuppressWarnings("NullAway") // the original's constructor, for classes of programs
+  public Variable(int id, String name, String dataType, long readTime) {
     this.id = id;
     this.name = name;
     this.dataType = dataType;
-    this.value = value;
     this.readTime = readTime;
+  }
+
+  Variable(int id, String name, String dataType, E value, long readTime) {
+    this(id, name, dataType, readTime);
+    this.value = value;
   }
 
   /** Returns the variable's name. */
@@ -106,11 +110,35 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
    * @deprecated use a typed variable of {@link no.hials.crosscom.KRL}, or {@link KrlValue#parse}
    */
   @Deprecated
-  public static Variable<?> parseVariable(Callback callback) throws NumberFormatException {
-    String text = callback.getStringValue();
-    String name = callback.getVariableName();
-    int id = callback.getId();
-    long time = callback.getReadTime();
+  @SuppressWarnings("rawtypes") // as in the original, so that its programs compile
+  public static Variable parseVariable(Callback callback) throws NumberFormatException {
+    return parse(
+        callback.getId(),
+        callback.getVariableName(),
+        callback.getStringValue(),
+        callback.getReadTime());
+  }
+
+  /**
+   * Parses the text of an answer, for programs of version 0.1.
+   *
+   * @param callback the answer
+   * @return an {@link Int}, {@link Real}, {@link Bool}, {@link Enum} or {@link Struct}
+   * @throws NumberFormatException if it is a text, an array or not a KRL value
+   * @deprecated use a typed variable of {@link no.hials.crosscom.KRL}, or {@link KrlValue#parse}
+   */
+  @Deprecated
+  @SuppressWarnings("rawtypes") // as in the original, so that its programs compile
+  public static Variable parseVariable(no.hials.crosscom.networking.Callback callback)
+      throws NumberFormatException {
+    return parse(
+        callback.getId(),
+        callback.getVariableName(),
+        callback.getStringValue(),
+        callback.getReadTime());
+  }
+
+  private static Variable<?> parse(int id, String name, String text, long time) {
     KrlValue value;
     try {
       value = KrlValue.parse(text.strip());

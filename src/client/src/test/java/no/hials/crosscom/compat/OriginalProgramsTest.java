@@ -73,7 +73,7 @@ class OriginalProgramsTest {
             line ->
                 assertThat(line)
                     .matches(
-                        "Callback\\{variable=\\$OV_JOG, id=0, option=0, readTime=\\d+ms ,"
+                        "Callback\\{variable=\\$OV_JOG, id=0, option=0, readTime=\\d+ms,"
                             + " value=10\\}"),
             line -> assertThat(line).contains("option=1").endsWith("value=100}"),
             line -> assertThat(line).isEqualTo("$OV_JOG 100 7"),

@@ -18,7 +18,7 @@ import no.hials.crosscom.variables.StructNode;
 import no.hials.crosscom.variables.Variable;
 
 /** Programs in the style of version 0.1 and of the samples, with the exceptions they caught. */
-@SuppressWarnings("deprecation")
+@SuppressWarnings({"deprecation", "rawtypes"})
 final class OriginalVersion01 {
   private CrossComClient client;
 
@@ -47,7 +47,7 @@ final class OriginalVersion01 {
     int jog = ((Int) variable).getValue();
     System.out.println("jog " + jog);
     Variable<?> base = client.sendRequest(new Request(8, "$BASE")).getVariable();
-    List<StructNode<?>> nodes = ((Struct) base).getValue();
+    List<StructNode> nodes = ((Struct) base).getValue();
     System.out.println(nodes.get(0).getName() + " is " + nodes.get(0).getValue());
   }
 

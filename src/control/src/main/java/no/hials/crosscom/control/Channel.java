@@ -27,7 +27,7 @@ final class Channel {
   private static final String PROGRAM = "$PRO_STATE1";
   private static final String RUNNING = "#P_ACTIVE";
 
-  final KRLE6Pos position = KRLVariable.POS_ACT();
+  final KRLE6Pos position = new KRLE6Pos("$POS_ACT");
   final KRLE6Axis axes = KRLVariable.AXIS_ACT();
   final KRLEnum mode = new KRLEnum(MODE);
   final KRLEnum program = new KRLEnum(PROGRAM);

@@ -75,7 +75,8 @@ public final class PathPlayer {
     for (Axes point : points) {
       guard.check(point, false);
       KRLAxis variable = new KRLAxis("JOV_PATH_AXIS[" + (variables.size() + 1) + "]");
-      variables.add(variable.setA1ToA6(point.toArray()));
+      variable.setA1ToA6(point.toArray());
+      variables.add(variable);
     }
     play(AXES, variables, limit);
   }
@@ -99,8 +100,11 @@ public final class PathPlayer {
     for (Frame point : points) {
       guard.check(point, false);
       KRLPos variable = new KRLPos("JOV_PATH_POS[" + (variables.size() + 1) + "]");
-      variable.setXToZ(point.x(), point.y(), point.z()).setAToC(point.a(), point.b(), point.c());
-      variables.add(variable.setS(channel.position.getS()).setT(channel.position.getT()));
+      variable.setXToZ(point.x(), point.y(), point.z());
+      variable.setAToC(point.a(), point.b(), point.c());
+      variable.setS(channel.position.getS());
+      variable.setT(channel.position.getT());
+      variables.add(variable);
     }
     play(POSITIONS, variables, limit);
   }

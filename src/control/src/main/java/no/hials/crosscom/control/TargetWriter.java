@@ -41,7 +41,9 @@ public final class TargetWriter {
    */
   public void writeAxes(String name, Axes axes) throws ControlRefusedException {
     Preflight.check(channel, safety, false).check(axes, false);
-    channel.write(new KRLAxis(name).setA1ToA6(axes.toArray()));
+    KRLAxis target = new KRLAxis(name);
+    target.setA1ToA6(axes.toArray());
+    channel.write(target);
   }
 
   /**
@@ -54,9 +56,9 @@ public final class TargetWriter {
    */
   public void writePosition(String name, Frame position) throws ControlRefusedException {
     Preflight.check(channel, safety, true).check(position, false);
-    channel.write(
-        new KRLFrame(name)
-            .setXToZ(position.x(), position.y(), position.z())
-            .setAToC(position.a(), position.b(), position.c()));
+    KRLFrame target = new KRLFrame(name);
+    target.setXToZ(position.x(), position.y(), position.z());
+    target.setAToC(position.a(), position.b(), position.c());
+    channel.write(target);
   }
 }

@@ -4,7 +4,7 @@ package no.hials.crosscom.KRL.structs;
  * Holds an AXIS: the positions of the robot axes A1 to A6, in degrees, or mm for a linear axis.
  *
  * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
- * answer. Setters return this structure.
+ * answer.
  */
 public class KRLAxis extends NumberStruct {
   /**
@@ -57,45 +57,38 @@ public class KRLAxis extends NumberStruct {
   }
 
   /** Sets axis A1, in degrees, or mm for a linear axis. */
-  public KRLAxis setA1(double d) {
+  public void setA1(double d) {
     set("A1", d);
-    return this;
   }
 
   /** Sets axis A2, in degrees, or mm for a linear axis. */
-  public KRLAxis setA2(double d) {
+  public void setA2(double d) {
     set("A2", d);
-    return this;
   }
 
   /** Sets axis A3, in degrees, or mm for a linear axis. */
-  public KRLAxis setA3(double d) {
+  public void setA3(double d) {
     set("A3", d);
-    return this;
   }
 
   /** Sets axis A4, in degrees, or mm for a linear axis. */
-  public KRLAxis setA4(double d) {
+  public void setA4(double d) {
     set("A4", d);
-    return this;
   }
 
   /** Sets axis A5, in degrees, or mm for a linear axis. */
-  public KRLAxis setA5(double d) {
+  public void setA5(double d) {
     set("A5", d);
-    return this;
   }
 
   /** Sets axis A6, in degrees, or mm for a linear axis. */
-  public KRLAxis setA6(double d) {
+  public void setA6(double d) {
     set("A6", d);
-    return this;
   }
 
   /** Sets A1 to A6 to exactly 6 values, in degrees, or mm for linear axes. */
-  public KRLAxis setA1ToA6(double... values) {
+  public void setA1ToA6(double... values) {
     set("A1", 6, values);
-    return this;
   }
 
   /** Returns A1 to A6 as a new array of 6, in degrees, or mm for linear axes. */

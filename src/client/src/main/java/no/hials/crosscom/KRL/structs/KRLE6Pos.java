@@ -5,7 +5,7 @@ package no.hials.crosscom.KRL.structs;
  * E1 to E6 before S and T; a controller prints S and T first.
  *
  * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
- * answer. Setters return this structure.
+ * answer. {@code setX} to {@code setC} and {@code setE1} to {@code setE6} return this structure.
  */
 public final class KRLE6Pos extends KRLPos {
   /**
@@ -84,9 +84,8 @@ public final class KRLE6Pos extends KRLPos {
   }
 
   /** Sets E1 to E6 to exactly 6 values, in degrees, or mm for linear axes. */
-  public KRLE6Pos setE1ToE6(double... values) {
+  public void setE1ToE6(double... values) {
     set("E1", 6, values);
-    return this;
   }
 
   /** Returns E1 to E6 as a new array of 6, in degrees, or mm for linear axes. */
@@ -127,30 +126,6 @@ public final class KRLE6Pos extends KRLPos {
   @Override
   public KRLE6Pos setC(double d) {
     super.setC(d);
-    return this;
-  }
-
-  @Override
-  public KRLE6Pos setS(double d) {
-    super.setS(d);
-    return this;
-  }
-
-  @Override
-  public KRLE6Pos setT(double d) {
-    super.setT(d);
-    return this;
-  }
-
-  @Override
-  public KRLE6Pos setXToZ(double... values) {
-    super.setXToZ(values);
-    return this;
-  }
-
-  @Override
-  public KRLE6Pos setAToC(double... values) {
-    super.setAToC(values);
     return this;
   }
 }

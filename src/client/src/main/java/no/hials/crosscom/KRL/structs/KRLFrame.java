@@ -5,7 +5,7 @@ package no.hials.crosscom.KRL.structs;
  * Rz(A) Ry(B) Rx(C)} (docs/reference/kinematics.md#orientation).
  *
  * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
- * answer. Setters return this structure.
+ * answer. {@code setX} to {@code setC} return this structure.
  */
 public class KRLFrame extends NumberStruct {
   /**
@@ -94,15 +94,13 @@ public class KRLFrame extends NumberStruct {
   }
 
   /** Sets X to Z to exactly 3 values, in mm. */
-  public KRLFrame setXToZ(double... values) {
+  public void setXToZ(double... values) {
     set("X", 3, values);
-    return this;
   }
 
   /** Sets A to C to exactly 3 values, in degrees. */
-  public KRLFrame setAToC(double... values) {
+  public void setAToC(double... values) {
     set("A", 3, values);
-    return this;
   }
 
   /** Returns X to Z as a new array of 3, in mm. */

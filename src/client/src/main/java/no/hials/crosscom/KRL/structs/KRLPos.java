@@ -4,7 +4,7 @@ package no.hials.crosscom.KRL.structs;
  * Holds a POS: a FRAME with Status and Turn, which distinguish the axis positions that reach it.
  *
  * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
- * answer. Setters return this structure.
+ * answer. {@code setX} to {@code setC} return this structure.
  */
 public class KRLPos extends KRLFrame {
   /**
@@ -44,15 +44,13 @@ public class KRLPos extends KRLFrame {
   }
 
   /** Sets the Status, a bit field, as a whole number. */
-  public KRLPos setS(double d) {
+  public void setS(double d) {
     set("S", d);
-    return this;
   }
 
   /** Sets the Turn, a bit field, as a whole number. */
-  public KRLPos setT(double d) {
+  public void setT(double d) {
     set("T", d);
-    return this;
   }
 
   @Override
@@ -88,18 +86,6 @@ public class KRLPos extends KRLFrame {
   @Override
   public KRLPos setC(double d) {
     super.setC(d);
-    return this;
-  }
-
-  @Override
-  public KRLPos setXToZ(double... values) {
-    super.setXToZ(values);
-    return this;
-  }
-
-  @Override
-  public KRLPos setAToC(double... values) {
-    super.setAToC(values);
     return this;
   }
 }

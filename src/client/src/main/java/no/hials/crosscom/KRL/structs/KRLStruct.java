@@ -23,7 +23,7 @@ public abstract class KRLStruct extends KRLVariable {
    * @param name the name on the controller
    * @param nodes the names of its fields
    */
-  protected KRLStruct(String name, String[] nodes) {
+  public KRLStruct(String name, String[] nodes) {
     super(name);
     this.nodes = nodes.clone();
   }
@@ -38,9 +38,14 @@ public abstract class KRLStruct extends KRLVariable {
     this(name, nodes.toArray(new String[0]));
   }
 
-  /** Returns the values of the fields in a modifiable map, in the order of the fields. */
+  /**
+   * Returns the values of the fields in a modifiable map, in the order of the fields.
+   *
+   * @return the map, whose keys are Strings
+   */
   @Override
-  public abstract HashMap<String, ?> getValue();
+  @SuppressWarnings("rawtypes") // as in the original, so that its programs compile
+  public abstract HashMap getValue();
 
   /**
    * Sets a field from text.
@@ -62,7 +67,7 @@ public abstract class KRLStruct extends KRLVariable {
 
   @Override
   public String getStringValue() {
-    Map<String, ?> values = getValue();
+    Map<?, ?> values = getValue();
     return getStringValueOf(
         Arrays.stream(nodes).filter(values::containsKey).toList().toArray(new String[0]));
   }
@@ -79,7 +84,7 @@ public abstract class KRLStruct extends KRLVariable {
     if (fields.length == 0) {
       throw new IllegalArgumentException(getName() + ": name at least one field");
     }
-    Map<String, ?> values = getValue();
+    Map<?, ?> values = getValue();
     List<KrlStruct.Field> parts = new ArrayList<>();
     for (String field : fields) {
       Object value = values.get(field);

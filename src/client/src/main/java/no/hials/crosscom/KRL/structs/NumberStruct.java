@@ -28,6 +28,9 @@ abstract class NumberStruct extends KRLStruct {
   /** Fields from the controller that are not fields of this structure; rarely any. */
   private Map<String, KrlValue> foreign = Map.of();
 
+  /** The fields as a map; a change of the map is a change of the structure. */
+  protected final HashMap<String, Double> struct = new FieldMap(this);
+
   NumberStruct(String name, String... nodes) {
     super(name, nodes);
     values = new double[nodes.length];
@@ -148,11 +151,18 @@ abstract class NumberStruct extends KRLStruct {
    * this structure, as when {@code $POS_ACT} is read into an E6AXIS. Fields that were missing in
    * the controller's last answer are absent.
    *
-   * @return a new map, the fields of this structure in the order of {@link #getNodes}, then the
-   *     others
+   * <p>The map is a view: it shows later changes of this structure, and {@code put} sets a field.
+   * Fields cannot be removed. A copy is {@code new HashMap<>(getValue())}.
+   *
+   * @return the fields of this structure in the order of {@link #getNodes}, then the others
    */
   @Override
   public HashMap<String, Double> getValue() {
+    return struct;
+  }
+
+  /** Returns a copy of {@link #getValue}. */
+  final LinkedHashMap<String, Double> copyOfFields() {
     LinkedHashMap<String, Double> map = new LinkedHashMap<>();
     String[] nodes = nodes();
     for (int i = 0; i < nodes.length; i++) {
@@ -187,10 +197,24 @@ abstract class NumberStruct extends KRLStruct {
       scanner.expectEnd();
       set(index, value);
     } else {
-      Map<String, KrlValue> more = new LinkedHashMap<>(foreign);
-      more.put(str.toUpperCase(Locale.ROOT), KrlValue.parse(obj));
-      foreign = more;
+      setForeign(str, KrlValue.parse(obj));
     }
+  }
+
+  /** Sets a field; a field that is not of this structure is kept but not written. */
+  final void put(String field, double value) {
+    int index = indexOf(field);
+    if (index >= 0) {
+      set(index, value);
+    } else {
+      setForeign(field, KrlReal.of(value));
+    }
+  }
+
+  private void setForeign(String field, KrlValue value) {
+    Map<String, KrlValue> more = new LinkedHashMap<>(foreign);
+    more.put(field.toUpperCase(Locale.ROOT), value);
+    foreign = more;
   }
 
   /**
@@ -317,7 +341,7 @@ abstract class NumberStruct extends KRLStruct {
   }
 
   @Override
-  protected final void setValueFromString(String strValue) {
+  protected void setValueFromString(String strValue) {
     setValueFrom(new KrlScanner(strValue), false);
   }
 }

@@ -15,6 +15,7 @@ import no.hials.crosscom.VariableResult;
 import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import org.jspecify.annotations.Nullable;
 
@@ -51,6 +52,23 @@ final class Channel {
       read(variable);
     } else {
       require(client.readVariables(List.of(variable, other)));
+    }
+  }
+
+  /** Reads two or three variables. */
+  void read(KRLVariable first, KRLVariable second, @Nullable KRLVariable third)
+      throws ControlRefusedException {
+    require(
+        client.readVariables(
+            third == null ? List.of(first, second) : List.of(first, second, third)));
+  }
+
+  /** Returns whether the server reads several variables in one message. */
+  boolean readsTogether() throws ControlRefusedException {
+    try {
+      return client.getServer().knows(MessageType.READ_MULTIPLE);
+    } catch (IOException e) {
+      throw failed(e);
     }
   }
 

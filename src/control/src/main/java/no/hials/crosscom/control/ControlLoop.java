@@ -63,7 +63,7 @@ public final class ControlLoop implements AutoCloseable {
   }
 
   /**
-   * Checks the controller and starts a loop. It blocks until the checks are done: about twelve
+   * Checks the controller and starts a loop. It blocks until the checks are done: about 15
    * accesses, and up to a second until the watchdog has seen the heartbeat. If the watchdog is on,
    * it first watches for a part of its time whether another client sends a heartbeat.
    *
@@ -96,6 +96,8 @@ public final class ControlLoop implements AutoCloseable {
     Heartbeat heartbeat = new Heartbeat(channel, time, safety.watchdog());
     heartbeat.observe();
     Guard guard = Preflight.check(channel, safety, space instanceof Space.Cartesian);
+    FeedbackAge age = new FeedbackAge(channel, time, safety);
+    age.start();
     heartbeat.checkAlone(config.takeover());
     if (heartbeat.start()) {
       LOG.warn(
@@ -103,7 +105,7 @@ public final class ControlLoop implements AutoCloseable {
               + " it stays on after this loop, and then stops the program");
     }
     ControlLoop loop =
-        new ControlLoop(new Runner<>(config, target, channel, space, guard, heartbeat, time));
+        new ControlLoop(new Runner<>(config, target, channel, space, guard, heartbeat, age, time));
     LOG.debug("started control of {} every {}", target.name(), config.period());
     loop.thread.start();
     return loop;

@@ -1,5 +1,7 @@
 package no.hials.crosscom.control;
 
+import java.util.ArrayList;
+import java.util.List;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.control.Space.Quantity;
 import no.hials.crosscom.control.StopReason.StopKind;
@@ -13,21 +15,20 @@ import org.jspecify.annotations.Nullable;
  */
 final class Runner<P> {
   /**
-   * The number of checks that take turns, one in a cycle: the mode, the program, the other
-   * feedback.
-   */
-  private static final int CHECKS = 3;
-
-  /** The further checks with a watchdog: its setting and the last beat that it saw. */
-  private static final int CHECKS_OF_WATCHDOG = 2;
-
-  /**
    * Increments below this, mm or degrees, are rounding errors: no robot resolves them, and their
    * text would be as long as 1.23457E-17.
    */
   private static final double NEGLIGIBLE = 1e-6;
 
   private static final double[] ZEROS = new double[6];
+
+  /** A check of a variable that is read in some cycles. */
+  private record Check(KRLVariable variable, Verdict verdict) {}
+
+  /** Checks the value that was read. */
+  private interface Verdict {
+    void check() throws ControlRefusedException;
+  }
 
   private final LoopConfig config;
   private final Safety safety;
@@ -36,6 +37,7 @@ final class Runner<P> {
   private final Space<P> space;
   private final Guard guard;
   private final Heartbeat heartbeat;
+  private final FeedbackAge age;
   private final LoopTime time;
   private final Meter meter;
   private final Trace trace;
@@ -45,7 +47,8 @@ final class Runner<P> {
   /** The time between checks. */
   private final long checkInterval;
 
-  private final int checks;
+  /** The checks that take turns, one in a cycle. */
+  private final List<Check> checks;
 
   private final double[] differences;
 
@@ -74,6 +77,7 @@ final class Runner<P> {
       Space<P> space,
       Guard guard,
       Heartbeat heartbeat,
+      FeedbackAge age,
       LoopTime time) {
     this.config = config;
     this.safety = config.safety();
@@ -82,14 +86,27 @@ final class Runner<P> {
     this.space = space;
     this.guard = guard;
     this.heartbeat = heartbeat;
+    this.age = age;
     this.time = time;
     this.period = config.period().toNanos();
-    this.checks = CHECKS + (heartbeat.isOn() ? CHECKS_OF_WATCHDOG : 0);
-    this.checkInterval = safety.checkInterval().toNanos() / checks;
+    this.checks = checks();
+    this.checkInterval = safety.checkInterval().toNanos() / checks.size();
     this.meter = new Meter(space.quantities);
     this.trace = new Trace(space.names, config.traceLength());
     this.feedback = new Feedback<>(space, safety, meter);
     this.differences = new double[space.quantities.size()];
+  }
+
+  private List<Check> checks() {
+    List<Check> all = new ArrayList<>();
+    all.add(new Check(channel.mode, () -> channel.checkMode(safety)));
+    all.add(new Check(channel.program, channel::checkProgram));
+    all.add(new Check(space.otherFeedback, () -> space.checkOther(guard)));
+    if (heartbeat.isOn()) {
+      all.add(new Check(heartbeat.limit, heartbeat::checkLimit));
+      all.add(new Check(heartbeat.seen, heartbeat::checkSeen));
+    }
+    return List.copyOf(all);
   }
 
   Meter meter() {
@@ -155,7 +172,7 @@ final class Runner<P> {
     meter.began(sinceLast, late);
     boolean beat = heartbeat.isDue();
     // in a slow loop a beat is due each time, which must not delay the checks forever
-    read(begin - nextCheck >= (beat ? checkInterval : 0), begin);
+    read(begin - nextCheck >= (beat ? checkInterval : 0), beat, begin);
     long readEnd = time.nanoTime();
     long readNanos = readEnd - begin;
     P actual = space.actual();
@@ -181,30 +198,30 @@ final class Runner<P> {
     return readNanos + writeNanos;
   }
 
-  private void read(boolean withCheck, long begin) throws ControlRefusedException {
-    if (!withCheck) {
-      channel.read(space.feedback);
-      checkReading(begin);
-      return;
+  private void read(boolean withCheck, boolean beat, long begin) throws ControlRefusedException {
+    Check now = null;
+    boolean withClock = age.isReadTogether();
+    if (age.isOverdue()) {
+      withClock = true;
+    } else if (withCheck) {
+      nextCheck = begin + checkInterval;
+      check = (check + 1) % checks.size();
+      now = checks.get(check);
+    } else if (!beat && age.isDue()) {
+      withClock = true; // an access of its own, in a cycle that needs no other
     }
-    nextCheck = begin + checkInterval;
-    check = (check + 1) % checks;
-    KRLVariable variable =
-        switch (check) {
-          case 0 -> channel.mode;
-          case 1 -> channel.program;
-          case 2 -> space.otherFeedback;
-          case 3 -> heartbeat.limit;
-          default -> heartbeat.seen;
-        };
-    channel.read(space.feedback, variable);
+    KRLVariable checked = now == null ? null : now.variable();
+    if (withClock) {
+      channel.read(space.feedback, age.clock, checked);
+    } else {
+      channel.read(space.feedback, checked);
+    }
     checkReading(begin);
-    switch (check) {
-      case 0 -> channel.checkMode(safety);
-      case 1 -> channel.checkProgram();
-      case 2 -> space.checkOther(guard);
-      case 3 -> heartbeat.checkLimit();
-      default -> heartbeat.checkSeen();
+    if (withClock) {
+      age.check(space.feedback.getName());
+    }
+    if (now != null) {
+      now.verdict().check();
     }
   }
 

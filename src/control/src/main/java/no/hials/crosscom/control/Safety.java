@@ -86,9 +86,17 @@ public final class Safety {
     return options.checkInterval;
   }
 
-  /** Returns the maximum time to read the position, and to read it and call the law. */
+  /**
+   * Returns the maximum time to read the position, and to read it and call the law, and the maximum
+   * age of the position by the clock of the controller.
+   */
   public Duration maxFeedbackAge() {
     return options.maxFeedbackAge;
+  }
+
+  /** Returns whether the age of the position is checked by the clock of the controller. */
+  public boolean clock() {
+    return options.clock;
   }
 
   /** Returns the maximum time that the robot may stand still when it was told to move. */
@@ -118,6 +126,7 @@ public final class Safety {
     private Set<OperatingMode> modes = Set.of(OperatingMode.T1);
     private Duration checkInterval = Duration.ofMillis(300);
     private Duration maxFeedbackAge = Duration.ofMillis(100);
+    private boolean clock = true;
     private Duration maxStall = Duration.ofMillis(500);
     private Duration maxInputAge = Duration.ofMillis(200);
     private Duration watchdog = Duration.ofMillis(500);
@@ -252,11 +261,24 @@ public final class Safety {
 
     /**
      * Sets the maximum time to read the position, and to read it and call the law, 1 ms to 10 s.
-     * The default is 100 ms.
+     * The default is 100 ms. A position may also be at most this time and 12 ms old by the clock of
+     * the controller, {@code $ROB_TIMER}. C3 Bridge reads the clock with each position in one
+     * message; KUKAVARPROXY takes an access of its own, so the clock is read once in a {@link
+     * #checkInterval}.
      */
     public Builder maxFeedbackAge(Duration time) {
       options.maxFeedbackAge =
           Checks.between("maximum age of the feedback", time, SHORTEST, LONGEST);
+      return this;
+    }
+
+    /**
+     * Does not check the age of the position by the clock of the controller, for a controller
+     * without {@code $ROB_TIMER} or a simulation that is slower than real time. Then a server that
+     * answers with old positions is not noticed until the tracking error is too large.
+     */
+    public Builder noClock() {
+      options.clock = false;
       return this;
     }
 

@@ -27,7 +27,7 @@ public record StopReason(StopKind kind, String message, @Nullable Throwable caus
     WORKSPACE,
     /** The robot is too far from its target. */
     TRACKING_ERROR,
-    /** The position of the robot was too old when it was read. */
+    /** The position of the robot was too old when it was read, or its age is not known. */
     STALE_FEEDBACK,
     /** The robot was told to move, and its position does not change. */
     STALLED_FEEDBACK,

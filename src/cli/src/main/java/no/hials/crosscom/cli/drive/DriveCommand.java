@@ -161,6 +161,14 @@ public final class DriveCommand extends ControllerCommand {
   private boolean noWatchdog;
 
   @Option(
+      names = "--no-clock",
+      order = 5,
+      description =
+          "Do not check the age of positions by the clock of the controller, $ROB_TIMER. Then old"
+              + " answers of the server are noticed late.")
+  private boolean noClock;
+
+  @Option(
       names = "--takeover",
       order = 5,
       description =
@@ -303,6 +311,9 @@ public final class DriveCommand extends ControllerCommand {
           }
           if (noWatchdog) {
             cfg.noWatchdog();
+          }
+          if (noClock) {
+            cfg.noClock();
           }
         });
   }

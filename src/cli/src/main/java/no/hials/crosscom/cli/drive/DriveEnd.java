@@ -71,6 +71,10 @@ final class DriveEnd {
                 + " variables of krl/config.dat, and krl/jov_sps.sub in the submit interpreter");
         hints.add("without it, --no-watchdog drives at your own risk");
       }
+      case STALE_FEEDBACK ->
+          hints.add(
+              "--max-delay allows older positions; --no-clock does not compare them with the clock of"
+                  + " the controller");
       case OTHER_DRIVER ->
           hints.add(
               "two drivers would move one robot: end the other one; --takeover stops it, if it is a"

@@ -8,6 +8,7 @@ import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.file.FileRequest;
 import no.hials.crosscom.protocol.program.ProgramRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest.ProgramSelectRequest;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.server.ServerResponse.FeaturesResponse;
 import no.hials.crosscom.protocol.server.ServerResponse.InformationResponse;
@@ -48,6 +49,13 @@ public final class C3Handler implements RequestHandler {
   @Override
   public boolean knows(MessageType type) {
     return bridge.has(type);
+  }
+
+  @Override
+  public void prepare(Request request) {
+    if (request instanceof ProgramSelectRequest select) {
+      control.load(select.name());
+    }
   }
 
   @Override

@@ -82,6 +82,16 @@ public final class C3ProgramHandler {
     Controller unused = controller.get();
   }
 
+  /** Loads and compiles a program before the turn of its selection, which reports the errors. */
+  void load(String name) {
+    try {
+      Controller machine = controller.get();
+      machine.check(machine.loadFromFiles(name));
+    } catch (KrlFileException | IllegalStateException e) {
+      log.debug("{} cannot be loaded: {}", name, e.getMessage());
+    }
+  }
+
   /** An operation that the controller can refuse. */
   private interface Work {
     ErrorCode run() throws KrlFileException, KrlExecutionException;

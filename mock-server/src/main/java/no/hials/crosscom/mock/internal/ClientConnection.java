@@ -64,6 +64,10 @@ final class ClientConnection {
       // for example from a user's predicate: the client must not wait for an answer
       log.warn("connection {}: serving a request failed", number, e);
       reason = "serving a request failed";
+    } catch (Error e) {
+      // such as too little memory for one request: the other connections are still served
+      log.error("connection {}: serving a request failed", number, e);
+      reason = "serving a request failed";
     } finally {
       abort();
       log.debug("connection {} closed: {}", number, reason);

@@ -159,7 +159,14 @@ public final class ConnectionAcceptor {
       accepted++;
       ClientConnection connection = new ClientConnection(config, service, client, accepted);
       connections.add(connection);
-      threads.start("client-" + accepted, () -> serve(connection));
+      try {
+        threads.start("client-" + accepted, () -> serve(connection));
+      } catch (OutOfMemoryError e) {
+        // the system has no thread left; those that are connected are still served
+        log.error("no thread for connection {}", accepted, e);
+        connections.remove(connection);
+        connection.abort();
+      }
     }
   }
 

@@ -114,6 +114,9 @@ public final class RequestDispatcher {
       log.trace("connection {} < {}", connection, hex(frame));
     }
     Decoded decoded = decode(handler, connection, frame);
+    if (decoded instanceof Message message) {
+      handler.prepare(message.request());
+    }
     if (config.pendingRequests() != PendingRequests.DROP) {
       turn.lock();
     } else if (!turn.tryLock()) {

@@ -8,7 +8,8 @@ import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Executes the requests of a connection as one of the servers does. Called by one thread at a time.
+ * Executes the requests of a connection as one of the servers does. Called by one thread at a time,
+ * except for {@link #prepare}.
  */
 public interface RequestHandler extends AutoCloseable {
 
@@ -22,6 +23,12 @@ public interface RequestHandler extends AutoCloseable {
 
   /** Returns whether the server knows a type. */
   boolean knows(MessageType type);
+
+  /**
+   * Does the work of a request that takes long and needs no turn, such as loading programs. Called
+   * before {@link #handle}, while other connections are served.
+   */
+  default void prepare(Request request) {}
 
   /** Executes a request of a type that the server knows. */
   Outcome handle(Request request);

@@ -10,11 +10,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.simulator.internal.files.ControllerFileSystem;
 import no.hials.crosscom.simulator.internal.files.FileItem;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -31,17 +35,20 @@ import org.slf4j.LoggerFactory;
 final class FileTreePrograms {
   private static final Logger log = LoggerFactory.getLogger(FileTreePrograms.class);
 
-  /**
-   * The largest file that is loaded, so that a file that is not a program cannot fill the memory;
-   * assumed.
-   */
-  private static final int MAX_LENGTH = 4 << 20;
-
   private final ControllerFileSystem files;
   private final ModuleLoader loader;
 
   /** The loaded modules, by the name of their file in capital letters without the extension. */
   private final Map<String, Module> loaded = new HashMap<>();
+
+  /** Held while files are parsed, without the lock of this object. */
+  private final Object parsing = new Object();
+
+  /** The files that were parsed and not loaded yet, by their contents; guarded by this. */
+  private final Map<Text, ParseResult> parsed = new HashMap<>();
+
+  /** A file and its text. */
+  private record Text(String file, String text) {}
 
   FileTreePrograms(FileTree files, ModuleLoader loader) {
     this.files = ControllerFileSystem.of(files);
@@ -72,6 +79,9 @@ final class FileTreePrograms {
     /** The name of the module, which can differ from that of its file. */
     private String name = "";
 
+    /** The reason why a file cannot be read; null if all can. */
+    private @Nullable KrlError unreadable;
+
     /** Whether it has a program, or had one that was deleted since. */
     private boolean hadProgram;
 
@@ -79,8 +89,26 @@ final class FileTreePrograms {
       return parts.keySet().stream().anyMatch(end -> !end.equals("dat"));
     }
 
+    /** Returns the files that are small enough, the data list first. */
+    List<Text> texts() {
+      List<Text> texts = new ArrayList<>();
+      parts.forEach(
+          (end, content) -> {
+            if (content.length <= ModuleLoader.MAX_LENGTH) {
+              texts.add(text(end, content));
+            }
+          });
+      return texts;
+    }
+
+    Text text(String end, byte[] content) {
+      return new Text(
+          String.valueOf(names.get(end)), new String(content, StandardCharsets.ISO_8859_1));
+    }
+
     boolean isSame(Module other) {
-      return parts.keySet().equals(other.parts.keySet())
+      return Objects.equals(unreadable, other.unreadable)
+          && parts.keySet().equals(other.parts.keySet())
           && parts.keySet().stream()
               .allMatch(end -> Arrays.equals(parts.get(end), other.parts.get(end)));
     }
@@ -95,7 +123,51 @@ final class FileTreePrograms {
    *     and extension
    * @throws KrlFileException if its files have errors or have been deleted
    */
-  synchronized String prepare(String name) throws KrlFileException {
+  String prepare(String name) throws KrlFileException {
+    synchronized (parsing) {
+      parseAll();
+    }
+    return prepareParsed(name);
+  }
+
+  /** Parses new and changed files, which takes long. */
+  private void parseAll() {
+    Map<String, Module> found;
+    Map<String, Module> known;
+    try {
+      found = modules();
+    } catch (IOException e) {
+      return; // reported when they are loaded
+    }
+    synchronized (this) {
+      known = Map.copyOf(loaded);
+    }
+    Map<Text, ParseResult> results = new HashMap<>();
+    found.forEach(
+        (key, module) -> {
+          Module old = known.get(key);
+          if (old == null || !old.isSame(module)) {
+            module.texts().forEach(text -> results.put(text, parse(text)));
+          }
+        });
+    synchronized (this) {
+      parsed.clear();
+      parsed.putAll(results);
+    }
+  }
+
+  /** Parses a file; a failure of the parser is an error of the file. */
+  private static ParseResult parse(Text text) {
+    try {
+      return KrlParser.parse(text.file, text.text);
+    } catch (RuntimeException | VirtualMachineError e) {
+      log.warn("{} cannot be parsed", text.file, e);
+      return new ParseResult(
+          Optional.empty(), error(text.file, "the file cannot be parsed: " + e).errors());
+    }
+  }
+
+  private synchronized String prepareParsed(String name) throws KrlFileException {
     String key = key(name);
     Map<String, Module> found;
     try {
@@ -112,6 +184,7 @@ final class FileTreePrograms {
         loaded.put(entry.getKey(), entry.getValue());
       }
     }
+    parsed.clear();
     Module module = loaded.get(key);
     if (module == null) {
       return key;
@@ -181,8 +254,14 @@ final class FileTreePrograms {
       Module module = modules.computeIfAbsent(key(item.path().name()), key -> new Module());
       String end = end(item);
       if (!module.parts.containsKey(end)) {
-        module.parts.put(end, files.read(item.path().fullName()));
         module.names.put(end, item.path().name());
+        try {
+          module.parts.put(end, files.read(item.path().fullName()));
+        } catch (IOException e) {
+          // the other modules can be loaded
+          String reason = "the file cannot be read: " + e.getMessage();
+          module.unreadable = error(item.path().name(), reason).errors().get(0);
+        }
       }
     }
     return modules;
@@ -201,24 +280,39 @@ final class FileTreePrograms {
     module.name = key;
     List<KrlError> errors = new ArrayList<>();
     boolean program = module.hasProgram();
+    if (module.unreadable != null) {
+      errors.add(module.unreadable);
+    }
     module.parts.forEach(
         (end, content) -> {
-          String file = String.valueOf(module.names.get(end));
-          if (content.length > MAX_LENGTH) {
-            errors.addAll(
-                error(file, "a file of KRL has at most " + MAX_LENGTH + " bytes").errors());
-            return;
-          }
-          String text = new String(content, StandardCharsets.ISO_8859_1);
+          Text text = module.text(end, content);
           try {
-            module.name = loader.take(file, text);
-          } catch (KrlFileException e) {
+            ModuleLoader.checkLength(text.file, content.length);
+            ParseResult result = parsed.get(text);
+            if (result == null) {
+              result = parse(text);
+            }
             // a new list applies to the module of a loaded program, with errors until the new
             // program is loaded too
             boolean followed = program && end.equals("dat");
-            errors.addAll(followed ? KrlParser.parse(file, text).errors() : e.errors());
+            errors.addAll(load(module, text, result, followed));
+          } catch (KrlFileException e) {
+            errors.addAll(e.errors());
           }
         });
     module.errors = List.copyOf(errors);
+  }
+
+  /** Loads a file; returns the errors. A failure of the loader is an error of the file. */
+  private List<KrlError> load(Module module, Text text, ParseResult result, boolean followed) {
+    try {
+      module.name = loader.take(text.file, result);
+      return List.of();
+    } catch (KrlFileException e) {
+      return followed ? result.errors() : e.errors();
+    } catch (RuntimeException | VirtualMachineError e) {
+      log.warn("{} cannot be loaded", text.file, e);
+      return error(text.file, "the file cannot be loaded: " + e).errors();
+    }
   }
 }

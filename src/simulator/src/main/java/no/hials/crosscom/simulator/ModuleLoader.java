@@ -16,12 +16,19 @@ import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
+import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.simulator.internal.core.ControllerCore;
 import org.jspecify.annotations.Nullable;
 
 /** Loads data lists and programs into the controller. Thread-safe. */
 final class ModuleLoader {
+  /**
+   * The largest file that is loaded, so that a file that is not a program cannot fill the memory;
+   * assumed.
+   */
+  static final int MAX_LENGTH = 4 << 20;
+
   /** Called after a file was loaded, without a lock of the controller. */
   @FunctionalInterface
   interface LoadListener {
@@ -52,18 +59,35 @@ final class ModuleLoader {
       return load(name, text);
     }
     String listText = text(beside);
-    ParseResult data = KrlParser.parse(String.valueOf(beside.getFileName()), listText);
-    KrlFile module = take(name, KrlParser.parse(name, text), data);
+    ParseResult data = parse(String.valueOf(beside.getFileName()), listText);
+    KrlFile module = take(name, parse(name, text), data);
     listener.loaded(module.name(), "dat", listText);
     tell(module, name, text);
     return module.name();
   }
 
-  private static String text(Path file) throws IOException {
+  private static String text(Path file) throws IOException, KrlFileException {
     if (!Files.exists(file)) {
       throw new NoSuchFileException(file.toString(), null, "there is no such file");
     }
+    checkLength(String.valueOf(file.getFileName()), Files.size(file));
     return Files.readString(file, StandardCharsets.ISO_8859_1);
+  }
+
+  /** Checks the length of a file before it is parsed, because trees are much larger than texts. */
+  static void checkLength(String fileName, long bytes) throws KrlFileException {
+    if (bytes > MAX_LENGTH) {
+      throw new KrlFileException(
+          List.of(
+              new KrlError(
+                  new Position(fileName, 1, 1),
+                  "a file of KRL has at most " + MAX_LENGTH + " bytes, has " + bytes)));
+    }
+  }
+
+  private static ParseResult parse(String fileName, String text) throws KrlFileException {
+    checkLength(fileName, text.length());
+    return KrlParser.parse(fileName, text);
   }
 
   /** Finds the data list of a source file; another case counts only if no other file matches. */
@@ -93,14 +117,14 @@ final class ModuleLoader {
   }
 
   String load(String fileName, String text) throws KrlFileException {
-    KrlFile file = take(fileName, KrlParser.parse(fileName, text), null);
+    KrlFile file = take(fileName, parse(fileName, text), null);
     tell(file, fileName, text);
     return file.name();
   }
 
-  /** Loads a file as {@link #load(String, String)} does, without calling the listener. */
-  String take(String fileName, String text) throws KrlFileException {
-    return take(fileName, KrlParser.parse(fileName, text), null).name();
+  /** Loads a parsed file as {@link #load(String, String)} does, without calling the listener. */
+  String take(String fileName, ParseResult parsed) throws KrlFileException {
+    return take(fileName, parsed, null).name();
   }
 
   private void tell(KrlFile file, String fileName, String text) {

@@ -65,7 +65,7 @@ public final class ControllerCore {
   private volatile boolean closed;
 
   /** An error in the simulation itself; nothing moves after it. */
-  private @Nullable RuntimeException failure;
+  private @Nullable Throwable failure;
 
   /**
    * Creates a controller whose robot is at {@code $AXIS_ACT}.
@@ -369,7 +369,7 @@ public final class ControllerCore {
       motions.cycle(time, speed.override(), released(), speed.limit());
       manual.cycle();
       publish();
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | VirtualMachineError e) {
       fail(e);
       throw e;
     } finally {
@@ -378,7 +378,7 @@ public final class ControllerCore {
   }
 
   /** Reports an error in the simulation once; no program can be started after it. */
-  private void fail(RuntimeException error) {
+  private void fail(Throwable error) {
     if (failure == null) {
       failure = error;
       submit.stop();

@@ -19,6 +19,9 @@ public final class Pacemaker implements AutoCloseable {
   private final Thread thread;
   private volatile boolean closed;
 
+  /** Whether a failed cycle has been logged; only the thread uses it. */
+  private boolean failed;
+
   /**
    * Starts the thread.
    *
@@ -39,7 +42,7 @@ public final class Pacemaker implements AutoCloseable {
     try {
       while (!closed) {
         if (unlimited && core.busy()) {
-          core.cycle();
+          cycle();
           due = System.nanoTime() + period;
           continue;
         }
@@ -47,13 +50,25 @@ public final class Pacemaker implements AutoCloseable {
         if (ahead > 0) {
           LockSupport.parkNanos((long) ahead);
         } else {
-          core.cycle();
+          cycle();
           due = Math.max(due, System.nanoTime() - MAX_LAG_CYCLES * period) + period;
         }
       }
     } catch (RuntimeException e) {
       // an error in the simulation itself, which the core has shown as a message
       log.error("the simulated controller has stopped", e);
+    }
+  }
+
+  private void cycle() {
+    try {
+      core.cycle();
+    } catch (VirtualMachineError e) {
+      // such as too little memory, perhaps because of another thread: the core has stopped the robot
+      if (!failed) {
+        failed = true;
+        log.error("a cycle of the simulated controller failed", e);
+      }
     }
   }
 

@@ -56,7 +56,7 @@ final class Linker {
         (key, found) -> {
           KrlModule module = modules.get(key);
           if (module != null) {
-            linked.put(key, compile(key, module, found));
+            linked.put(key, compiled(key, module, found));
           }
         });
     return linked;
@@ -96,6 +96,17 @@ final class Linker {
     }
     return new CompiledRoutine(
         module.name(), routine.name(), routine.returnType() != null, parameters);
+  }
+
+  /** Compiles a module; a failure of the compiler is an error of this module alone. */
+  private Linked compiled(String key, KrlModule module, List<KrlError> errors) {
+    try {
+      return compile(key, module, errors);
+    } catch (RuntimeException | VirtualMachineError e) {
+      Position position = module.source().position();
+      errors.add(new KrlError(position, "the module cannot be compiled: " + e));
+      return new Linked(head(module, module.source().routines().get(0)), List.copyOf(errors), Set.of());
+    }
   }
 
   private Linked compile(String key, KrlModule module, List<KrlError> errors) {

@@ -64,7 +64,8 @@ public final class Pacemaker implements AutoCloseable {
     try {
       core.cycle();
     } catch (VirtualMachineError e) {
-      // such as too little memory, perhaps because of another thread: the core has stopped the robot
+      // such as too little memory, perhaps because of another thread: the core has stopped the
+      // robot
       if (!failed) {
         failed = true;
         log.error("a cycle of the simulated controller failed", e);

@@ -37,6 +37,11 @@ final class ArrayStorage extends Storage {
   }
 
   @Override
+  long bytes() {
+    return elements.length * elements[0].bytes();
+  }
+
+  @Override
   public boolean initialised() {
     for (Storage element : elements) {
       if (element.initialised()) {

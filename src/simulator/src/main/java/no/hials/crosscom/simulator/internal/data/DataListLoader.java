@@ -207,6 +207,7 @@ public final class DataListLoader {
       throws KrlErrorException {
     Expression initial = source.initial();
     Storage contents = DeclaredType.of(module, group.type(), source).uninitialised();
+    target.checkRoom(source.name(), contents, source.position());
     if (initial != null) {
       contents =
           contents instanceof ArrayStorage

@@ -77,6 +77,7 @@ public final class Declarations {
       Scope scope, String type, Declaration.Declarator declarator, Access access)
       throws KrlErrorException {
     Storage contents = DeclaredType.of(scope, type, declarator).uninitialised();
+    scope.checkRoom(declarator.name(), contents, declarator.position());
     scope.put(VariableEntry.variable(declarator.name(), access, contents));
   }
 
@@ -134,6 +135,7 @@ public final class Declarations {
         throw new KrlErrorException(NOWHERE, "expected one variable, found '" + declaration + "'");
       }
       Storage contents = DeclaredType.of(scope, variables.type(), variable).uninitialised();
+      scope.checkRoom(variable.name(), contents, NOWHERE);
       scope.put(
           VariableEntry.variable(
               variable.name(), access, value == null ? contents : contents.assign(value)));

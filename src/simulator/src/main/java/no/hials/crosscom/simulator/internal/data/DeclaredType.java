@@ -46,7 +46,25 @@ record DeclaredType(Type element, List<Integer> dimensions) {
               MAX_ELEMENTS,
               elements));
     }
-    return new DeclaredType(element, lengths);
+    DeclaredType declared = new DeclaredType(element, lengths);
+    if (declared.bytes() > Scope.MAX_BYTES) {
+      throw new KrlErrorException(
+          declarator.position(), Scope.tooLarge(declarator.name(), declared.bytes()));
+    }
+    return declared;
+  }
+
+  /** Returns the bytes that a variable of this type takes at most, about. */
+  long bytes() {
+    // at most 1,000,000 elements of at most MAX_BYTES each
+    long elements = 1;
+    for (int length : dimensions) {
+      elements *= length;
+    }
+    if (element != Type.Base.CHAR || dimensions.isEmpty()) {
+      return elements * element.bytes();
+    }
+    return elements + elements / dimensions.get(dimensions.size() - 1) * Type.SCALAR_BYTES;
   }
 
   private static List<Integer> lengths(Scope scope, Type element, Declaration.Declarator declarator)

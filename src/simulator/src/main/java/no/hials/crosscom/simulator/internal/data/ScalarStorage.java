@@ -22,6 +22,11 @@ final class ScalarStorage extends Storage {
   }
 
   @Override
+  long bytes() {
+    return Type.SCALAR_BYTES;
+  }
+
+  @Override
   public boolean initialised() {
     return value != null;
   }

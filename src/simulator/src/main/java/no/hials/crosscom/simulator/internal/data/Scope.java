@@ -12,6 +12,7 @@ import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import no.hials.crosscom.lang.Access;
+import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
@@ -24,6 +25,12 @@ import org.jspecify.annotations.Nullable;
  * <p>Thread-safe; every access is atomic.
  */
 public final class Scope {
+  /**
+   * The bytes that all variables of a controller can take, about, so that data lists and programs
+   * of a client cannot fill the memory; assumed.
+   */
+  static final long MAX_BYTES = 128L << 20;
+
   private static final String OUTPUTS = "$OUT";
 
   /** The writers of a variable, which differ in what they may write. */
@@ -56,6 +63,14 @@ public final class Scope {
   /** The outputs that system signals are wired to; null if unknown. */
   private @Nullable BitSet systemOutputs;
 
+  /** The bytes of the variables of this scope. */
+  private long bytes;
+
+  /** The bytes of the scopes in this one that are kept: modules, and routines. */
+  private long moduleBytes;
+
+  private long routineBytes;
+
   /** Creates an outermost scope, which contains only the base types. */
   public Scope() {
     parent = null;
@@ -86,6 +101,47 @@ public final class Scope {
       guards.putAll(otherGuards);
       otherVariables.forEach((name, variable) -> variables.put(name, variable.bound(null)));
       systemOutputs = null;
+      bytes = variables.values().stream().mapToLong(VariableEntry::bytes).sum();
+    }
+  }
+
+  // memory
+
+  /** Returns the bytes of the variables of this scope. */
+  public synchronized long bytes() {
+    return bytes;
+  }
+
+  /** Sets the bytes of the modules in this scope. */
+  public synchronized void moduleBytes(long sum) {
+    moduleBytes = sum;
+  }
+
+  /** Sets the bytes of the routines in this scope. */
+  public synchronized void routineBytes(long sum) {
+    routineBytes = sum;
+  }
+
+  private synchronized long used() {
+    return bytes + moduleBytes + routineBytes + (parent == null ? 0 : parent.used());
+  }
+
+  static String tooLarge(String what, long bytes) {
+    return "all variables together have at most "
+        + MAX_BYTES
+        + " bytes of memory, "
+        + what
+        + " needs "
+        + bytes;
+  }
+
+  /** Checks that there is room for a variable, which can replace one of the same name. */
+  synchronized void checkRoom(String name, Storage contents, Position position)
+      throws KrlErrorException {
+    VariableEntry old = variables.get(key(name));
+    long more = contents.bytes() - (old == null ? 0 : old.bytes());
+    if (more > 0 && used() + more > MAX_BYTES) {
+      throw new KrlErrorException(position, tooLarge(name, contents.bytes()));
     }
   }
 
@@ -149,14 +205,17 @@ public final class Scope {
 
   /** Declares a variable. Replaces a variable of the same name in this scope. */
   synchronized void put(VariableEntry variable) {
-    variables.put(key(variable.name()), variable);
+    VariableEntry old = variables.put(key(variable.name()), variable);
+    bytes += variable.bytes() - (old == null ? 0 : old.bytes());
     systemOutputs = null;
   }
 
   /** Removes a variable of this scope; returns false if it is not declared here. */
   public synchronized boolean remove(String name) {
     systemOutputs = null;
-    return variables.remove(key(name)) != null;
+    VariableEntry old = variables.remove(key(name));
+    bytes -= old == null ? 0 : old.bytes();
+    return old != null;
   }
 
   /** Returns whether this scope itself declares a variable. The name has no index. */
@@ -227,6 +286,7 @@ public final class Scope {
   public synchronized boolean attempt(BooleanSupplier change) {
     Map<String, Type> oldTypes = Map.copyOf(types);
     Map<String, VariableEntry> oldVariables = Map.copyOf(variables);
+    long oldBytes = bytes;
     boolean done = false;
     try {
       done = change.getAsBoolean();
@@ -236,6 +296,7 @@ public final class Scope {
         types.putAll(oldTypes);
         variables.clear();
         variables.putAll(oldVariables);
+        bytes = oldBytes;
         systemOutputs = null;
       }
     }

@@ -64,6 +64,9 @@ public abstract sealed class Storage
     return change.apply(component(name));
   }
 
+  /** Returns the bytes that the contents take at most, about; the same for all values. */
+  abstract long bytes();
+
   /** Returns the value as a controller prints it. */
   final String text() throws RefusedException {
     // a race of two threads only prints the value twice

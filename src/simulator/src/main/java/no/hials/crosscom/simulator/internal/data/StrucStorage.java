@@ -27,6 +27,11 @@ final class StrucStorage extends Storage {
   }
 
   @Override
+  long bytes() {
+    return type.bytes();
+  }
+
+  @Override
   public boolean initialised() {
     for (Storage part : parts) {
       if (part.initialised()) {

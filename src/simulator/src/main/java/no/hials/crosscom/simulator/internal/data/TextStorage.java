@@ -28,6 +28,11 @@ final class TextStorage extends Storage {
   }
 
   @Override
+  long bytes() {
+    return Type.SCALAR_BYTES + capacity;
+  }
+
+  @Override
   public boolean initialised() {
     return characters != null;
   }

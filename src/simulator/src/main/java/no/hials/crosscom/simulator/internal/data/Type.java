@@ -21,8 +21,14 @@ sealed interface Type {
   /** Returns the name as declared. */
   String name();
 
+  /** The bytes that a value without parts takes, about. */
+  long SCALAR_BYTES = 64;
+
   /** Returns contents of this type without a value. */
   Storage uninitialised();
+
+  /** Returns the bytes that contents of this type take at most, about. */
+  long bytes();
 
   /** A type whose values have no parts. */
   sealed interface Scalar extends Type {
@@ -37,6 +43,11 @@ sealed interface Type {
     @Override
     default Storage uninitialised() {
       return new ScalarStorage(this, null);
+    }
+
+    @Override
+    default long bytes() {
+      return SCALAR_BYTES;
     }
   }
 
@@ -142,8 +153,14 @@ sealed interface Type {
    * @param components in print order
    * @param positions the position of each component, by its name in upper case
    * @param depth the levels of nested structures, this one included
+   * @param bytes see {@link Type#bytes}
    */
-  record Struc(String name, List<Component> components, Map<String, Integer> positions, int depth)
+  record Struc(
+      String name,
+      List<Component> components,
+      Map<String, Integer> positions,
+      int depth,
+      long bytes)
       implements Type {
     private static final List<Set<String>> POSITIONS =
         List.of(Set.of("FRAME", "POS", "E6POS"), Set.of("AXIS", "E6AXIS"));
@@ -151,11 +168,13 @@ sealed interface Type {
     static Struc of(String name, List<Component> components) {
       Map<String, Integer> positions = new HashMap<>();
       int deepest = 0;
+      long bytes = 0;
       for (Component component : components) {
         String key = component.name().toUpperCase(Locale.ROOT);
         if (positions.put(key, positions.size()) != null) {
           throw new IllegalArgumentException("STRUC " + name + " has " + key + " twice");
         }
+        bytes += component.type().bytes();
         if (component.type().element() instanceof Struc struc) {
           deepest = Math.max(deepest, struc.depth);
         }
@@ -171,7 +190,10 @@ sealed interface Type {
                 + " and nests "
                 + (deepest + 1));
       }
-      return new Struc(name, List.copyOf(components), Map.copyOf(positions), deepest + 1);
+      if (bytes > Scope.MAX_BYTES) {
+        throw new IllegalArgumentException(Scope.tooLarge("STRUC " + name, bytes));
+      }
+      return new Struc(name, List.copyOf(components), Map.copyOf(positions), deepest + 1, bytes);
     }
 
     @Override

@@ -31,6 +31,11 @@ record VariableEntry(
     return new VariableEntry(name, access, null, wiring, null);
   }
 
+  /** Returns the bytes of the contents. */
+  long bytes() {
+    return contents == null ? 0 : contents.bytes();
+  }
+
   VariableEntry with(Storage newContents) {
     return new VariableEntry(name, access, newContents, null, source);
   }

@@ -24,6 +24,7 @@ final class Linker {
   private final Map<String, KrlModule> modules;
   private final Scope globals;
   private final Predicate<String> stopsAdvanceRun;
+  private long routineBytes;
   private final Map<String, CompiledRoutine> globalRoutines = new HashMap<>();
   private final Map<String, Map<String, CompiledRoutine>> ownRoutines = new HashMap<>();
 
@@ -105,7 +106,8 @@ final class Linker {
     } catch (RuntimeException | VirtualMachineError e) {
       Position position = module.source().position();
       errors.add(new KrlError(position, "the module cannot be compiled: " + e));
-      return new Linked(head(module, module.source().routines().get(0)), List.copyOf(errors), Set.of());
+      return new Linked(
+          head(module, module.source().routines().get(0)), List.copyOf(errors), Set.of());
     }
   }
 
@@ -137,6 +139,8 @@ final class Linker {
       Set<String> called) {
     SymbolTable symbols = new SymbolTable(module, globals, modules, errors);
     symbols.declare(routine);
+    routineBytes += symbols.scope().bytes();
+    globals.routineBytes(routineBytes);
     RoutineContext context =
         new RoutineContext(
             symbols,

@@ -56,12 +56,24 @@ public final class ProgramLibrary {
   public List<KrlError> put(SourceFile source, @Nullable DataList data) {
     List<KrlError> errors = new ArrayList<>();
     Scope scope = new Scope(globals);
+    countBytes(Scope.key(source.name()));
     boolean done = data == null || globals.attempt(() -> load(data, scope, errors));
     if (done) {
       modules.put(Scope.key(source.name()), new KrlModule(source, scope));
       linked = null;
     }
+    countBytes("");
     return List.copyOf(errors);
+  }
+
+  /** Counts the variables of the modules but one, which is replaced. */
+  private void countBytes(String replaced) {
+    long sum = 0;
+    for (Map.Entry<String, KrlModule> module : modules.entrySet()) {
+      sum += module.getKey().equals(replaced) ? 0 : module.getValue().scope().bytes();
+    }
+    globals.moduleBytes(sum);
+    globals.routineBytes(0);
   }
 
   private boolean load(DataList data, Scope scope, List<KrlError> errors) {
@@ -81,7 +93,9 @@ public final class ProgramLibrary {
 
   public boolean remove(String name) {
     linked = null;
-    return modules.remove(Scope.key(name)) != null;
+    boolean removed = modules.remove(Scope.key(name)) != null;
+    countBytes("");
+    return removed;
   }
 
   public SortedSet<String> names() {

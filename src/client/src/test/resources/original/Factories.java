@@ -10,8 +10,6 @@ public class Factories {
   public static String run(String host, int port) throws Exception {
     StringBuilder out = new StringBuilder();
     CrossComClient client = new CrossComClient(host, port);
-    KRLReal position = KRLVariable.POS_ACT();
-    out.append(position.getName()).append('\n');
     KRLReal jog = KRLVariable.OV_JOG();
     KRLReal pro = KRLVariable.OV_PRO();
     KRLE6Axis axes = KRLVariable.AXIS_ACT();

@@ -59,7 +59,10 @@ class PublicApiTest {
       compareTypes(old, now, wrong);
       for (Method method : old.getDeclaredMethods()) {
         signatures++;
-        compare(method, find(method, now), wrong);
+        if (!method.getName().equals("POS_ACT")) {
+          // was a KRLReal, which could not be read (docs/reference/compatibility.md)
+          compare(method, find(method, now), wrong);
+        }
       }
       for (Field field : old.getDeclaredFields()) {
         signatures++;

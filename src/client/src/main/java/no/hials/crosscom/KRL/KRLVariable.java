@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
+import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.internal.BoxedFrame;
 import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
@@ -245,14 +246,12 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Returns a new variable for {@code $POS_ACT}, as the original does. Reading it fails, because
-   * {@code $POS_ACT} is an E6POS and no REAL.
-   *
-   * @deprecated use {@code new KRLE6Pos("$POS_ACT")}
+   * Returns a new variable for {@code $POS_ACT}, the position of the tool, in mm and degrees. It
+   * was a KRLReal in the original, which could never be read
+   * (docs/reference/compatibility.md#changed-on-purpose).
    */
-  @Deprecated
-  public static KRLReal POS_ACT() {
-    return new KRLReal("$POS_ACT");
+  public static KRLE6Pos POS_ACT() {
+    return new KRLE6Pos("$POS_ACT");
   }
 
   /** Returns the value as shown by {@link #toString}. */

@@ -110,8 +110,12 @@ final class HostileClientTest {
   @Test
   void anArrayOfLargeStructuresIsRefused() throws Exception {
     assertNotLoaded(
-        "DEFDAT BOMB PUBLIC\nGLOBAL STRUC LARGE INT N[1000000]\n"
-            + "DECL GLOBAL LARGE A99[1000000]\nENDDAT\n",
+        """
+        DEFDAT BOMB PUBLIC
+        GLOBAL STRUC LARGE INT N[1000000]
+        DECL GLOBAL LARGE A99[1000000]
+        ENDDAT
+        """,
         "A99");
   }
 

@@ -43,6 +43,11 @@ import org.junit.jupiter.api.Test;
 class ArchitectureTest {
   private static final String ROOT = "no.hials.crosscom";
   private static final int MOST_FILES = 35;
+
+  /** A type of the list of signatures of JOpenShowVar 0.2.2 and 0.1. */
+  private static final Pattern ORIGINAL_TYPE =
+      Pattern.compile("^public .*?(?:class|interface) ([\\w.]+)");
+
   private static final int MOST_LINES = 500;
 
   /** The client's root has the names of 0.2.2 and 16 exceptions. */
@@ -194,7 +199,8 @@ class ArchitectureTest {
     // names of JOpenShowVar 0.2.2 stay
     Set<String> original =
         Files.readAllLines(Path.of("../client/src/test/resources/api-0.2.2.txt")).stream()
-            .map(line -> line.split(":? ", 2)[0])
+            .flatMap(line -> ORIGINAL_TYPE.matcher(line).results())
+            .map(type -> type.group(1))
             .collect(Collectors.toSet());
     return CLASSES.stream()
         .filter(type -> isTopLevel(type) || isNamedAlone(type))

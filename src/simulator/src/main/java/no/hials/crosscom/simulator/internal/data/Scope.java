@@ -22,7 +22,8 @@ import org.jspecify.annotations.Nullable;
  * Holds types and variables, and looks up the rest in the scope around it: the scope of a routine
  * is in that of its module, which is in the globals of the controller.
  *
- * <p>Thread-safe; every access is atomic.
+ * <p>Thread-safe; every access is atomic. The class is long because each operation on a variable
+ * works under its one lock.
  */
 public final class Scope {
   /**

@@ -19,23 +19,24 @@ public final class KrlPrinter {
    *     list, without type name and without blanks after commas
    */
   public static void append(StringBuilder out, KrlValue value, RealStyle style) {
-    value.accept(new Appender(out, style));
+    value.accept(new Appender(out, style, new KrlText()));
     if (value instanceof KrlArray) {
       out.append(' '); // as the controller does (docs/reference/krl-values.md#arrays)
     }
   }
 
   /** Appends values; inside an aggregate an array has no trailing blank. */
-  private record Appender(StringBuilder out, RealStyle style) implements KrlVisitor<StringBuilder> {
+  private record Appender(StringBuilder out, RealStyle style, KrlText number)
+      implements KrlVisitor<StringBuilder> {
     @Override
-    public StringBuilder visit(KrlInt number) {
-      return out.append(number.value());
+    public StringBuilder visit(KrlInt integer) {
+      return out.append(integer.value());
     }
 
     @Override
-    public StringBuilder visit(KrlReal number) {
-      appendReal(out, number.value(), style);
-      return out;
+    public StringBuilder visit(KrlReal real) {
+      RealText.append(number.clear(), real.value(), style);
+      return out.append(number);
     }
 
     @Override

@@ -103,13 +103,13 @@ public final class Catalogue {
       BiPredicate<String, VariableNote> shown) {
     boolean system = list.name().startsWith("$");
     for (Declaration declaration : list.declarations()) {
-      if (declaration instanceof Declaration.Struc struc) {
+      if (declaration instanceof Declaration.StrucDeclaration struc) {
         structures.putIfAbsent(
             key(struc.name()),
             struc.components().stream()
                 .map(part -> entry(part.type(), part.declarator(), VariableNote.NONE, origin, null))
                 .toList());
-      } else if (declaration instanceof Declaration.Enumeration enumeration) {
+      } else if (declaration instanceof Declaration.EnumDeclaration enumeration) {
         List<String> constants = enumeration.constants();
         enumerations.putIfAbsent(
             key(enumeration.name()),

@@ -63,14 +63,14 @@ public final class DeclarationRows {
           List.of(),
           line,
           initial.comment().strip());
-    } else if (declaration instanceof Declaration.Struc struc) {
+    } else if (declaration instanceof Declaration.StrucDeclaration struc) {
       String parts =
           struc.components().stream()
               .map(part -> part.type() + " " + declarator(part.declarator()))
               .collect(Collectors.joining(", "));
       return new Row(
           struc.name(), "STRUC", parts, words(struc.global()), line, struc.comment().strip());
-    } else if (declaration instanceof Declaration.Enumeration enumeration) {
+    } else if (declaration instanceof Declaration.EnumDeclaration enumeration) {
       return new Row(
           enumeration.name(),
           "ENUM",

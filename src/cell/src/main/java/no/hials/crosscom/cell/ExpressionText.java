@@ -25,7 +25,7 @@ final class ExpressionText {
       return aggregate(aggregate);
     } else if (expression instanceof Expression.Variable variable) {
       return variable.steps().stream().map(ExpressionText::step).collect(Collectors.joining("."));
-    } else if (expression instanceof Expression.Call call) {
+    } else if (expression instanceof Expression.FunctionCall call) {
       return call.name() + "(" + list(call.arguments()) + ")";
     } else if (expression instanceof Expression.Unary unary) {
       return unary(unary);

@@ -52,7 +52,7 @@ public sealed interface Declaration {
    * @param components the components in the order of the file; none has an initial value
    * @param comment the comment on the same line, without {@code ;}; empty without a comment
    */
-  record Struc(
+  record StrucDeclaration(
       Position position, boolean global, String name, List<Component> components, String comment)
       implements Declaration {}
 
@@ -73,7 +73,7 @@ public sealed interface Declaration {
    * @param constants the constants, without {@code #}
    * @param comment the comment on the same line, without {@code ;}; empty without a comment
    */
-  record Enumeration(
+  record EnumDeclaration(
       Position position, boolean global, String name, List<String> constants, String comment)
       implements Declaration {}
 

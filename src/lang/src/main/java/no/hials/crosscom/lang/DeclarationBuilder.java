@@ -150,7 +150,7 @@ final class DeclarationBuilder {
                   expressions.dimensions(context.brackets()),
                   null)));
     }
-    return new Declaration.Struc(
+    return new Declaration.StrucDeclaration(
         position, isGlobal(content), name, List.copyOf(components), comment);
   }
 
@@ -158,7 +158,7 @@ final class DeclarationBuilder {
       ContentContext content, EnumerationContext enumeration, String comment) {
     Position position = begin(content, true, false);
     List<String> names = enumeration.name().stream().map(this::declared).toList();
-    return new Declaration.Enumeration(
+    return new Declaration.EnumDeclaration(
         position, isGlobal(content), names.get(0), names.subList(1, names.size()), comment);
   }
 

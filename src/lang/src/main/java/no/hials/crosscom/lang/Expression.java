@@ -59,7 +59,7 @@ public sealed interface Expression {
    * @param type the type's name, or null
    * @param fields the fields in the order of the file
    */
-  record Aggregate(Position position, @Nullable String type, List<Field> fields)
+  record Aggregate(Position position, @Nullable String type, List<AggregateField> fields)
       implements Expression {}
 
   /**
@@ -70,7 +70,7 @@ public sealed interface Expression {
    *     element
    * @param value its value
    */
-  record Field(Position position, String name, Expression value) {}
+  record AggregateField(Position position, String name, Expression value) {}
 
   /**
    * A variable, an element or a component: {@code LOAD_DATA[I].CM.X}.
@@ -102,7 +102,7 @@ public sealed interface Expression {
    * @param name the function's name as written
    * @param arguments the arguments; null for an omitted argument
    */
-  record Call(Position position, String name, List<@Nullable Expression> arguments)
+  record FunctionCall(Position position, String name, List<@Nullable Expression> arguments)
       implements Expression {}
 
   /**

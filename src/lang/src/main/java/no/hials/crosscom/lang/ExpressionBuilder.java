@@ -132,7 +132,7 @@ final class ExpressionBuilder {
   }
 
   private Expression aggregate(AggregateContext context) {
-    List<Expression.Field> fields = new ArrayList<>();
+    List<Expression.AggregateField> fields = new ArrayList<>();
     String type = null;
     if (context.expression() != null) {
       fields.add(field(context.name(), context.brackets(), context.expression()));
@@ -145,16 +145,16 @@ final class ExpressionBuilder {
     return new Expression.Aggregate(at(context), type, List.copyOf(fields));
   }
 
-  private Expression.Field field(
+  private Expression.AggregateField field(
       NameContext name, @Nullable BracketsContext brackets, ExpressionContext value) {
     String written = name.getText() + (brackets == null ? "" : brackets.getText());
-    return new Expression.Field(at(name), written, build(value));
+    return new Expression.AggregateField(at(name), written, build(value));
   }
 
   private Expression reference(ReferenceContext context) {
     return context.arguments() == null
         ? variable(context.name(), context.steps())
-        : new Expression.Call(
+        : new Expression.FunctionCall(
             at(context), context.name().getText(), arguments(context.arguments()));
   }
 

@@ -11,7 +11,7 @@ public sealed interface Statement {
   Position position();
 
   /** A statement that an interrupt or trigger can execute. */
-  sealed interface Action extends Statement permits Assignment, Call, Pulse {}
+  sealed interface Action extends Statement permits AssignmentStatement, CallStatement, Pulse {}
 
   /**
    * {@code A = B}.
@@ -20,7 +20,7 @@ public sealed interface Statement {
    * @param target the variable that gets the value
    * @param value the value
    */
-  record Assignment(Position position, Expression.Variable target, Expression value)
+  record AssignmentStatement(Position position, Expression.Variable target, Expression value)
       implements Action {}
 
   /**
@@ -30,7 +30,7 @@ public sealed interface Statement {
    * @param name the subprogram's name as written
    * @param arguments the arguments; null for an omitted argument
    */
-  record Call(Position position, String name, List<@Nullable Expression> arguments)
+  record CallStatement(Position position, String name, List<@Nullable Expression> arguments)
       implements Action {}
 
   /**
@@ -279,7 +279,7 @@ public sealed interface Statement {
    * @param coordinates {@code #BASE} or {@code #TOOL} of a relative linear or circular motion; null
    *     without it
    */
-  record Motion(
+  record MotionStatement(
       Position position,
       MotionKind kind,
       @Nullable Expression auxiliary,

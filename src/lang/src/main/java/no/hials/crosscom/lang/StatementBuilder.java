@@ -65,12 +65,12 @@ final class StatementBuilder {
       return new Statement.Label(position, declarations.declared(context.name()));
     }
     if (context.arguments() != null) {
-      return new Statement.Call(
+      return new Statement.CallStatement(
           position, context.name().getText(), expressions.arguments(context.arguments()));
     }
     return context.steps() == null
         ? null
-        : new Statement.Assignment(
+        : new Statement.AssignmentStatement(
             position,
             expressions.variable(context.name(), context.steps()),
             expressions.build(context.expression()));
@@ -121,9 +121,9 @@ final class StatementBuilder {
     }
     Position position = expressions.at(context);
     return context.arguments() != null
-        ? new Statement.Call(
+        ? new Statement.CallStatement(
             position, context.name().getText(), expressions.arguments(context.arguments()))
-        : new Statement.Assignment(
+        : new Statement.AssignmentStatement(
             position,
             expressions.variable(context.name(), context.steps()),
             expressions.build(context.expression()));
@@ -150,7 +150,7 @@ final class StatementBuilder {
   private Statement motion(MotionContext context) {
     List<ExpressionContext> points = context.expression();
     boolean circle = points.size() > 1;
-    return new Statement.Motion(
+    return new Statement.MotionStatement(
         expressions.at(context),
         MotionKind.valueOf(ErrorWords.upper(context.getStart())),
         circle ? expressions.build(points.get(0)) : null,

@@ -33,12 +33,12 @@ class DeclarationTest {
             + " Declarator(D, [-, -], -)], )",
         "DECL INT SEC,STEP        | Variables(false, false, INT, [Declarator(SEC, [], -),"
             + " Declarator(STEP, [], -)], )",
-        "STRUC S INT A,B[2], REAL C, FRAME F | Struc(false, S, [Component(INT, Declarator(A, [],"
+        "STRUC S INT A,B[2], REAL C, FRAME F | StrucDeclaration(false, S, [Component(INT, Declarator(A, [],"
             + " -)), Component(INT, Declarator(B, [2], -)), Component(REAL, Declarator(C, [], -)),"
             + " Component(FRAME, Declarator(F, [], -))], )",
-        "GLOBAL STRUC S CHAR N[24] | Struc(true, S, [Component(CHAR, Declarator(N, [24], -))], )",
-        "ENUM E A,B,ON            | Enumeration(false, E, [A, B, ON], )",
-        "GLOBAL ENUM E A          | Enumeration(true, E, [A], )",
+        "GLOBAL STRUC S CHAR N[24] | StrucDeclaration(true, S, [Component(CHAR, Declarator(N, [24], -))], )",
+        "ENUM E A,B,ON            | EnumDeclaration(false, E, [A, B, ON], )",
+        "GLOBAL ENUM E A          | EnumDeclaration(true, E, [A], )",
         "SIGNAL S $OUT[5]         | Signal(false, S, $OUT[5], -, )",
         "SIGNAL S $IN[1] TO $IN[8] | Signal(false, S, $IN[1], $IN[8], )",
         "GLOBAL SIGNAL S $X       | Signal(true, S, $X, -, )",
@@ -90,8 +90,8 @@ class DeclarationTest {
       value = {
         "INT I ; a counter        | Variables(false, false, INT, [Declarator(I, [], -)], a"
             + " counter)",
-        "STRUC S INT A;b;c        | Struc(false, S, [Component(INT, Declarator(A, [], -))], b;c)",
-        "ENUM E A;  two  words    | Enumeration(false, E, [A], two  words)",
+        "STRUC S INT A;b;c        | StrucDeclaration(false, S, [Component(INT, Declarator(A, [], -))], b;c)",
+        "ENUM E A;  two  words    | EnumDeclaration(false, E, [A], two  words)",
         "SIGNAL S $OUT[1];        | Signal(false, S, $OUT[1], -, )",
         "A=\"x;y\" ;z             | InitialValue(A, \"x;y\", z)",
       })

@@ -132,8 +132,8 @@ class ExpressionTest {
     assertThat(
             result.errors().isEmpty()
                 ? show(Snippets.onlyRoutine(result).body().get(0))
-                : "Assignment(T, error)")
-        .isEqualTo("Assignment(T, " + tree + ")");
+                : "AssignmentStatement(T, error)")
+        .isEqualTo("AssignmentStatement(T, " + tree + ")");
   }
 
   @Test

@@ -131,7 +131,7 @@ class RecoveryTest {
     assertThat(show(result.file().orElseThrow()))
         .isEqualTo(
             "SourceFile([Routine(false, -, T, [], [], [While(A, [Switch(C,"
-                + " [Case([2], [Assignment(E, 1)])], -)])])])");
+                + " [Case([2], [AssignmentStatement(E, 1)])], -)])])])");
   }
 
   @Test

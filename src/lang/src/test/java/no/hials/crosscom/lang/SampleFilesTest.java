@@ -41,7 +41,8 @@ class SampleFilesTest {
     Routine actuator = file.routines().get(0);
     assertThat(actuator.declarations()).hasSize(4);
     assertThat(show(actuator.body().get(0)))
-        .isEqualTo("InterruptDeclaration(true, 3, ($STOPMESS EQUAL true), Call(IR_STOPM, []))");
+        .isEqualTo(
+            "InterruptDeclaration(true, 3, ($STOPMESS EQUAL true), CallStatement(IR_STOPM, []))");
     assertThat(actuator.body().get(12)).isInstanceOf(Statement.Loop.class);
     assertThat(actuator.end().line()).isEqualTo(62);
   }

@@ -42,7 +42,7 @@ final class Snippets {
   }
 
   static Expression expression(String text) {
-    return ((Statement.Assignment) statements("T=" + text).get(0)).value();
+    return ((Statement.AssignmentStatement) statements("T=" + text).get(0)).value();
   }
 
   /** Returns the errors as {@code line:column message}. */
@@ -52,7 +52,7 @@ final class Snippets {
         .toList();
   }
 
-  /** Prints a tree: {@code Assignment(A, (B PLUS 1))}. */
+  /** Prints a tree: {@code AssignmentStatement(A, (B PLUS 1))}. */
   static String show(Object node) {
     if (node == null) {
       return "-";
@@ -64,7 +64,7 @@ final class Snippets {
       return v.steps().stream().map(Snippets::show).collect(Collectors.joining("."));
     } else if (node instanceof Expression.Step s) {
       return s.name() + (s.brackets() ? list(s.indices()) + (s.open() ? "+open" : "") : "");
-    } else if (node instanceof Expression.Call c) {
+    } else if (node instanceof Expression.FunctionCall c) {
       return c.name() + "(" + inside(c.arguments()) + ")";
     } else if (node instanceof Expression.EnumLiteral e) {
       return "#" + e.name();
@@ -72,7 +72,7 @@ final class Snippets {
       return "\"" + t.text() + "\"";
     } else if (node instanceof Expression.Aggregate a) {
       return "{" + (a.type() == null ? "" : a.type() + ": ") + inside(a.fields()) + "}";
-    } else if (node instanceof Expression.Field f) {
+    } else if (node instanceof Expression.AggregateField f) {
       return f.name() + " " + show(f.value());
     } else if (node instanceof Expression.IntLiteral i) {
       return Integer.toString(i.value());

@@ -104,7 +104,7 @@ class BuiltInTableTest {
   private static Set<String> strucs() {
     Set<String> strucs = new HashSet<>();
     for (Declaration declaration : declarations()) {
-      if (declaration instanceof Declaration.Struc struc) {
+      if (declaration instanceof Declaration.StrucDeclaration struc) {
         strucs.add(struc.name());
       }
     }
@@ -143,9 +143,9 @@ class BuiltInTableTest {
   @Test
   void saysOfEveryTypeWhereItIsKnownFrom() {
     for (Declaration declaration : declarations()) {
-      if (declaration instanceof Declaration.Struc struc) {
+      if (declaration instanceof Declaration.StrucDeclaration struc) {
         assertThat(struc.comment()).as(struc.name()).matches("\\([A-Z0-9a-z ]+\\)");
-      } else if (declaration instanceof Declaration.Enumeration enumeration) {
+      } else if (declaration instanceof Declaration.EnumDeclaration enumeration) {
         assertThat(enumeration.comment()).as(enumeration.name()).matches("\\([A-Z0-9a-z ]+\\)");
       }
     }

@@ -20,40 +20,41 @@ import org.jspecify.annotations.Nullable;
  * @param <E> the exception that a case may throw
  */
 public final class TypeSwitch<C, T, R, E extends Exception> {
-  private final Map<Class<?>, Case<C, ? super T, R, E>> cases;
+  private final Map<Class<?>, TypeCase<C, ? super T, R, E>> cases;
 
-  private TypeSwitch(Map<Class<?>, Case<C, ? super T, R, E>> cases) {
+  private TypeSwitch(Map<Class<?>, TypeCase<C, ? super T, R, E>> cases) {
     this.cases = Map.copyOf(cases);
   }
 
   /** The code for the values of a class. */
   @FunctionalInterface
-  public interface Case<C, T, R, E extends Exception> {
+  public interface TypeCase<C, T, R, E extends Exception> {
     /** Returns the result for a value; null without a result. */
     @Nullable R apply(C context, T value) throws E;
   }
 
   /** The code for the values of a class, without a result. */
   @FunctionalInterface
-  public interface Action<C, T, E extends Exception> {
+  public interface VoidCase<C, T, E extends Exception> {
     void run(C context, T value) throws E;
   }
 
   /** The cases of a switch that is being created. */
   public static final class Cases<C, T, R, E extends Exception> {
     private final Class<T> family;
-    private final Map<Class<?>, Case<C, ? super T, R, E>> cases = new HashMap<>();
+    private final Map<Class<?>, TypeCase<C, ? super T, R, E>> cases = new HashMap<>();
 
     private Cases(Class<T> family) {
       this.family = family;
     }
 
     /** Adds the case of a class, or of all classes that a sealed interface permits. */
-    public <S extends T> Cases<C, T, R, E> on(Class<S> type, Case<C, ? super S, R, E> code) {
+    public <S extends T> Cases<C, T, R, E> on(Class<S> type, TypeCase<C, ? super S, R, E> code) {
       leaves(type)
           .forEach(
               leaf -> {
-                Case<C, T, R, E> cast = (context, value) -> code.apply(context, type.cast(value));
+                TypeCase<C, T, R, E> cast =
+                    (context, value) -> code.apply(context, type.cast(value));
                 if (cases.put(leaf, cast) != null) {
                   throw new IllegalArgumentException("two cases for " + leaf.getName());
                 }
@@ -62,7 +63,7 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
     }
 
     /** Adds a case without a result, see {@link #on}. */
-    public <S extends T> Cases<C, T, R, E> run(Class<S> type, Action<C, ? super S, E> code) {
+    public <S extends T> Cases<C, T, R, E> run(Class<S> type, VoidCase<C, ? super S, E> code) {
       return on(
           type,
           (context, value) -> {
@@ -72,7 +73,7 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
     }
 
     /** Adds a case for all classes that have none yet. */
-    public Cases<C, T, R, E> otherwise(Case<C, ? super T, R, E> code) {
+    public Cases<C, T, R, E> otherwise(TypeCase<C, ? super T, R, E> code) {
       leaves(family).forEach(leaf -> cases.putIfAbsent(leaf, code));
       return this;
     }
@@ -109,7 +110,7 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
     find(value).apply(context, value);
   }
 
-  private Case<C, ? super T, R, E> find(T value) {
+  private TypeCase<C, ? super T, R, E> find(T value) {
     return Objects.requireNonNull(cases.get(value.getClass()));
   }
 

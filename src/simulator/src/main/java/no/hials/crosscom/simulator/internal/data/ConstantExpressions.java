@@ -35,7 +35,7 @@ public final class ConstantExpressions {
                   .on(Expression.Variable.class, ConstantExpressions::constant)
                   .on(Expression.Unary.class, ConstantExpressions::signed)
                   .on(Expression.Binary.class, ConstantExpressions::computed)
-                  .on(Expression.Call.class, ConstantExpressions::refused));
+                  .on(Expression.FunctionCall.class, ConstantExpressions::refused));
 
   private ConstantExpressions() {}
 
@@ -64,7 +64,7 @@ public final class ConstantExpressions {
   private static KrlStruct struct(Scope scope, Expression.Aggregate aggregate)
       throws KrlErrorException {
     List<KrlStruct.Field> fields = new ArrayList<>();
-    for (Expression.Field field : aggregate.fields()) {
+    for (Expression.AggregateField field : aggregate.fields()) {
       KrlValue value = evaluate(field.value(), scope);
       try {
         fields.add(new KrlStruct.Field(field.name(), value));
@@ -151,7 +151,8 @@ public final class ConstantExpressions {
     };
   }
 
-  private static KrlValue refused(Scope scope, Expression.Call call) throws KrlErrorException {
+  private static KrlValue refused(Scope scope, Expression.FunctionCall call)
+      throws KrlErrorException {
     throw notConstant(call.position(), "a call of a function");
   }
 

@@ -40,8 +40,8 @@ public final class DataListLoader {
               cases ->
                   cases
                       .run(Declaration.Variables.class, DataListLoader::declareVariables)
-                      .run(Declaration.Struc.class, DataListLoader::declareStruc)
-                      .run(Declaration.Enumeration.class, DataListLoader::declareEnum)
+                      .run(Declaration.StrucDeclaration.class, DataListLoader::declareStruc)
+                      .run(Declaration.EnumDeclaration.class, DataListLoader::declareEnum)
                       .run(Declaration.Signal.class, DataListLoader::declareSignal)
                       .run(Declaration.InitialValue.class, DataListLoader::initialise)
                       .run(Declaration.External.class, DataListLoader::checkExternal));
@@ -130,7 +130,7 @@ public final class DataListLoader {
     }
   }
 
-  private void declareEnum(Declaration.Enumeration declaration) throws KrlErrorException {
+  private void declareEnum(Declaration.EnumDeclaration declaration) throws KrlErrorException {
     checkNewType(declaration.name(), declaration.position());
     Scope target = target(declaration.global(), declaration.position());
     if (!tell(() -> Declarations.declare(target, declaration))) {
@@ -138,7 +138,7 @@ public final class DataListLoader {
     }
   }
 
-  private void declareStruc(Declaration.Struc declaration) throws KrlErrorException {
+  private void declareStruc(Declaration.StrucDeclaration declaration) throws KrlErrorException {
     checkNewType(declaration.name(), declaration.position());
     Scope target = target(declaration.global(), declaration.position());
     List<Type.Component> components = new ArrayList<>();
@@ -383,7 +383,7 @@ public final class DataListLoader {
     }
     Storage result = struc;
     Set<String> names = new HashSet<>();
-    for (Expression.Field field : aggregate.fields()) {
+    for (Expression.AggregateField field : aggregate.fields()) {
       try {
         if (!names.add(Scope.key(field.name()))) {
           throw new KrlErrorException(
@@ -397,7 +397,8 @@ public final class DataListLoader {
     return result;
   }
 
-  private Storage withField(Storage struc, Expression.Field field) throws KrlErrorException {
+  private Storage withField(Storage struc, Expression.AggregateField field)
+      throws KrlErrorException {
     try {
       VariablePath path = VariablePath.parse(field.name());
       String component = path.first().name();

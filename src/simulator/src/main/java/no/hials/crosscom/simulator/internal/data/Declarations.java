@@ -25,7 +25,8 @@ public final class Declarations {
 
   private Declarations() {}
 
-  public static void declare(Scope scope, Declaration.Struc struc) throws KrlErrorException {
+  public static void declare(Scope scope, Declaration.StrucDeclaration struc)
+      throws KrlErrorException {
     List<Type.Component> components = new ArrayList<>();
     for (Declaration.Component component : struc.components()) {
       components.add(component(scope, component));
@@ -33,7 +34,8 @@ public final class Declarations {
     declare(scope, struc, components);
   }
 
-  static void declare(Scope scope, Declaration.Struc struc, List<Type.Component> components)
+  static void declare(
+      Scope scope, Declaration.StrucDeclaration struc, List<Type.Component> components)
       throws KrlErrorException {
     declareType(scope, struc.position(), () -> Type.Struc.of(struc.name(), components));
   }
@@ -45,7 +47,7 @@ public final class Declarations {
         declarator.name(), DeclaredType.of(scope, component.type(), declarator));
   }
 
-  public static void declare(Scope scope, Declaration.Enumeration enumeration)
+  public static void declare(Scope scope, Declaration.EnumDeclaration enumeration)
       throws KrlErrorException {
     declareType(
         scope,
@@ -100,7 +102,7 @@ public final class Declarations {
             .variables()
             .forEach(one -> components.add(new Declaration.Component(variables.type(), one)));
       }
-      declare(scope, new Declaration.Struc(NOWHERE, false, name, components, ""));
+      declare(scope, new Declaration.StrucDeclaration(NOWHERE, false, name, components, ""));
     } catch (KrlErrorException e) {
       throw new IllegalArgumentException(e.error().message(), e);
     }

@@ -86,7 +86,7 @@ public abstract sealed class Storage
   public final Storage read(VariablePath path) throws RefusedException {
     Storage storage = select(path.first().index());
     for (int i = 1; i < path.steps().size(); i++) {
-      VariablePath.Step step = path.steps().get(i);
+      VariablePath.PathStep step = path.steps().get(i);
       storage = storage.component(step.name()).select(step.index());
     }
     return storage;

@@ -14,7 +14,7 @@ import no.hials.crosscom.simulator.RefusedException;
  *
  * @param steps at least one
  */
-public record VariablePath(List<Step> steps) {
+public record VariablePath(List<PathStep> steps) {
   /** The maximum number of dimensions (docs/reference/krl-values.md#arrays). */
   private static final int MAX_DIMENSIONS = 3;
 
@@ -26,10 +26,10 @@ public record VariablePath(List<Step> steps) {
    * @param name in upper case, because KRL ignores case (docs/reference/krl-values.md#names)
    * @param index the index after it
    */
-  public record Step(String name, Index index) {}
+  public record PathStep(String name, Index index) {}
 
   /** Returns the first step, which names the variable. */
-  public Step first() {
+  public PathStep first() {
     return steps.get(0);
   }
 
@@ -41,7 +41,7 @@ public record VariablePath(List<Step> steps) {
   /** Returns the path of an element of an array. The index starts at 1. */
   public static VariablePath element(String array, int index) {
     return new VariablePath(
-        List.of(new Step(array.toUpperCase(Locale.ROOT), new Index(new int[] {index}, false))));
+        List.of(new PathStep(array.toUpperCase(Locale.ROOT), new Index(new int[] {index}, false))));
   }
 
   /**
@@ -54,8 +54,9 @@ public record VariablePath(List<Step> steps) {
       return this;
     }
     int last = steps.size() - 1;
-    List<Step> all = new ArrayList<>(steps.subList(0, last));
-    all.add(new Step(steps.get(last).name(), steps.get(last).index().then(inner.first().index())));
+    List<PathStep> all = new ArrayList<>(steps.subList(0, last));
+    all.add(
+        new PathStep(steps.get(last).name(), steps.get(last).index().then(inner.first().index())));
     all.addAll(inner.steps.subList(1, inner.steps.size()));
     return new VariablePath(all);
   }
@@ -78,26 +79,26 @@ public record VariablePath(List<Step> steps) {
   /** Returns the path of an expression. */
   public static <E extends Exception> VariablePath of(
       Expression.Variable variable, IndexValue<E> value) throws E {
-    List<Step> steps = new ArrayList<>(variable.steps().size());
+    List<PathStep> steps = new ArrayList<>(variable.steps().size());
     for (Expression.Step step : variable.steps()) {
       int[] numbers = new int[step.indices().size()];
       for (int i = 0; i < numbers.length; i++) {
         numbers[i] = value.of(step.indices().get(i));
       }
-      steps.add(new Step(Scope.key(step.name()), new Index(numbers, step.open())));
+      steps.add(new PathStep(Scope.key(step.name()), new Index(numbers, step.open())));
     }
     return new VariablePath(List.copyOf(steps));
   }
 
   /** Returns the path of a whole variable. */
   public static VariablePath of(String name) {
-    return new VariablePath(List.of(new Step(name.toUpperCase(Locale.ROOT), Index.NONE)));
+    return new VariablePath(List.of(new PathStep(name.toUpperCase(Locale.ROOT), Index.NONE)));
   }
 
   @Override
   public String toString() {
     StringBuilder out = new StringBuilder();
-    for (Step step : steps) {
+    for (PathStep step : steps) {
       out.append(out.length() > 0 ? "." : "").append(step.name()).append(step.index());
     }
     return out.toString();
@@ -138,11 +139,11 @@ public record VariablePath(List<Step> steps) {
     }
 
     VariablePath path() throws RefusedException {
-      Step first = step();
+      PathStep first = step();
       if (pos == text.length()) {
         return new VariablePath(List.of(first));
       }
-      List<Step> steps = new ArrayList<>();
+      List<PathStep> steps = new ArrayList<>();
       steps.add(first);
       while (pos < text.length()) {
         if (text.charAt(pos) != '.') {
@@ -158,7 +159,7 @@ public record VariablePath(List<Step> steps) {
       return new RefusedException(Refusal.UNKNOWN_VARIABLE, "'" + text + "' is not a name");
     }
 
-    private Step step() throws RefusedException {
+    private PathStep step() throws RefusedException {
       int start = pos;
       while (pos < text.length() && isNamePart(text.charAt(pos))) {
         pos++;
@@ -168,7 +169,7 @@ public record VariablePath(List<Step> steps) {
       }
       String name = text.substring(start, pos).toUpperCase(Locale.ROOT);
       boolean bracket = pos < text.length() && text.charAt(pos) == '[';
-      return new Step(name, bracket ? index() : Index.NONE);
+      return new PathStep(name, bracket ? index() : Index.NONE);
     }
 
     private Index index() throws RefusedException {

@@ -44,7 +44,7 @@ final class ExpressionCompiler {
                       .run(Expression.Aggregate.class, ExpressionCompiler::aggregate)
                       .run(Expression.Variable.class, ExpressionCompiler::read)
                       .run(
-                          Expression.Call.class,
+                          Expression.FunctionCall.class,
                           (c, it) -> c.call(it.position(), it.name(), it.arguments(), true))
                       .run(Expression.Unary.class, ExpressionCompiler::unary)
                       .run(Expression.Binary.class, ExpressionCompiler::binary));
@@ -106,7 +106,7 @@ final class ExpressionCompiler {
 
   private void aggregate(Expression.Aggregate aggregate) {
     List<String> names = new ArrayList<>();
-    for (Expression.Field field : aggregate.fields()) {
+    for (Expression.AggregateField field : aggregate.fields()) {
       compile(field.value());
       names.add(field.name());
     }
@@ -180,11 +180,11 @@ final class ExpressionCompiler {
     return machine -> indexed(path.steps(), machine);
   }
 
-  private static VariablePath indexed(List<VariablePath.Step> steps, KrlVirtualMachine machine)
+  private static VariablePath indexed(List<VariablePath.PathStep> steps, KrlVirtualMachine machine)
       throws KrlExecutionException {
-    VariablePath.Step[] result = new VariablePath.Step[steps.size()];
+    VariablePath.PathStep[] result = new VariablePath.PathStep[steps.size()];
     for (int i = result.length - 1; i >= 0; i--) {
-      VariablePath.Step step = steps.get(i);
+      VariablePath.PathStep step = steps.get(i);
       int[] numbers = new int[step.index().count()];
       if (numbers.length == 0) {
         result[i] = step;
@@ -193,7 +193,7 @@ final class ExpressionCompiler {
       for (int n = numbers.length - 1; n >= 0; n--) {
         numbers[n] = machine.popInt();
       }
-      result[i] = new VariablePath.Step(step.name(), new Index(numbers, step.index().isOpen()));
+      result[i] = new VariablePath.PathStep(step.name(), new Index(numbers, step.index().isOpen()));
     }
     return new VariablePath(List.of(result));
   }

@@ -33,7 +33,7 @@ final class MotionCompiler {
    * @param action its action
    */
   void trigger(Statement.Trigger trigger, CompiledCode action) {
-    boolean calls = trigger.action() instanceof Statement.Call;
+    boolean calls = trigger.action() instanceof Statement.CallStatement;
     expressions.compile(trigger.distance());
     optional(trigger.position(), trigger.delay(), ZERO);
     optional(trigger.position(), trigger.priority(), AUTOMATIC);
@@ -58,7 +58,7 @@ final class MotionCompiler {
   }
 
   /** Compiles a motion. The caller has compiled the stop of the advance run. */
-  void motion(Statement.Motion motion) {
+  void motion(Statement.MotionStatement motion) {
     Position position = motion.position();
     // the target is evaluated when the motion can be planned (assumed)
     code.emit(position, KrlVirtualMachine::awaitAdvance);
@@ -73,7 +73,7 @@ final class MotionCompiler {
     code.emit(position, KrlVirtualMachine::awaitMotionWithoutAdvance);
   }
 
-  private static MotionOrder order(KrlVirtualMachine machine, Statement.Motion motion)
+  private static MotionOrder order(KrlVirtualMachine machine, Statement.MotionStatement motion)
       throws KrlExecutionException {
     OptionalDouble angle =
         motion.circularAngle() == null

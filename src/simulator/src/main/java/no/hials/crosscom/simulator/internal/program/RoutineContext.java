@@ -28,7 +28,7 @@ final class RoutineContext {
                       (context, it) ->
                           context.stopsAdvanceRun(it.left()) || context.stopsAdvanceRun(it.right()))
                   .on(
-                      Expression.Call.class,
+                      Expression.FunctionCall.class,
                       (context, it) -> context.stopAdvanceRun(it.arguments()))
                   .on(
                       Expression.Aggregate.class,

@@ -28,8 +28,8 @@ final class StatementCompiler {
           Statement.class,
           cases ->
               cases
-                  .run(Statement.Assignment.class, StatementCompiler::assignment)
-                  .run(Statement.Call.class, StatementCompiler::call)
+                  .run(Statement.AssignmentStatement.class, StatementCompiler::assignment)
+                  .run(Statement.CallStatement.class, StatementCompiler::call)
                   .run(Statement.Pulse.class, StatementCompiler::pulse)
                   .run(Statement.If.class, StatementCompiler::branch)
                   .run(Statement.Switch.class, StatementCompiler::branch)
@@ -57,7 +57,7 @@ final class StatementCompiler {
                   .run(
                       Statement.Brake.class,
                       (c, it) -> c.code.emit(it.position(), machine -> machine.brake(it.maximum())))
-                  .run(Statement.Motion.class, StatementCompiler::motion)
+                  .run(Statement.MotionStatement.class, StatementCompiler::motion)
                   .run(
                       Statement.Trigger.class,
                       (c, it) -> c.motions.trigger(it, c.detached(it.action()))));
@@ -69,9 +69,9 @@ final class StatementCompiler {
               Statement.Action.class,
               cases ->
                   cases
-                      .run(Statement.Assignment.class, StatementCompiler::assign)
+                      .run(Statement.AssignmentStatement.class, StatementCompiler::assign)
                       .run(
-                          Statement.Call.class,
+                          Statement.CallStatement.class,
                           (c, it) ->
                               c.expressions.call(it.position(), it.name(), it.arguments(), false))
                       .run(Statement.Pulse.class, StatementCompiler::sendPulse));
@@ -149,12 +149,12 @@ final class StatementCompiler {
 
   // assignment, call, PULSE
 
-  private void assignment(Statement.Assignment assignment) {
+  private void assignment(Statement.AssignmentStatement assignment) {
     awaitFor(assignment.position(), assignment.target(), assignment.value());
     assign(assignment);
   }
 
-  private void call(Statement.Call call) {
+  private void call(Statement.CallStatement call) {
     awaitFor(call.position(), call.arguments().toArray(new Expression[0]));
     ACTIONS.run(this, call);
   }
@@ -164,7 +164,7 @@ final class StatementCompiler {
     sendPulse(pulse);
   }
 
-  private void assign(Statement.Assignment assignment) {
+  private void assign(Statement.AssignmentStatement assignment) {
     if (Scope.key(assignment.target().name()).equals("$CYCFLAG")) {
       // its expression would have to be evaluated again in each cycle
       // (docs/reference/system-variables.md#inputs-outputs-and-timers)
@@ -458,7 +458,7 @@ final class StatementCompiler {
 
   // motions
 
-  private void motion(Statement.Motion motion) {
+  private void motion(Statement.MotionStatement motion) {
     awaitFor(motion.position(), motion.auxiliary(), motion.target(), motion.circularAngle());
     motions.motion(motion);
   }

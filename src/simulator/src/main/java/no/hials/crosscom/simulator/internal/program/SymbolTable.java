@@ -34,9 +34,11 @@ final class SymbolTable {
           Declaration.class,
           cases ->
               cases
-                  .run(Declaration.Struc.class, (table, it) -> Declarations.declare(table.own, it))
                   .run(
-                      Declaration.Enumeration.class,
+                      Declaration.StrucDeclaration.class,
+                      (table, it) -> Declarations.declare(table.own, it))
+                  .run(
+                      Declaration.EnumDeclaration.class,
                       (table, it) -> Declarations.declare(table.own, it))
                   .run(Declaration.Variables.class, (table, it) -> {})
                   .run(Declaration.Signal.class, (table, it) -> {})
@@ -49,8 +51,8 @@ final class SymbolTable {
           Declaration.class,
           cases ->
               cases
-                  .run(Declaration.Struc.class, (table, it) -> {})
-                  .run(Declaration.Enumeration.class, (table, it) -> {})
+                  .run(Declaration.StrucDeclaration.class, (table, it) -> {})
+                  .run(Declaration.EnumDeclaration.class, (table, it) -> {})
                   .run(Declaration.Variables.class, SymbolTable::declareVariables)
                   .run(
                       Declaration.Signal.class,

@@ -203,20 +203,15 @@ class ArchitectureTest {
             .map(type -> type.group(1))
             .collect(Collectors.toSet());
     return CLASSES.stream()
-        .filter(type -> isTopLevel(type) || isNamedAlone(type))
+        .filter(type -> isTopLevel(type) || (type.isMemberClass() && !isBuilder(type)))
         .filter(ArchitectureTest::isPublic)
         .map(type -> type.getName().replace('$', '.'))
         .filter(name -> !original.contains(name));
   }
 
-  /**
-   * Returns whether a nested type has to differ from all others: not a builder, and not a node of
-   * the syntax trees, whose names are those of KRL.
-   */
-  private static boolean isNamedAlone(JavaClass type) {
-    return type.isMemberClass()
-        && !type.getSimpleName().equals("Builder")
-        && !type.getPackageName().equals(ROOT + ".lang");
+  /** Java's convention is one nested {@code Builder} for each class that needs one. */
+  private static boolean isBuilder(JavaClass type) {
+    return type.getSimpleName().equals("Builder");
   }
 
   /** Returns whether a type and the types around it are public. */

@@ -46,6 +46,12 @@ class OriginalBinariesTest {
         "Version01");
   }
 
+  /** The class loaders have slf4j without a provider, as the original's users have. */
+  @BeforeAll
+  static void silenceMissingProvider() {
+    System.setProperty("slf4j.internal.verbosity", "ERROR");
+  }
+
   @BeforeAll
   static void compileAgainstTheOriginal() throws Exception {
     new OriginalApi().compileTo(folder.resolve("original"));

@@ -18,7 +18,7 @@ import no.hials.crosscom.lab.plot.Series;
  * cycle.
  */
 final class Endurance implements Experiment {
-  private static final Control CONTROL = Control.POSITION;
+  private static final ControlMethod CONTROL = ControlMethod.POSITION;
   private static final int HEIGHT = 800;
 
   @Override
@@ -43,7 +43,7 @@ final class Endurance implements Experiment {
 
   @Override
   public ExperimentResult run(Settings settings) throws ControlRefusedException, IOException {
-    try (Pauses pauses = new Pauses()) {
+    try (GarbageCollections pauses = new GarbageCollections()) {
       Law.CartesianPosition circles =
           (Law.CartesianPosition) CONTROL.law(Shape.CIRCLE, settings.lapSeconds());
       Law standing = Law.cartesianPosition(state -> circles.position(beforeStart(state)));
@@ -55,8 +55,8 @@ final class Endurance implements Experiment {
               });
       Run run = Run.of("", settings, KrlPrograms.START, CONTROL.program(), standing, law);
       // the first call of the law follows the first reading
-      List<Pauses.Pause> seen = pauses.seen(run.cycles().get(0).read() / 1e3);
-      Misses misses = Misses.of(run.cycles(), seen, settings.period());
+      List<GarbageCollections.Pause> seen = pauses.seen(run.cycles().get(0).read() / 1e3);
+      MissedCycles misses = MissedCycles.of(run.cycles(), seen, settings.period());
       return new ExperimentResult(
           List.of(run), figures(misses, seen), chart(run, seen, settings), HEIGHT);
     }
@@ -68,7 +68,8 @@ final class Endurance implements Experiment {
         -state.period(), state.period(), state.axes(), state.position(), state.input());
   }
 
-  private static List<ExperimentResult.Figure> figures(Misses misses, List<Pauses.Pause> pauses) {
+  private static List<ExperimentResult.Figure> figures(
+      MissedCycles misses, List<GarbageCollections.Pause> pauses) {
     double[] lengths = pauses.stream().mapToDouble(pause -> pause.length() * 1e3).toArray();
     double sum = 0;
     for (double length : lengths) {
@@ -83,10 +84,11 @@ final class Endurance implements Experiment {
         new ExperimentResult.Figure("missed, anything else", misses.byOther(), ""),
         new ExperimentResult.Figure("garbage collections", lengths.length, ""),
         new ExperimentResult.Figure("garbage collections, together", sum, "ms"),
-        new ExperimentResult.Figure("garbage collections, longest", Errors.most(lengths), "ms"));
+        new ExperimentResult.Figure(
+            "garbage collections, longest", ErrorMetrics.maximum(lengths), "ms"));
   }
 
-  private static Chart chart(Run run, List<Pauses.Pause> pauses, Settings settings) {
+  private static Chart chart(Run run, List<GarbageCollections.Pause> pauses, Settings settings) {
     List<Trace.Cycle> cycles = run.cycles();
     List<Series> series = new ArrayList<>();
     series.add(
@@ -105,7 +107,7 @@ final class Endurance implements Experiment {
         Series.of(
             "garbage collection",
             Series.Style.POINTS,
-            pauses.stream().mapToDouble(Pauses.Pause::begin).toArray(),
+            pauses.stream().mapToDouble(GarbageCollections.Pause::begin).toArray(),
             pauses.stream().mapToDouble(pause -> pause.length() * 1e3).toArray()));
     Panel histogram = Plots.accessHistogram(cycles);
     return Chart.stacked(

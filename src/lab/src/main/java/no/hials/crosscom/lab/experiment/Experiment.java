@@ -16,7 +16,7 @@ public interface Experiment {
    */
   static List<Experiment> all() {
     List<Experiment> all = new ArrayList<>();
-    for (Control control : Control.values()) {
+    for (ControlMethod control : ControlMethod.values()) {
       for (Shape shape : Shape.values()) {
         all.add(new FollowShape(control, shape));
       }

@@ -184,10 +184,11 @@ final class FollowLine implements Experiment {
     for (Motion motion : List.of(krc, own)) {
       String name = ", " + motion.run.name();
       figures.addAll(
-          Errors.figures("tracking error" + name, "mm", lag(motion, settings.lapSeconds())));
-      figures.addAll(Errors.figures("deviation" + name, "mm", motion.each(FollowLine::deviation)));
+          ErrorMetrics.figures("tracking error" + name, "mm", lag(motion, settings.lapSeconds())));
       figures.addAll(
-          Errors.figures("rotation" + name, "°", motion.each(tool -> tool.angle(START))));
+          ErrorMetrics.figures("deviation" + name, "mm", motion.each(FollowLine::deviation)));
+      figures.addAll(
+          ErrorMetrics.figures("rotation" + name, "°", motion.each(tool -> tool.angle(START))));
     }
     return new ExperimentResult(
         List.of(krc.run, own.run),

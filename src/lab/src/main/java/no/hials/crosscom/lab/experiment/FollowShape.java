@@ -17,7 +17,7 @@ import no.hials.crosscom.lab.plot.Series;
  * @param control the kind of control
  * @param shape the figure
  */
-record FollowShape(Control control, Shape shape) implements Experiment {
+record FollowShape(ControlMethod control, Shape shape) implements Experiment {
   private static final int HEIGHT = 1080;
 
   @Override
@@ -60,7 +60,7 @@ record FollowShape(Control control, Shape shape) implements Experiment {
     double[] errors = Plots.values(cycles, cycle -> error(cycle, settings));
     return new ExperimentResult(
         List.of(run),
-        Errors.figures("tracking error", control.unit(), errors),
+        ErrorMetrics.figures("tracking error", control.unit(), errors),
         new Chart(settings.title(name() + ": " + control.program()), panels(cycles, settings), 2),
         HEIGHT);
   }

@@ -12,7 +12,7 @@ import javax.management.NotificationListener;
 import javax.management.openmbean.CompositeData;
 
 /** Records the garbage collection pauses of this process, to a millisecond. */
-final class Pauses implements AutoCloseable {
+final class GarbageCollections implements AutoCloseable {
   /** ZGC reports whole collections under this name, during which the process keeps running. */
   private static final String NOT_PAUSES = "Cycles";
 
@@ -31,7 +31,7 @@ final class Pauses implements AutoCloseable {
    */
   record Pause(double begin, double length) {}
 
-  Pauses() {
+  GarbageCollections() {
     for (GarbageCollectorMXBean bean : ManagementFactory.getGarbageCollectorMXBeans()) {
       if (bean instanceof NotificationEmitter emitter && !bean.getName().endsWith(NOT_PAUSES)) {
         emitter.addNotificationListener(listener, null, null);

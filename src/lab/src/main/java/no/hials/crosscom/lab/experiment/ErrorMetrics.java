@@ -3,8 +3,8 @@ package no.hials.crosscom.lab.experiment;
 import java.util.List;
 
 /** Computes the RMS and the maximum of errors. */
-final class Errors {
-  private Errors() {}
+final class ErrorMetrics {
+  private ErrorMetrics() {}
 
   static double rootMeanSquare(double... errors) {
     double sum = 0;
@@ -14,18 +14,18 @@ final class Errors {
     return errors.length == 0 ? 0 : Math.sqrt(sum / errors.length);
   }
 
-  static double most(double... errors) {
-    double most = 0;
+  static double maximum(double... errors) {
+    double maximum = 0;
     for (double error : errors) {
-      most = Math.max(most, Math.abs(error));
+      maximum = Math.max(maximum, Math.abs(error));
     }
-    return most;
+    return maximum;
   }
 
   /** Returns the RMS and the maximum. */
   static List<ExperimentResult.Figure> figures(String name, String unit, double... errors) {
     return List.of(
         new ExperimentResult.Figure(name + ", RMS", rootMeanSquare(errors), unit),
-        new ExperimentResult.Figure(name + ", max", most(errors), unit));
+        new ExperimentResult.Figure(name + ", max", maximum(errors), unit));
   }
 }

@@ -15,13 +15,14 @@ import no.hials.crosscom.control.Trace;
  * @param byCollection a garbage collection pause
  * @param byOther any other cause: the law, the loop, or a busy computer
  */
-record Misses(long byAccess, long byWaking, long byCollection, long byOther) {
+record MissedCycles(long byAccess, long byWaking, long byCollection, long byOther) {
   /** The time that a cycle itself may need, ms. */
   private static final double OWN = 0.2;
 
-  static Misses of(List<Trace.Cycle> cycles, List<Pauses.Pause> pauses, Duration period) {
+  static MissedCycles of(
+      List<Trace.Cycle> cycles, List<GarbageCollections.Pause> pauses, Duration period) {
     double dt = period.toNanos() / 1e6;
-    Misses sum = new Misses(0, 0, 0, 0);
+    MissedCycles sum = new MissedCycles(0, 0, 0, 0);
     for (int i = 1; i < cycles.size(); i++) {
       Trace.Cycle before = cycles.get(i - 1);
       // a cycle that begins late is not missed
@@ -33,23 +34,27 @@ record Misses(long byAccess, long byWaking, long byCollection, long byOther) {
     return sum;
   }
 
-  private static Misses between(
-      Trace.Cycle before, Trace.Cycle next, long missed, List<Pauses.Pause> pauses, double dt) {
+  private static MissedCycles between(
+      Trace.Cycle before,
+      Trace.Cycle next,
+      long missed,
+      List<GarbageCollections.Pause> pauses,
+      double dt) {
     double due = slot(before, dt) * dt / 1e3;
-    double pausedBefore = Pauses.millisBetween(pauses, due, before.time());
-    double pausedIn = Pauses.millisBetween(pauses, before.time(), next.time());
+    double pausedBefore = GarbageCollections.millisBetween(pauses, due, before.time());
+    double pausedIn = GarbageCollections.millisBetween(pauses, before.time(), next.time());
     double access = Math.max(0, before.read() + before.write() - pausedIn);
     double late = Math.max(0, (before.time() - due) * 1e3 - pausedBefore);
     long byAccess = Math.min(missed, (long) Math.floor((access + OWN) / dt));
     long byBoth = Math.min(missed, (long) Math.floor((late + access + OWN) / dt));
     long rest = missed - byBoth;
     return pausedBefore + pausedIn > 0
-        ? new Misses(byAccess, byBoth - byAccess, rest, 0)
-        : new Misses(byAccess, byBoth - byAccess, 0, rest);
+        ? new MissedCycles(byAccess, byBoth - byAccess, rest, 0)
+        : new MissedCycles(byAccess, byBoth - byAccess, 0, rest);
   }
 
-  private Misses plus(Misses other) {
-    return new Misses(
+  private MissedCycles plus(MissedCycles other) {
+    return new MissedCycles(
         byAccess + other.byAccess,
         byWaking + other.byWaking,
         byCollection + other.byCollection,

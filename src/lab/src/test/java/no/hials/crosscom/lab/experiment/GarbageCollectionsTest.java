@@ -7,21 +7,21 @@ import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-class PausesTest {
+class GarbageCollectionsTest {
   /** Both times are cut to whole milliseconds. */
   private static final double CUT = 0.0025;
 
   @Test
   @Timeout(30)
   void aPauseIsNotedAtTheTimeItWas() {
-    try (Pauses pauses = new Pauses()) {
+    try (GarbageCollections pauses = new GarbageCollections()) {
       pauses.begin();
       long start = System.nanoTime();
       double before = (System.nanoTime() - start) / 1e9;
       System.gc();
       double after = (System.nanoTime() - start) / 1e9;
 
-      List<Pauses.Pause> seen = pauses.seen(0);
+      List<GarbageCollections.Pause> seen = pauses.seen(0);
       while (seen.isEmpty()) { // they come on a thread of the JVM's own
         LockSupport.parkNanos(1_000_000);
         seen = pauses.seen(0);

@@ -6,7 +6,7 @@ import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 
 /** The four kinds of control of the papers, each with the plane in which it draws figures. */
-enum Control {
+enum ControlMethod {
   /** {@code x_t = x_d}, in increments of the tool. */
   POSITION("position", "position of the tool", RobotProgram.ACTUATOR) {
     @Override
@@ -65,7 +65,7 @@ enum Control {
   private final String quantity;
   private final RobotProgram program;
 
-  Control(String label, String quantity, RobotProgram program) {
+  ControlMethod(String label, String quantity, RobotProgram program) {
     this.label = label;
     this.quantity = quantity;
     this.program = program;

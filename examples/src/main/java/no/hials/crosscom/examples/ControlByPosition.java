@@ -55,7 +55,7 @@ public final class ControlByPosition {
               Locale.ROOT,
               "%s: at most %.2f %s from its target%n",
               error.quantity(),
-              error.most(),
+              error.maximum(),
               error.unit());
         }
       }

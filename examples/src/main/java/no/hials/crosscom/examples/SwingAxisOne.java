@@ -95,6 +95,6 @@ public final class SwingAxisOne {
     System.out.printf(
         Locale.ROOT,
         "A1 was at most %.2f degrees from its target%n",
-        statistics.errors().get(0).most());
+        statistics.errors().get(0).maximum());
   }
 }

@@ -55,10 +55,10 @@ public final class RatioBenchmark {
    *
    * @param one the median of the measured side
    * @param other the median of the bare socket
-   * @param least the smallest ratio of a trial
-   * @param most the largest ratio of a trial
+   * @param minimum the smallest ratio of a trial
+   * @param maximum the largest ratio of a trial
    */
-  record Result(double one, double other, double least, double most) {
+  record Result(double one, double other, double minimum, double maximum) {
     double ratio() {
       return one / other;
     }
@@ -119,8 +119,8 @@ public final class RatioBenchmark {
         result.one() / 1000,
         result.other() / 1000,
         result.ratio(),
-        result.least(),
-        result.most());
+        result.minimum(),
+        result.maximum());
   }
 
   private void measure(String title, Operation operation, boolean control) throws IOException {
@@ -148,8 +148,8 @@ public final class RatioBenchmark {
         result.one() / 1000,
         result.other() / 1000,
         result.ratio(),
-        result.least(),
-        result.most(),
+        result.minimum(),
+        result.maximum(),
         oneBytes,
         otherBytes);
   }
@@ -199,14 +199,14 @@ public final class RatioBenchmark {
   }
 
   static Result evaluate(List<double[]> ones, List<double[]> others) {
-    double least = Double.POSITIVE_INFINITY;
-    double most = 0;
+    double minimum = Double.POSITIVE_INFINITY;
+    double maximum = 0;
     for (int i = 0; i < ones.size(); i++) {
       double ratio = median(ones.get(i)) / median(others.get(i));
-      least = Math.min(least, ratio);
-      most = Math.max(most, ratio);
+      minimum = Math.min(minimum, ratio);
+      maximum = Math.max(maximum, ratio);
     }
-    return new Result(median(all(ones)), median(all(others)), least, most);
+    return new Result(median(all(ones)), median(all(others)), minimum, maximum);
   }
 
   private static double[] all(List<double[]> trials) {

@@ -100,8 +100,8 @@ class ComparisonTest {
 
     assertThat(result.one()).isEqualTo(4);
     assertThat(result.other()).isEqualTo(1.5);
-    assertThat(result.least()).isEqualTo(2);
-    assertThat(result.most()).isEqualTo(2);
+    assertThat(result.minimum()).isEqualTo(2);
+    assertThat(result.maximum()).isEqualTo(2);
   }
 
   @Test

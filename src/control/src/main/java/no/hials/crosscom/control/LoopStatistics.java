@@ -43,14 +43,19 @@ public record LoopStatistics(
    * Statistics of a kind of time, in ms.
    *
    * @param count the number of times; if it is 0, the others are 0
-   * @param least the shortest time
+   * @param minimum the shortest time
    * @param mean the mean
    * @param median the median, to 0.01 ms
    * @param percentile99 the 99th percentile, to 0.01 ms
-   * @param most the longest time
+   * @param maximum the longest time
    */
   public record Times(
-      long count, double least, double mean, double median, double percentile99, double most) {}
+      long count,
+      double minimum,
+      double mean,
+      double median,
+      double percentile99,
+      double maximum) {}
 
   /**
    * The tracking error of a quantity.
@@ -58,9 +63,10 @@ public record LoopStatistics(
    * @param quantity the quantity: {@code path} and {@code rotation}, or {@code A1} to {@code A6}
    * @param unit mm or degrees
    * @param rootMeanSquare the root mean square
-   * @param most the largest error
+   * @param maximum the largest error
    */
-  public record TrackingError(String quantity, String unit, double rootMeanSquare, double most) {}
+  public record TrackingError(
+      String quantity, String unit, double rootMeanSquare, double maximum) {}
 
   /**
    * Writes the numbers as lines of {@code name,value}, times in ms.
@@ -83,16 +89,16 @@ public record LoopStatistics(
     for (TrackingError error : errors) {
       String name = "error_" + error.quantity().toLowerCase(Locale.ROOT) + "_";
       line(csv, name + "rms", error.rootMeanSquare());
-      line(csv, name + "max", error.most());
+      line(csv, name + "max", error.maximum());
     }
   }
 
   private static void lines(Appendable csv, String name, Times times) throws IOException {
-    line(csv, name + "_min_ms", times.least());
+    line(csv, name + "_min_ms", times.minimum());
     line(csv, name + "_mean_ms", times.mean());
     line(csv, name + "_median_ms", times.median());
     line(csv, name + "_p99_ms", times.percentile99());
-    line(csv, name + "_max_ms", times.most());
+    line(csv, name + "_max_ms", times.maximum());
   }
 
   private static void line(Appendable csv, String name, long value) throws IOException {

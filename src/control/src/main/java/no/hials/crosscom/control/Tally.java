@@ -8,14 +8,14 @@ final class Tally {
   private final int[] buckets = new int[BUCKETS];
   private long count;
   private long sum;
-  private long least = Long.MAX_VALUE;
-  private long most;
+  private long minimum = Long.MAX_VALUE;
+  private long maximum;
 
   void add(long nanos) {
     count++;
     sum += nanos;
-    least = Math.min(least, nanos);
-    most = Math.max(most, nanos);
+    minimum = Math.min(minimum, nanos);
+    maximum = Math.max(maximum, nanos);
     buckets[(int) Math.min(BUCKETS - 1, nanos / BUCKET_NANOS)]++;
   }
 
@@ -23,7 +23,7 @@ final class Tally {
     return count == 0
         ? new LoopStatistics.Times(0, 0, 0, 0, 0, 0)
         : new LoopStatistics.Times(
-            count, millis(least), sum / 1e6 / count, part(0.5), part(0.99), millis(most));
+            count, millis(minimum), sum / 1e6 / count, part(0.5), part(0.99), millis(maximum));
   }
 
   /** Returns a quantile of the times, to 10 µs. */
@@ -33,10 +33,10 @@ final class Tally {
     for (int i = 0; i < BUCKETS - 1; i++) {
       seen += buckets[i];
       if (seen >= wanted) {
-        return millis(Math.min(most, (i + 1) * BUCKET_NANOS));
+        return millis(Math.min(maximum, (i + 1) * BUCKET_NANOS));
       }
     }
-    return millis(most); // beyond the buckets
+    return millis(maximum); // beyond the buckets
   }
 
   private static double millis(long nanos) {

@@ -36,7 +36,7 @@ class FollowingTest extends ControlTest {
       LoopStatistics statistics = loop.statistics();
       assertThat(statistics.cycles()).isEqualTo(334);
       assertThat(statistics.missed()).isZero();
-      assertThat(statistics.period().most()).isEqualTo(12);
+      assertThat(statistics.period().maximum()).isEqualTo(12);
       return loop.trace().cycles();
     }
   }

@@ -44,9 +44,9 @@ class MeasuringTest extends ControlTest {
       assertThat(statistics.missed()).isEqualTo(2);
       assertThat(statistics.missedByAccess()).isZero();
       assertThat(statistics.cycles()).isEqualTo(84 - 2);
-      assertThat(statistics.period().most()).isEqualTo(36);
+      assertThat(statistics.period().maximum()).isEqualTo(36);
       assertThat(statistics.period().median()).isCloseTo(12, within(0.01));
-      assertThat(statistics.own().most()).isEqualTo(30);
+      assertThat(statistics.own().maximum()).isEqualTo(30);
     }
   }
 
@@ -66,8 +66,8 @@ class MeasuringTest extends ControlTest {
       LoopStatistics statistics = loop.statistics();
       assertThat(statistics.missed()).isEqualTo(4);
       assertThat(statistics.missedByAccess()).isEqualTo(4);
-      assertThat(statistics.read().most()).isEqualTo(13);
-      assertThat(statistics.write().most()).isZero();
+      assertThat(statistics.read().maximum()).isEqualTo(13);
+      assertThat(statistics.write().maximum()).isZero();
     }
   }
 

@@ -327,11 +327,11 @@ public final class ExperimentCommand extends ConsoleCommand {
   private static void addTimes(Table table, String name, LoopStatistics.Times times) {
     table.add(
         name,
-        millis(times.least()),
+        millis(times.minimum()),
         millis(times.median()),
         millis(times.mean()),
         millis(times.percentile99()),
-        millis(times.most()));
+        millis(times.maximum()));
   }
 
   private static String millis(double value) {

@@ -87,7 +87,7 @@ abstract class Batch {
       return false;
     }
     try {
-      return channel.find(what(items), server -> server.hasRight(type));
+      return channel.find(what(items), server -> server.supportsCorrectly(type));
     } catch (CrossComException e) {
       fail(items.subList(0, 1), e);
       return false;

@@ -111,7 +111,7 @@ final class ServerDetector {
   }
 
   /** Returns whether the server supports a message without the errors of early versions. */
-  boolean hasRight(MessageType message) throws CrossComException {
+  boolean supportsCorrectly(MessageType message) throws CrossComException {
     if (type() == ServerType.KUKAVARPROXY) {
       return message.isKnownTo(ServerType.KUKAVARPROXY);
     }
@@ -132,7 +132,8 @@ final class ServerDetector {
     ServerType server = type();
     boolean known =
         server == ServerType.C3_BRIDGE
-            && (hasRight(message) || (!hasWrongVersions(message) && features().has(message)));
+            && (supportsCorrectly(message)
+                || (!hasWrongVersions(message) && features().has(message)));
     if (!known) {
       throw new CrossComUnsupportedException(what, message, server, version());
     }

@@ -64,10 +64,10 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private long failedSinceSample;
 
   /** The readings last reported as changed; the dead band is relative to them. */
-  private final Map<String, Reading> told = new HashMap<>();
+  private final Map<String, Reading> published = new HashMap<>();
 
   /** The changes in dropped samples, which the next sample repeats. */
-  private final Set<String> owed = new HashSet<>();
+  private final Set<String> undelivered = new HashSet<>();
 
   Watch(
       VariableExchange exchange,
@@ -194,14 +194,14 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     Duration duration = Duration.ofNanos(System.nanoTime() - start);
     Set<String> changed = changed(readings);
     if (!changed.isEmpty() || !config.changesOnly()) {
-      give(
+      publish(
           new Sample(
               ++samples, time, duration, readings, changed, missedSinceSample, failedSinceSample));
     }
   }
 
-  private void give(Sample sample) {
-    sample.changed().forEach(name -> told.put(name, sample.readings().get(name)));
+  private void publish(Sample sample) {
+    sample.changed().forEach(name -> published.put(name, sample.readings().get(name)));
     long before = dropped.get();
     publisher.offer(
         sample,
@@ -212,18 +212,18 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     if (dropped.get() == before) {
       missedSinceSample = 0;
       failedSinceSample = 0;
-      owed.clear();
+      undelivered.clear();
     } else {
       // the next sample repeats the changes, so that a slow listener gets the last values too
-      owed.addAll(sample.changed());
+      undelivered.addAll(sample.changed());
     }
   }
 
   private Set<String> changed(Map<String, Reading> readings) {
-    Set<String> changed = new HashSet<>(owed);
+    Set<String> changed = new HashSet<>(undelivered);
     readings.forEach(
         (name, reading) -> {
-          if (differs(told.get(name), reading)) {
+          if (differs(published.get(name), reading)) {
             changed.add(name);
           }
         });

@@ -89,10 +89,10 @@ public final class C3ProxyVariables {
     // these two existed before they were correct (docs/reference/c3-messages.md#server-versions)
     return type == MessageType.READ_MULTIPLE
         || type == MessageType.WRITE_MULTIPLE
-        || hasRight(type);
+        || supportsCorrectly(type);
   }
 
-  boolean hasRight(MessageType type) {
+  boolean supportsCorrectly(MessageType type) {
     return type.since().filter(since -> since.compareTo(config.version()) <= 0).isPresent();
   }
 

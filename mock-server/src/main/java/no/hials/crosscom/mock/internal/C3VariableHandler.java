@@ -198,7 +198,7 @@ public final class C3VariableHandler {
   // types 6 and 7
 
   private Outcome read(ReadMultipleRequest request) {
-    if (!internal.hasRight(request.type())) {
+    if (!internal.supportsCorrectly(request.type())) {
       // see MockServerConfig.version
       return empty(request, ErrorCode.NOT_IMPLEMENTED, null);
     }
@@ -210,7 +210,7 @@ public final class C3VariableHandler {
   }
 
   private Outcome write(WriteMultipleRequest request) {
-    if (!internal.hasRight(request.type())) {
+    if (!internal.supportsCorrectly(request.type())) {
       // see MockServerConfig.version
       return empty(request, ErrorCode.NOT_IMPLEMENTED, null);
     }

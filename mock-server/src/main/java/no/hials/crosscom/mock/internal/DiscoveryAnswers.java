@@ -16,7 +16,7 @@ public final class DiscoveryAnswers {
   private static final String QUESTION = "WHEREAREYOU?";
 
   /** The bytes of a question that C3 Bridge reads. */
-  private static final int LONGEST = 32;
+  private static final int MAX_LENGTH = 32;
 
   private final VariableTable variables;
   private final @Nullable C3ProxyVariables bridge;
@@ -42,7 +42,7 @@ public final class DiscoveryAnswers {
 
   /** A 0 ends the question (row "udp7000 @PROXY_TYPE NUL + 40 bytes" of c3-vectors.tsv). */
   private static String question(String datagram) {
-    String text = datagram.substring(0, Math.min(LONGEST, datagram.length()));
+    String text = datagram.substring(0, Math.min(MAX_LENGTH, datagram.length()));
     int end = text.indexOf(0);
     return end < 0 ? text : text.substring(0, end);
   }

@@ -10,8 +10,8 @@ import org.jspecify.annotations.Nullable;
  * options.
  */
 public final class LoopConfig {
-  private static final Duration SHORTEST = Duration.ofMillis(4);
-  private static final Duration LONGEST = Duration.ofSeconds(1);
+  private static final Duration MIN_TIME = Duration.ofMillis(4);
+  private static final Duration MAX_TIME = Duration.ofSeconds(1);
   private static final Duration LONGEST_DURATION = Duration.ofDays(365);
   private static final int LONGEST_TRACE = 1_000_000;
 
@@ -120,7 +120,7 @@ public final class LoopConfig {
 
     /** Sets the time {@code dt} between commands, 4 ms to 1 s. The default is 20 ms. */
     public Builder period(Duration dt) {
-      options.period = Checks.between("period", dt, SHORTEST, LONGEST);
+      options.period = Checks.between("period", dt, MIN_TIME, MAX_TIME);
       return this;
     }
 
@@ -152,7 +152,7 @@ public final class LoopConfig {
      * robot is slower.
      */
     public Builder stepTime(Duration time) {
-      options.stepTime = Checks.between("time of a step", time, SHORTEST, LONGEST);
+      options.stepTime = Checks.between("time of a step", time, MIN_TIME, MAX_TIME);
       return this;
     }
 

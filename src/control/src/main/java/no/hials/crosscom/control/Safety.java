@@ -16,9 +16,9 @@ public final class Safety {
   /** Half the side of the default workspace of a Cartesian law, mm. */
   static final double REACH = 300;
 
-  private static final Duration SHORTEST = Duration.ofMillis(1);
-  private static final Duration SHORTEST_WATCHDOG = Duration.ofMillis(50);
-  private static final Duration LONGEST = Duration.ofSeconds(10);
+  private static final Duration MIN_TIME = Duration.ofMillis(1);
+  private static final Duration MIN_WATCHDOG_TIME = Duration.ofMillis(50);
+  private static final Duration MAX_TIME = Duration.ofSeconds(10);
 
   private final Options options;
 
@@ -233,7 +233,7 @@ public final class Safety {
      * position (joint laws), and the watchdog are read, 1 ms to 10 s. The default is 300 ms.
      */
     public Builder checkInterval(Duration interval) {
-      options.checkInterval = Checks.between("check interval", interval, SHORTEST, LONGEST);
+      options.checkInterval = Checks.between("check interval", interval, MIN_TIME, MAX_TIME);
       return this;
     }
 
@@ -245,7 +245,7 @@ public final class Safety {
       options.watchdog =
           time.isZero()
               ? time
-              : Checks.between("time of the watchdog", time, SHORTEST_WATCHDOG, LONGEST);
+              : Checks.between("time of the watchdog", time, MIN_WATCHDOG_TIME, MAX_TIME);
       return this;
     }
 
@@ -268,7 +268,7 @@ public final class Safety {
      */
     public Builder maxFeedbackAge(Duration time) {
       options.maxFeedbackAge =
-          Checks.between("maximum age of the feedback", time, SHORTEST, LONGEST);
+          Checks.between("maximum age of the feedback", time, MIN_TIME, MAX_TIME);
       return this;
     }
 
@@ -289,13 +289,13 @@ public final class Safety {
      * at any interval.
      */
     public Builder maxStall(Duration time) {
-      options.maxStall = Checks.between("maximum time of a stall", time, SHORTEST, LONGEST);
+      options.maxStall = Checks.between("maximum time of a stall", time, MIN_TIME, MAX_TIME);
       return this;
     }
 
     /** Sets the maximum age of the input for motion, 1 ms to 10 s. The default is 200 ms. */
     public Builder maxInputAge(Duration time) {
-      options.maxInputAge = Checks.between("maximum age of the input", time, SHORTEST, LONGEST);
+      options.maxInputAge = Checks.between("maximum age of the input", time, MIN_TIME, MAX_TIME);
       return this;
     }
   }

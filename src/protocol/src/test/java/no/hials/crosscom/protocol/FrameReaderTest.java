@@ -23,7 +23,7 @@ final class FrameReaderTest {
   private static final byte[] ANSWER_50 = Hex.bytes("00 01 00 08 01 00 02 35 30 00 01 01");
   // the answer to an unknown function (docs/reference/kukavarproxy.md#unknown-functions)
   private static final byte[] EMPTY = Hex.bytes("00 02 00 00");
-  private static final byte[] LONGEST =
+  private static final byte[] LONGEST_FRAME =
       Codec.encode(
           new ValueResponse(
               3, MessageType.READ, "0123456789abc".repeat(5037) + "!".repeat(48), Tail.SUCCESS));
@@ -176,10 +176,10 @@ final class FrameReaderTest {
 
   @Test
   void theLongestFrameIsReadFromOneSegment() throws Exception {
-    assertThat(LONGEST).hasSize(65539);
-    FrameReader reader = new FrameReader((InputStream) Pieces.of(join(LONGEST, ANSWER_50)));
+    assertThat(LONGEST_FRAME).hasSize(65539);
+    FrameReader reader = new FrameReader((InputStream) Pieces.of(join(LONGEST_FRAME, ANSWER_50)));
 
-    expectNext(reader, LONGEST);
+    expectNext(reader, LONGEST_FRAME);
     expectNext(reader, ANSWER_50);
     assertThat(reader.next()).isEqualTo(-1);
   }
@@ -188,10 +188,10 @@ final class FrameReaderTest {
   @ValueSource(ints = {1, 1460, 2047, 2048, 2049, 65538, 65539})
   void theLongestFrameIsReadFromManySegments(int size) throws Exception {
     FrameReader reader =
-        new FrameReader((InputStream) Pieces.cut(join(ANSWER_100, LONGEST, ANSWER_50), size));
+        new FrameReader((InputStream) Pieces.cut(join(ANSWER_100, LONGEST_FRAME, ANSWER_50), size));
 
     expectNext(reader, ANSWER_100);
-    expectNext(reader, LONGEST);
+    expectNext(reader, LONGEST_FRAME);
     expectNext(reader, ANSWER_50);
     assertThat(reader.next()).isEqualTo(-1);
   }
@@ -269,12 +269,12 @@ final class FrameReaderTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 3, 4, 5, 13, 2048, 70_000})
   void aChannelIsCutIntoFramesAsAStreamIs(int size) throws Exception {
-    byte[] all = join(ANSWER_100, EMPTY, LONGEST, ANSWER_50);
+    byte[] all = join(ANSWER_100, EMPTY, LONGEST_FRAME, ANSWER_50);
     FrameReader reader = new FrameReader((ReadableByteChannel) Pieces.cut(all, size));
 
     expectNext(reader, ANSWER_100);
     expectNext(reader, EMPTY);
-    expectNext(reader, LONGEST);
+    expectNext(reader, LONGEST_FRAME);
     expectNext(reader, ANSWER_50);
     assertThat(reader.next()).isEqualTo(-1);
   }

@@ -33,7 +33,7 @@ import org.slf4j.LoggerFactory;
  */
 public final class UdpJsonInput implements InputDevice {
   private static final Logger LOG = LoggerFactory.getLogger(UdpJsonInput.class);
-  private static final int LONGEST = 2048;
+  private static final int MAX_LENGTH = 2048;
   private static final int MOST_VALUES = 100;
   private static final JsonFactory JSON =
       JsonFactory.builder().enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
@@ -85,10 +85,10 @@ public final class UdpJsonInput implements InputDevice {
 
   private void receive() {
     // one byte more than allowed detects a truncated datagram
-    DatagramPacket packet = new DatagramPacket(new byte[LONGEST + 1], LONGEST + 1);
+    DatagramPacket packet = new DatagramPacket(new byte[MAX_LENGTH + 1], MAX_LENGTH + 1);
     while (!socket.isClosed()) {
       try {
-        packet.setLength(LONGEST + 1);
+        packet.setLength(MAX_LENGTH + 1);
         socket.receive(packet);
       } catch (IOException e) {
         if (!socket.isClosed()) {
@@ -107,8 +107,8 @@ public final class UdpJsonInput implements InputDevice {
   }
 
   private static Input parse(byte[] bytes, int length) throws IOException {
-    if (length > LONGEST) {
-      throw new IOException("a datagram must have at most " + LONGEST + " bytes, has more");
+    if (length > MAX_LENGTH) {
+      throw new IOException("a datagram must have at most " + MAX_LENGTH + " bytes, has more");
     }
     List<Double> axes = new ArrayList<>();
     List<Boolean> buttons = new ArrayList<>();

@@ -30,7 +30,7 @@ public final class VariableLayouts {
    * The variables of a benchmark that C3 Bridge parses; those after them can be cut off
    * (docs/reference/c3-messages.md#benchmark-17).
    */
-  private static final int BENCHMARKED = 10;
+  private static final int MAX_BENCHMARK_VARIABLES = 10;
 
   private VariableLayouts() {}
 
@@ -206,8 +206,8 @@ public final class VariableLayouts {
     int count = in.u8("count");
     long iterations = in.u32("iterations");
     return write
-        ? new BenchmarkWriteRequest(id, iterations, assignments(count, in, BENCHMARKED))
+        ? new BenchmarkWriteRequest(id, iterations, assignments(count, in, MAX_BENCHMARK_VARIABLES))
         : new BenchmarkReadRequest(
-            id, iterations, items(count, in, BENCHMARKED, it -> it.wide("name")));
+            id, iterations, items(count, in, MAX_BENCHMARK_VARIABLES, it -> it.wide("name")));
   }
 }

@@ -35,7 +35,7 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
     private static final double EXACT = 1e-7;
 
     /** The most that an axis turns in an iteration, degrees. */
-    private static final double LONGEST = 20;
+    private static final double MAX_STEP = 20;
 
     @Override
     public Axes axes(double parameter, Axes near) throws MotionRefusedException {
@@ -71,7 +71,7 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
       if (!Double.isFinite(largest)) {
         throw unreachable(here.plus(missing));
       }
-      double part = Math.min(1, LONGEST / largest);
+      double part = Math.min(1, MAX_STEP / largest);
       return new Axes(turns[0] * part, turns[1] * part, turns[2] * part, 0, 0, 0);
     }
 

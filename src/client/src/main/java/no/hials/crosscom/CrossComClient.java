@@ -200,7 +200,8 @@ public final class CrossComClient implements Closeable {
    * @throws IllegalArgumentException if a field does not exist or has no value
    */
   public void writeFields(KRLStruct struct, String... fields) throws IOException {
-    variables.write(struct, struct.getStringValueOf(fields));
+    Objects.requireNonNull(struct, "struct");
+    variables.write(struct, struct.getStringValueOf(Objects.requireNonNull(fields, "fields")));
   }
 
   /**
@@ -229,7 +230,7 @@ public final class CrossComClient implements Closeable {
    * @throws IllegalStateException if the array has no value
    */
   public void writeVariable(KRLArray array, ArrayProgress progress) throws IOException {
-    variables.write(array, progress);
+    variables.write(Objects.requireNonNull(array, "array"), progress);
   }
 
   /**
@@ -245,7 +246,7 @@ public final class CrossComClient implements Closeable {
    * @return one result per variable, in the same order
    */
   public List<VariableResult> readVariables(List<? extends KRLVariable> several) {
-    return variables.readAll(several);
+    return variables.readAll(checked(several));
   }
 
   /**
@@ -255,7 +256,7 @@ public final class CrossComClient implements Closeable {
    * @return one result per variable, in the same order
    */
   public List<VariableResult> readVariables(KRLVariable... several) {
-    return readVariables(Arrays.asList(several));
+    return readVariables(Arrays.asList(Objects.requireNonNull(several, "variables")));
   }
 
   /**
@@ -270,7 +271,7 @@ public final class CrossComClient implements Closeable {
    * @throws IllegalStateException if a variable has no value; then nothing was written
    */
   public List<VariableResult> writeVariables(List<? extends KRLVariable> several) {
-    return variables.writeAll(several);
+    return variables.writeAll(checked(several));
   }
 
   /**
@@ -281,7 +282,19 @@ public final class CrossComClient implements Closeable {
    * @throws IllegalStateException if a variable has no value; then nothing was written
    */
   public List<VariableResult> writeVariables(KRLVariable... several) {
-    return writeVariables(Arrays.asList(several));
+    return writeVariables(Arrays.asList(Objects.requireNonNull(several, "variables")));
+  }
+
+  /** Refuses null before anything is sent. */
+  private static <T extends KRLVariable> List<T> checked(List<T> several) {
+    int index = 0;
+    for (T variable : Objects.requireNonNull(several, "variables")) {
+      if (variable == null) { // not by requireNonNull, as its message would be an object
+        throw new NullPointerException("variables[" + index + "]");
+      }
+      index++;
+    }
+    return several;
   }
 
   /**
@@ -292,6 +305,7 @@ public final class CrossComClient implements Closeable {
    * @return the running watch; the caller closes it
    */
   public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener) {
+    Objects.requireNonNull(watchConfig, "watchConfig");
     Watch watch = new Watch(variables, connection, watchConfig, watches::remove);
     watch.addListener(listener);
     watches.add(watch);
@@ -311,7 +325,10 @@ public final class CrossComClient implements Closeable {
    * @return the running watch; the caller closes it
    */
   public Watch watch(Duration period, Consumer<? super Sample> listener, String... names) {
-    return watch(WatchConfig.create(Arrays.asList(names), cfg -> cfg.period(period)), listener);
+    return watch(
+        WatchConfig.create(
+            Arrays.asList(Objects.requireNonNull(names, "names")), cfg -> cfg.period(period)),
+        listener);
   }
 
   /**
@@ -408,7 +425,7 @@ public final class CrossComClient implements Closeable {
    */
   @Deprecated
   public Callback sendRequest(Request request) throws IOException {
-    String name = request.getVariable();
+    String name = Objects.requireNonNull(request, "request").getVariable();
     String value = request.getValue();
     return new Callback(
         request, value == null ? variables.readOrEmpty(name) : variables.writeOrEmpty(name, value));

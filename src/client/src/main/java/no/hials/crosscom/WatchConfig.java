@@ -2,6 +2,7 @@ package no.hials.crosscom;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
@@ -21,7 +22,8 @@ public record WatchConfig(
 
   /** Checks every field. */
   public WatchConfig {
-    names = List.copyOf(names);
+    names = List.copyOf(Objects.requireNonNull(names, "names"));
+    Objects.requireNonNull(period, "period");
     if (names.isEmpty()) {
       throw new IllegalArgumentException("name at least one variable to watch");
     }
@@ -46,7 +48,7 @@ public record WatchConfig(
    */
   public static WatchConfig create(List<String> names, Consumer<Builder> settings) {
     Builder builder = new Builder();
-    settings.accept(builder);
+    Objects.requireNonNull(settings, "settings").accept(builder);
     return new WatchConfig(
         names, builder.period, builder.changesOnly, builder.deadBand, builder.bufferSize);
   }

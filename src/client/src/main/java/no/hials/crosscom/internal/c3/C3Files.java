@@ -75,7 +75,9 @@ public final class C3Files implements ControllerFiles {
   @Override
   public List<FileEntry> list(String directory, Set<ItemType> types, Set<ListFlag> flags)
       throws IOException {
-    String what = "listing of " + checked(directory);
+    Objects.requireNonNull(types, "types");
+    Objects.requireNonNull(flags, "flags");
+    String what = "listing of " + checked(directory, "directory");
     ListDirectoryResponse answer =
         channel.ask(
             new ListDirectoryRequest(
@@ -173,7 +175,7 @@ public final class C3Files implements ControllerFiles {
 
   private String name(MessageType type, String path, String what) throws CrossComException {
     return channel
-        .ask(new FileNameRequest(0, type, checked(path)), TextResponse.class, what + path)
+        .ask(new FileNameRequest(0, type, checked(path, "path")), TextResponse.class, what + path)
         .text();
   }
 
@@ -186,8 +188,8 @@ public final class C3Files implements ControllerFiles {
     change(
         new CreateFileRequest(
             0,
-            Code.of(type),
-            Flags.of(ModulePart.class, parts),
+            Code.of(Objects.requireNonNull(type, "type")),
+            Flags.of(ModulePart.class, Objects.requireNonNull(parts, "parts")),
             always,
             checked(name),
             template == null ? "" : template),
@@ -215,9 +217,9 @@ public final class C3Files implements ControllerFiles {
         new CopyFileRequest(
             0,
             type,
-            Flags.of(CopyFlag.class, List.of(flags)),
-            checked(source),
-            checked(destination)),
+            Flags.of(CopyFlag.class, List.of(Objects.requireNonNull(flags, "flags"))),
+            checked(source, "source"),
+            checked(destination, "destination")),
         (type == MessageType.COPY_FILE ? "copying of " : "move of ")
             + source
             + " to "
@@ -227,6 +229,8 @@ public final class C3Files implements ControllerFiles {
   @Override
   public void setAttributes(String name, Set<FileAttribute> set, Set<FileAttribute> cleared)
       throws IOException {
+    Objects.requireNonNull(set, "set");
+    Objects.requireNonNull(cleared, "cleared");
     for (FileAttribute attribute : set) {
       if (cleared.contains(attribute)) {
         throw new IllegalArgumentException(attribute + " cannot be both set and cleared");
@@ -245,7 +249,11 @@ public final class C3Files implements ControllerFiles {
   }
 
   private static String checked(String name) {
-    if (name.isBlank()) {
+    return checked(name, "name");
+  }
+
+  private static String checked(String name, String parameter) {
+    if (Objects.requireNonNull(name, parameter).isBlank()) {
       throw new IllegalArgumentException("a file's name must not be blank");
     }
     return name;
@@ -255,32 +263,38 @@ public final class C3Files implements ControllerFiles {
 
   @Override
   public void upload(Path source, String name, TransferConfig config) throws IOException {
+    checkNull(source, "source", name, config);
     transfers.upload(source, checked(name), config, Cancellation.NEVER);
   }
 
   @Override
   public void upload(byte[] content, String name, TransferConfig config) throws IOException {
+    checkNull(content, "content", name, config);
     transfers.upload(content, checked(name), config, Cancellation.NEVER);
   }
 
   @Override
   public void upload(InputStream content, long size, String name, TransferConfig config)
       throws IOException {
+    checkNull(content, "content", name, config);
     transfers.upload(content, checkedSize(size), checked(name), config, Cancellation.NEVER);
   }
 
   @Override
   public void uploadText(String text, String name, TransferConfig config) throws IOException {
+    checkNull(text, "text", name, config);
     upload(encoded(text), name, config);
   }
 
   @Override
   public byte[] download(String name, TransferConfig config) throws IOException {
+    checkNull(name, "name", name, config);
     return transfers.download(checked(name), config, Cancellation.NEVER);
   }
 
   @Override
   public void download(String name, Path target, TransferConfig config) throws IOException {
+    checkNull(target, "target", name, config);
     transfers.download(checked(name), target, config, Cancellation.NEVER);
   }
 
@@ -307,14 +321,14 @@ public final class C3Files implements ControllerFiles {
 
   @Override
   public CompletableFuture<Void> uploadAsync(Path source, String name, TransferConfig config) {
-    checkNull(source, name, config);
+    checkNull(source, "source", name, config);
     return transferAsync(
         cancellation -> transfers.upload(source, checked(name), config, cancellation));
   }
 
   @Override
   public CompletableFuture<Void> uploadAsync(byte[] content, String name, TransferConfig config) {
-    checkNull(content, name, config);
+    checkNull(content, "content", name, config);
     return transferAsync(
         cancellation -> transfers.upload(content, checked(name), config, cancellation));
   }
@@ -322,7 +336,7 @@ public final class C3Files implements ControllerFiles {
   @Override
   public CompletableFuture<Void> uploadAsync(
       InputStream content, long size, String name, TransferConfig config) {
-    checkNull(content, name, config);
+    checkNull(content, "content", name, config);
     return transferAsync(
         cancellation ->
             transfers.upload(content, checkedSize(size), checked(name), config, cancellation));
@@ -330,37 +344,38 @@ public final class C3Files implements ControllerFiles {
 
   @Override
   public CompletableFuture<Void> uploadTextAsync(String text, String name, TransferConfig config) {
-    checkNull(text, name, config);
+    checkNull(text, "text", name, config);
     return transferAsync(
         cancellation -> transfers.upload(encoded(text), checked(name), config, cancellation));
   }
 
   @Override
   public CompletableFuture<byte[]> downloadAsync(String name, TransferConfig config) {
-    checkNull(name, name, config);
+    checkNull(name, "name", name, config);
     return channel.asyncTransfer(
         cancellation -> transfers.download(checked(name), config, cancellation));
   }
 
   @Override
   public CompletableFuture<Void> downloadAsync(String name, Path target, TransferConfig config) {
-    checkNull(target, name, config);
+    checkNull(target, "target", name, config);
     return transferAsync(
         cancellation -> transfers.download(checked(name), target, config, cancellation));
   }
 
   @Override
   public CompletableFuture<String> downloadTextAsync(String name, TransferConfig config) {
-    checkNull(name, name, config);
+    checkNull(name, "name", name, config);
     return channel.asyncTransfer(
         cancellation -> new String(transfers.download(checked(name), config, cancellation), TEXT));
   }
 
-  /** Refuses null in the thread of the program. */
-  private static void checkNull(Object local, String name, TransferConfig config) {
+  /** Refuses null before a transfer begins, in the thread of the program. */
+  private static void checkNull(
+      Object local, String parameter, String name, TransferConfig config) {
+    Objects.requireNonNull(local, parameter);
     Objects.requireNonNull(name, "name");
     Objects.requireNonNull(config, "config");
-    Objects.requireNonNull(local, "the source or target");
   }
 
   /** A transfer. */

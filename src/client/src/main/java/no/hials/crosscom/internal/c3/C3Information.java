@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.c3.BenchmarkResult;
 import no.hials.crosscom.c3.BridgeInfo;
@@ -70,7 +71,7 @@ public final class C3Information implements Information {
   @Override
   public BenchmarkResult benchmarkRead(long iterations, List<String> names)
       throws CrossComException {
-    checkCount(names.size());
+    checkCount(Objects.requireNonNull(names, "names").size());
     return benchmark(
         new BenchmarkReadRequest(0, iterations, names), "benchmark of reading " + names);
   }
@@ -78,7 +79,7 @@ public final class C3Information implements Information {
   @Override
   public BenchmarkResult benchmarkWrite(long iterations, Map<String, String> values)
       throws CrossComException {
-    checkCount(values.size());
+    checkCount(Objects.requireNonNull(values, "values").size());
     List<Assignment> assignments = new ArrayList<>();
     values.forEach((name, value) -> assignments.add(new Assignment(name, value)));
     return benchmark(

@@ -1,6 +1,7 @@
 package no.hials.crosscom.internal.c3;
 
 import java.util.Arrays;
+import java.util.Objects;
 import java.util.function.Predicate;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.KRL.structs.KRLAxis;
@@ -23,32 +24,32 @@ public final class C3Motion implements Motion {
 
   @Override
   public void ptp(KRLFrame target) throws CrossComException {
-    move(MotionType.PTP, target, target::isSet);
+    move(MotionType.PTP, Objects.requireNonNull(target, "target"), target::isSet);
   }
 
   @Override
   public void ptp(KRLAxis target) throws CrossComException {
-    move(MotionType.PTP, target, target::isSet);
+    move(MotionType.PTP, Objects.requireNonNull(target, "target"), target::isSet);
   }
 
   @Override
   public void lin(KRLFrame target) throws CrossComException {
-    move(MotionType.LIN, target, target::isSet);
+    move(MotionType.LIN, Objects.requireNonNull(target, "target"), target::isSet);
   }
 
   @Override
   public void ptpRel(KRLFrame offset) throws CrossComException {
-    move(MotionType.PTP_REL, offset, offset::isSet);
+    move(MotionType.PTP_REL, Objects.requireNonNull(offset, "offset"), offset::isSet);
   }
 
   @Override
   public void ptpRel(KRLAxis offset) throws CrossComException {
-    move(MotionType.PTP_REL, offset, offset::isSet);
+    move(MotionType.PTP_REL, Objects.requireNonNull(offset, "offset"), offset::isSet);
   }
 
   @Override
   public void linRel(KRLFrame offset) throws CrossComException {
-    move(MotionType.LIN_REL, offset, offset::isSet);
+    move(MotionType.LIN_REL, Objects.requireNonNull(offset, "offset"), offset::isSet);
   }
 
   private void move(MotionType type, KRLStruct position, Predicate<String> isSet)

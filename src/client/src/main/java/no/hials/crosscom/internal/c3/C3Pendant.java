@@ -1,5 +1,6 @@
 package no.hials.crosscom.internal.c3;
 
+import java.util.Objects;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.c3.KeyAction;
 import no.hials.crosscom.c3.Pendant;
@@ -26,6 +27,7 @@ public final class C3Pendant implements Pendant {
   }
 
   private void send(KeyAction key, boolean released) throws CrossComException {
+    Objects.requireNonNull(key, "key");
     channel.ask(
         new PendantKeyRequest(0, key.key(), key.number(), key.keyCode(), key.direction(), released),
         ProgramResponse.class,

@@ -41,6 +41,7 @@ public final class C3Programs implements Programs {
 
   private void control(ProgramCommand command, String noun, Interpreter interpreter)
       throws CrossComException {
+    Objects.requireNonNull(interpreter, "interpreter");
     channel.ask(
         new ProgramControlRequest(0, Code.of(command), Code.of(interpreter)),
         ProgramResponse.class,

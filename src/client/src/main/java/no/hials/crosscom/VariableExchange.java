@@ -9,6 +9,7 @@ import no.hials.crosscom.KRL.KRLArray;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
+import no.hials.crosscom.internal.VariableName;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.FrameWriter;
@@ -58,7 +59,7 @@ final class VariableExchange {
   // --- by name
 
   TextAnswer read(String name) throws CrossComException {
-    if (!Latin1.has(checkName(name))) {
+    if (!Latin1.has(VariableName.check(name))) {
       return readUtf16(name);
     }
     byte[] frame = Codec.encode(new ReadRequest(0, name));
@@ -438,16 +439,8 @@ final class VariableExchange {
     return Latin1.has(name) && Latin1.has(value);
   }
 
-  private static String checkName(String name) {
-    Objects.requireNonNull(name, "the variable's name");
-    if (name.isBlank()) {
-      throw new IllegalArgumentException("a variable's name must not be blank");
-    }
-    return name;
-  }
-
   private void check(String name, CharSequence value) throws CrossComValueException {
-    checkName(name);
+    VariableName.check(name);
     checkAggregate(name, value);
   }
 

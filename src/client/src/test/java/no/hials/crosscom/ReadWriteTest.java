@@ -35,6 +35,7 @@ import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.value.KrlStruct;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -619,5 +620,23 @@ class ReadWriteTest extends RobotTest {
         .isThrownBy(() -> client.readText("A".repeat(3000)))
         .withMessageContaining("a request must have at most 2048 bytes, has 3007");
     assertThat(robot.requests()).isEmpty();
+  }
+
+  @Test
+  void refusesANameThatIsTooLongForAMessageAndShowsItsBeginning() {
+    String name = "LONGNAME".repeat(10_000);
+
+    for (ThrowingCallable access :
+        List.<ThrowingCallable>of(
+            () -> client.readText(name),
+            () -> client.writeText(name, "1"),
+            () -> client.readVariable(new KRLInt(name)))) {
+      assertThatIllegalArgumentException()
+          .isThrownBy(access)
+          .withMessage(
+              "a variable's name must have at most 65532 characters, has 80000: "
+                  + "LONGNAME".repeat(5)
+                  + "...");
+    }
   }
 }

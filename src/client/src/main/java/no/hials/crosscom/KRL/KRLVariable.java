@@ -3,13 +3,13 @@ package no.hials.crosscom.KRL;
 import java.lang.reflect.Method;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
 import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.internal.BoxedFrame;
 import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
+import no.hials.crosscom.internal.VariableName;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlText;
@@ -50,11 +50,7 @@ public abstract class KRLVariable {
    * @throws IllegalArgumentException if the name is blank or too long for a message
    */
   public KRLVariable(String name) {
-    Objects.requireNonNull(name, "name");
-    if (name.isBlank()) {
-      throw new IllegalArgumentException("a variable's name must not be blank");
-    }
-    this.name = name;
+    this.name = VariableName.check(name);
     this.id = IDS.getAndIncrement();
     this.readFrame = Latin1.has(name) ? Codec.encode(new ReadRequest(0, name)) : null;
   }

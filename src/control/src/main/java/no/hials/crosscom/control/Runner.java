@@ -199,17 +199,11 @@ final class Runner<P> {
   }
 
   private void read(boolean withCheck, boolean beat, long begin) throws ControlRefusedException {
-    Check now = null;
-    boolean withClock = age.isReadTogether();
-    if (age.isOverdue()) {
-      withClock = true;
-    } else if (withCheck) {
-      nextCheck = begin + checkInterval;
-      check = (check + 1) % checks.size();
-      now = checks.get(check);
-    } else if (!beat && age.isDue()) {
-      withClock = true; // an access of its own, in a cycle that needs no other
-    }
+    boolean overdue = age.isOverdue();
+    Check now = withCheck && !overdue ? nextCheck(begin) : null;
+    // a clock with an access of its own waits for a cycle that needs no other
+    boolean free = !withCheck && !beat;
+    boolean withClock = age.isReadTogether() || overdue || (free && age.isDue());
     KRLVariable checked = now == null ? null : now.variable();
     if (withClock) {
       channel.read(space.feedback, age.clock, checked);
@@ -223,6 +217,12 @@ final class Runner<P> {
     if (now != null) {
       now.verdict().check();
     }
+  }
+
+  private Check nextCheck(long begin) {
+    nextCheck = begin + checkInterval;
+    check = (check + 1) % checks.size();
+    return checks.get(check);
   }
 
   private void checkReading(long begin) throws ControlRefusedException {

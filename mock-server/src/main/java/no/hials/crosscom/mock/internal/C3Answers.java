@@ -43,7 +43,7 @@ import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 
 /**
  * Creates answers that only repeat fields of the request: C3 Bridge's answers to malformed requests
- * (the rows with code 9 of c3-vectors.tsv), and scripted answers.
+ * (docs/reference/c3-messages.md#error-codes), and scripted answers.
  */
 final class C3Answers {
   /** The most bytes of an answer between function and tail. */

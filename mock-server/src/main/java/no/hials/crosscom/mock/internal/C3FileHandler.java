@@ -53,8 +53,8 @@ import no.hials.crosscom.simulator.internal.files.TransferBuffer;
 
 /**
  * Answers the messages 20 to 30 of one connection as C3 Bridge does
- * (docs/reference/c3-messages.md#files-20-to-28; c3-vectors.tsv). A connection has two buffers, one
- * for writing and one for reading; it is assumed that connections do not share them.
+ * (docs/reference/c3-messages.md#files-20-to-28). A connection has two buffers, one for writing and
+ * one for reading; it is assumed that connections do not share them.
  *
  * <p>Not thread-safe. Other connections can use the same files at the same time.
  */
@@ -288,9 +288,9 @@ public final class C3FileHandler implements AutoCloseable {
   }
 
   /**
-   * Answers a request of a type from 20 to 30 with malformed fields (the rows with code 9 of
-   * c3-vectors.tsv; docs/reference/c3-messages.md#file-content-29-and-30). Of file content, those
-   * of type 29 are measured, those of type 30 assumed.
+   * Answers a request of a type from 20 to 30 with malformed fields
+   * (docs/reference/c3-messages.md#file-content-29-and-30). Of file content, those of type 29 are
+   * measured, those of type 30 assumed.
    */
   Response malformed(MalformedRequestException request) {
     int id = request.id();

@@ -271,7 +271,7 @@ public final class C3ProgramHandler {
   private ErrorCode startKey(PendantKeyRequest request) {
     Code<Interpreter> number = new Code<>(Interpreter.class, request.number());
     ProgramControl program = interpreter(number);
-    // 0 is forward (row "12 key start, interpreter 1, forward" of c3-vectors.tsv)
+    // 0 is forward (docs/reference/c3-messages.md#pendant-keys-12)
     if (request.direction() && !request.released()) {
       return ErrorCode.NOT_IMPLEMENTED;
     }

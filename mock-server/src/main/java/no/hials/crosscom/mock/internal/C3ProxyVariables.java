@@ -64,7 +64,10 @@ public final class C3ProxyVariables {
     };
   }
 
-  /** Returns 64 digits, the last one for message 0 (c3-vectors.tsv). */
+  /**
+   * Returns 64 digits, the last one for message 0
+   * (docs/reference/c3-messages.md#internal-variables).
+   */
   private String featureDigits() {
     StringBuilder digits = new StringBuilder();
     Features features = features();

@@ -129,12 +129,12 @@ public final class C3VariableHandler {
     return new Result(value, result.code(), result.refused());
   }
 
-  /** Measured for an empty name (row "4 read empty name" of c3-vectors.tsv), else assumed. */
+  /** Measured for an empty name (docs/reference/c3-messages.md#error-codes), else assumed. */
   private static ErrorCode code(String name) {
     return name.isEmpty() ? ErrorCode.ARGUMENT : ErrorCode.GENERAL;
   }
 
-  /** Decides the code for any value (row "5 write read-only variable" of c3-vectors.tsv). */
+  /** Decides the code for any value (docs/reference/c3-messages.md#error-codes). */
   private boolean isReadOnly(String name) {
     String variable = name.strip().split("[.\\[]", 2)[0];
     return variables

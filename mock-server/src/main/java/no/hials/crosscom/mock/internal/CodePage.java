@@ -4,9 +4,8 @@ import java.nio.charset.Charset;
 
 /**
  * Converts between the texts of UTF-16 messages and of the controller. A CHAR of the controller is
- * assumed to be a byte of the Windows code page 1252 (docs/reference/c3-messages.md#code-pages),
- * because of the euro sign in the row "4 read MYUMLAUT[]" of c3-vectors.tsv. A text of the
- * controller has the character of the same number for each byte, as in ISO 8859-1.
+ * assumed to be a byte of the Windows code page 1252 (docs/reference/c3-messages.md#code-pages). A
+ * text of the controller has the character of the same number for each byte, as in ISO 8859-1.
  */
 final class CodePage {
   private static final int FIRST = 0x80;

@@ -9,13 +9,12 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Answers the questions of discovery (docs/reference/wire-format.md#discovery): {@code
- * WHEREAREYOU?}, and for C3 Bridge, in both modes, the names of its proxy variables
- * (c3-vectors.tsv).
+ * WHEREAREYOU?}, and for C3 Bridge, in both modes, the names of its proxy variables.
  */
 public final class DiscoveryAnswers {
   private static final String QUESTION = "WHEREAREYOU?";
 
-  /** The bytes of a question that C3 Bridge reads. */
+  /** The bytes of a question that C3 Bridge reads (docs/reference/wire-format.md#discovery). */
   private static final int MAX_LENGTH = 32;
 
   private final VariableTable variables;
@@ -40,7 +39,7 @@ public final class DiscoveryAnswers {
     return asked.equals(QUESTION) ? where(String::valueOf) : bridge.findProxy(asked);
   }
 
-  /** A 0 ends the question (row "udp7000 @PROXY_TYPE NUL + 40 bytes" of c3-vectors.tsv). */
+  /** A 0 ends the question (docs/reference/wire-format.md#discovery). */
   private static String question(String datagram) {
     String text = datagram.substring(0, Math.min(MAX_LENGTH, datagram.length()));
     int end = text.indexOf(0);

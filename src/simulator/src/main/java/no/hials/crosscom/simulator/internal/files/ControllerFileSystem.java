@@ -22,10 +22,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The files of the controller as C3 Bridge serves them
- * (docs/reference/c3-messages.md#files-20-to-28). Error codes that were not measured
- * (c3-vectors.tsv) are assumed: {@link ErrorCode#GENERAL} for a missing item, {@link
- * ErrorCode#ACCESS} for an item that exists already or is in use, {@link ErrorCode#ARGUMENT} for
- * arguments that make no sense.
+ * (docs/reference/c3-messages.md#files-20-to-28). Error codes that were not measured are assumed:
+ * {@link ErrorCode#GENERAL} for a missing item, {@link ErrorCode#ACCESS} for an item that exists
+ * already or is in use, {@link ErrorCode#ARGUMENT} for arguments that make no sense.
  *
  * <p>Thread-safe. One lock is held during access to the disk too, because the result of a check
  * must stay true until the change is done.

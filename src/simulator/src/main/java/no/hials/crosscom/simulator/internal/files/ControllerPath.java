@@ -46,7 +46,8 @@ public record ControllerPath(List<String> names) {
     }
     names.remove(0);
     if (!names.isEmpty() && names.get(names.size() - 1).isEmpty()) {
-      names.remove(names.size() - 1); // a slash at the end is allowed (c3-vectors.tsv, type 21)
+      // a slash at the end is allowed (docs/reference/c3-messages.md#files-20-to-28)
+      names.remove(names.size() - 1);
     }
     ControllerPath path = ROOT;
     for (String name : names) {

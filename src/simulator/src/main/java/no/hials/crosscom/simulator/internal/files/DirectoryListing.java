@@ -16,8 +16,9 @@ final class DirectoryListing {
   private final boolean infos;
 
   /**
-   * Measured with all flags set only: the names are full names (c3-vectors.tsv, type 21). Assumed:
-   * both flags ask for them, because plain names would not tell where a file is.
+   * Measured with all flags set only: the names are full names
+   * (docs/reference/c3-messages.md#files-20-to-28). Assumed: both flags ask for them, because plain
+   * names would not tell where a file is.
    */
   private final boolean fullNames;
 
@@ -36,7 +37,7 @@ final class DirectoryListing {
   }
 
   void add(FileItem item) throws FileRefusedException {
-    // no types means all types (c3-vectors.tsv, type 21)
+    // no types means all types (docs/reference/c3-messages.md#files-20-to-28)
     if (types != 0 && (types & item.type().code()) == 0) {
       return;
     }

@@ -28,8 +28,8 @@ public record FileItem(
     Instant modified) {
 
   /**
-   * The types by extension. Those of modules, texts and unknown files are measured (c3-vectors.tsv,
-   * type 21), the rest assumed.
+   * The types by extension. Those of modules, texts and unknown files are measured
+   * (docs/reference/c3-messages.md#files-20-to-28), the rest assumed.
    */
   private static final Map<String, ItemType> TYPES =
       Map.ofEntries(
@@ -52,7 +52,7 @@ public record FileItem(
         : TYPES.getOrDefault(extension(path.name()), ItemType.BINARY);
   }
 
-  /** Returns who may edit the item (c3-vectors.tsv, type 26). */
+  /** Returns who may edit the item (docs/reference/c3-messages.md#files-20-to-28). */
   public EditMode editMode() {
     if (directory) {
       return EditMode.UNKNOWN;
@@ -64,7 +64,10 @@ public record FileItem(
     return (attributes & FileAttribute.READ_ONLY.code()) != 0;
   }
 
-  /** Returns type, attributes and size, as in a long list (c3-vectors.tsv, type 21). */
+  /**
+   * Returns type, attributes and size, as in a long list
+   * (docs/reference/c3-messages.md#files-20-to-28).
+   */
   String info() {
     return type().code() + "," + attributes + "," + size;
   }

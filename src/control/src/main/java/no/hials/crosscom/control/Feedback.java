@@ -54,7 +54,7 @@ final class Feedback<P> {
   }
 
   /** Sets the commanded position; null if the robot was told to stand. */
-  void told(@Nullable P place) {
+  void setCommanded(@Nullable P place) {
     target = place;
   }
 

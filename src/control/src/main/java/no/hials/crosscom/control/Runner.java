@@ -278,7 +278,7 @@ final class Runner<P> {
     previous = desired;
     held = null;
     holding = false;
-    feedback.told(desired);
+    feedback.setCommanded(desired);
     if (!target.increment()) {
       return space.numbers(desired);
     }
@@ -335,7 +335,7 @@ final class Runner<P> {
     meter.held();
     holding = true;
     previous = null;
-    feedback.told(null);
+    feedback.setCommanded(null);
     if (target.increment()) {
       return ZEROS;
     }

@@ -97,9 +97,18 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
     boolean mock = table.flag("mock");
     boolean readOnly = table.flag("read-only");
     String host = table.text("host");
-    Integer port = table.converted("port", SettingText::port, Number.class);
-    Duration timeout = table.converted("timeout", SettingText::time, String.class, Number.class);
-    ServerType server = table.converted("server", SettingText::server, String.class);
+    Integer port =
+        table.converted(
+            "port", SettingText::port, "must be a whole number, without quotes", Number.class);
+    Duration timeout =
+        table.converted(
+            "timeout",
+            SettingText::time,
+            "must be a text in quotes such as \"1.5s\", or a whole number of ms",
+            String.class,
+            Number.class);
+    ServerType server =
+        table.converted("server", SettingText::server, TomlTable.TEXT, String.class);
     if (mock && (host != null || port != null)) {
       throw table.error("mock excludes host and port");
     }

@@ -1,6 +1,7 @@
 package no.hials.crosscom.cell;
 
 import com.fasterxml.jackson.core.JacksonException;
+import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.dataformat.toml.TomlFactory;
@@ -16,6 +17,9 @@ import org.jspecify.annotations.Nullable;
 
 /** A table of a TOML file whose errors contain file, line and key. */
 final class TomlTable {
+  /** The rule for a text. */
+  static final String TEXT = "must be a text in quotes";
+
   private final Path file;
   private final TomlLines lines;
   private final List<String> path;
@@ -34,11 +38,25 @@ final class TomlTable {
       parser.nextToken();
       return new TomlTable(file, new TomlLines(text), List.of(), readTable(parser));
     } catch (JacksonException e) {
-      String place = e.getLocation() == null ? "" : ":" + e.getLocation().getLineNr();
+      String place = e.getLocation() == null ? "" : ":" + line(text, e);
       throw new FileException(file + place + ": invalid TOML: " + e.getOriginalMessage(), e);
     } catch (IOException e) {
       throw new FileException("cannot read " + file + ": " + e.getMessage(), e);
     }
+  }
+
+  /** Returns the line of an error; the parser finds a duplicate key at the next key or the end. */
+  private static int line(String text, JacksonException e) {
+    JsonLocation place = e.getLocation();
+    int line = place.getLineNr();
+    if (e.getOriginalMessage().equals("Duplicate key")) {
+      List<String> lines = text.lines().toList();
+      line -= place.getColumnNr() == 1 ? 1 : 0;
+      while (lines.get(line - 1).matches("\\s*(#.*)?")) {
+        line--;
+      }
+    }
+    return line;
   }
 
   private static Map<String, Object> readTable(JsonParser parser) throws IOException {
@@ -102,7 +120,7 @@ final class TomlTable {
     if (value == null || value instanceof String) {
       return (String) value;
     }
-    throw error(key, "must be a text in quotes");
+    throw error(key, TEXT);
   }
 
   /** Returns a truth value; false if the key is absent. */
@@ -117,18 +135,18 @@ final class TomlTable {
   /**
    * Returns the converted value of a text or number; null if the key is absent.
    *
+   * @param rule says in errors which types are allowed
    * @param types the allowed types of the value
    */
-  <T> @Nullable T converted(String key, Function<String, T> converter, Class<?>... types)
+  <T> @Nullable T converted(
+      String key, Function<String, T> converter, String rule, Class<?>... types)
       throws FileException {
     Object value = values.get(key);
     if (value == null) {
       return null;
     }
     if (Stream.of(types).noneMatch(type -> type.isInstance(value))) {
-      boolean text = List.of(types).contains(String.class);
-      throw error(
-          key, text ? "must be a text in quotes" : "must be a whole number, without quotes");
+      throw error(key, rule);
     }
     try {
       return converter.apply(value.toString());

@@ -263,7 +263,10 @@ class ProfilesTest {
         "port = 1.5             | :2: robots.a.port: must be a whole number, without quotes",
         "port = 65536           | :2: robots.a.port: must be 1 to 65535, is 65536",
         "port = 99999999999999999999 | :2: robots.a.port: must be 1 to 65535",
-        "timeout = true         | :2: robots.a.timeout: must be a text in quotes",
+        "timeout = true         | :2: robots.a.timeout: must be a text in quotes such as",
+        "timeout = 1.5          | :2: robots.a.timeout: must be a text in quotes such as \"1.5s\", or",
+        "host='h'~host='i'~~#   | :3: invalid TOML: Duplicate key",
+        "host='h'~host='i'      | :3: invalid TOML: Duplicate key",
         "timeout = '3h'         | :2: robots.a.timeout: must be like 500, 500ms, 3s or 1m, is 3h",
         "read-only = 'yes'      | :2: robots.a.read-only: must be true or false, without quotes",
         "mock = 1               | :2: robots.a.mock: must be true or false, without quotes",
@@ -274,7 +277,7 @@ class ProfilesTest {
         "host =                 | :2: invalid TOML: ",
       })
   void saysWhereTheFileIsWrong(String line, String message) throws IOException {
-    Path file = config("[robots.a]", line);
+    Path file = config("[robots.a]", line.replace('~', '\n'));
 
     run("read", "MYINT", "@a").fails(2).startsWith("jopenshowvar: " + file + message);
   }

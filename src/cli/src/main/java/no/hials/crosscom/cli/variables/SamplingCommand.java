@@ -2,7 +2,10 @@ package no.hials.crosscom.cli.variables;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Set;
 import no.hials.crosscom.cell.Sampling;
 import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -47,12 +50,15 @@ abstract class SamplingCommand extends ControllerCommand {
     check();
     return Sampling.open(
         new Sampling.SamplingPlan(
-            names.stream().distinct().toList(),
-            period,
-            length,
-            count == null ? Long.MAX_VALUE : count),
+            distinct(), period, length, count == null ? Long.MAX_VALUE : count),
         targets(),
         Robots::open);
+  }
+
+  /** Returns each variable once; the case of its name does not matter. */
+  private List<String> distinct() {
+    Set<String> seen = new HashSet<>();
+    return names.stream().filter(name -> seen.add(name.toUpperCase(Locale.ROOT))).toList();
   }
 
   /** Reads all variables once, prints the failures, and returns the worst of them. */

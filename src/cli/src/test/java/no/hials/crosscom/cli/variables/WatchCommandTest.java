@@ -49,6 +49,12 @@ class WatchCommandTest {
   }
 
   @Test
+  void readsAVariableOnceIfItIsNamedInDifferentCase() {
+    assertThat(withoutTimes(watch("--count", "1", "$OV_PRO", "$ov_pro")))
+        .containsExactly("$OV_PRO = 100");
+  }
+
+  @Test
   void printsOnlyWhatChangesIfAskedTo() {
     answer("1", "1", "1", "2", "2", "1");
 

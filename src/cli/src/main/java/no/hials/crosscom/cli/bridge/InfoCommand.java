@@ -31,6 +31,8 @@ import picocli.CommandLine.Command;
       "KUKAVARPROXY does not report its version, host name and clock. Unknown values and"
           + " variables that cannot be read are shown as -, in JSON as null.",
       "",
+      "The features are the types of the messages that the server supports.",
+      "",
       "JSON: one object with server, version, build, features (an array of numbers), host, clock,"
           + " model, serial and mode.",
       "",
@@ -100,7 +102,7 @@ public final class InfoCommand extends BridgeCommand {
     for (Item item : items) {
       table.add(item.name(), item.value() == null ? "" : item.value());
     }
-    table.add("messages", ranges(server.features().types()));
+    table.add("features", ranges(server.features().types()));
     table.print(console());
   }
 

@@ -196,7 +196,7 @@ public final class BenchCommand extends ControllerCommand {
 
   private void checkRange(String option, long value, long min, long max) {
     if (value < min || value > max) {
-      String limit = max == Long.MAX_VALUE ? "at least " + min : min + " to " + max;
+      String limit = max == Long.MAX_VALUE ? min + " or more" : min + " to " + max;
       throw wrongUsage(option + " must be " + limit + ", is " + value);
     }
   }

@@ -29,7 +29,7 @@ class InfoCommandTest {
           .containsPattern("(?m)^model +#KR6R900 C4SR FLR 230$")
           .containsPattern("(?m)^serial +736512$")
           .containsPattern("(?m)^mode +#T1$")
-          .containsPattern("(?m)^messages +0-1 4-7 10-14 17 20-30 63$");
+          .containsPattern("(?m)^features +0-1 4-7 10-14 17 20-30 63$");
     }
   }
 
@@ -43,7 +43,7 @@ class InfoCommandTest {
           .containsPattern("(?m)^version +-$")
           .containsPattern("(?m)^clock +-$")
           .containsPattern("(?m)^serial +736512$")
-          .containsPattern("(?m)^messages +0-3$");
+          .containsPattern("(?m)^features +0-3$");
       assertThat(result.code()).isZero();
     }
   }

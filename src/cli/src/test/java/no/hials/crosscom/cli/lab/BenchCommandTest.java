@@ -381,7 +381,7 @@ class BenchCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "--count=0              | --count must be at least 1, is 0",
+        "--count=0              | --count must be 1 or more, is 0",
         "--clients=0            | --clients must be 1 to 100, is 0",
         "--clients=101          | --clients must be 1 to 100, is 101",
         "--warm-up=-1           | --warm-up must be 0 to 1000000, is -1",

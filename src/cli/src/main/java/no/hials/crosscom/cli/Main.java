@@ -13,6 +13,7 @@ import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.cli.bridge.BridgeCommand;
 import no.hials.crosscom.protocol.ServerType;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -93,11 +94,12 @@ public final class Main {
     if (e instanceof MissingParameterException missing
         && missing.getMissing().stream().anyMatch(ArgSpec::isPositional)
         && e.getCommandLine().getCommand() instanceof ControllerCommand) {
-      boolean dash = Arrays.stream(args).anyMatch(arg -> arg.matches("-[^A-Za-z-].*"));
-      console.hint(
-          dash
-              ? "a value that begins with - and is not a number needs -- before the arguments"
-              : "in a shell, names with $ need single quotes: '$OV_PRO'");
+      if (Arrays.stream(args).anyMatch(arg -> arg.matches("-[^A-Za-z-].*"))) {
+        console.hint(
+            "a value that begins with - and is not a number needs -- before the arguments");
+      } else if (!(e.getCommandLine().getCommand() instanceof BridgeCommand)) {
+        console.hint("in a shell, names with $ need single quotes: '$OV_PRO'");
+      }
     }
     if (e instanceof UnmatchedArgumentException unmatched
         && !unmatched.getSuggestions().isEmpty()) {

@@ -17,7 +17,7 @@ import picocli.CommandLine.Option;
 
 /** A command that talks to a controller, and the options that say to which. */
 public abstract class ControllerCommand extends ConsoleCommand {
-  private static final Pattern ROBOT = Pattern.compile("@\\w[\\w.-]*");
+  private static final Pattern ROBOT = Pattern.compile("@(\\w[\\w.-]*)?");
 
   @Option(names = "--host", paramLabel = "HOST", description = "Name or address of the controller.")
   private @Nullable String host;
@@ -137,6 +137,9 @@ public abstract class ControllerCommand extends ConsoleCommand {
   }
 
   private List<Robot> named() throws FileException {
+    if (robots.contains("")) {
+      throw wrongUsage("the name of the robot is missing: @NAME, without a blank after @");
+    }
     Profiles profiles = Profiles.read(console()::environment, simulated());
     List<Robot> result = new ArrayList<>();
     for (String name : robots) {

@@ -2,11 +2,21 @@ package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.Writer;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
 import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.cli.base.Console;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine.Help;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.UsageMessageSpec;
 
 class UsageTest {
 
@@ -29,6 +39,7 @@ class UsageTest {
         "read MYINT --mock --timeout 0           | must be 1ms to 2147483647ms, is 0",
         "read MYINT --mock --timeout 3h          | must be like 500, 500ms, 3s or 1m, is 3h",
         "read MYINT --mokc                       | unknown option: '--mokc'",
+        "read @ MYINT                            | the name of the robot is missing: @NAME",
         "write MYINT --mock                      | missing required parameter: 'VALUE'",
         "write --mock                            | missing required parameters: 'NAME', 'VALUE'",
         "write MYPOS {X 1} --mock                | too many arguments: '1}'",
@@ -88,8 +99,46 @@ class UsageTest {
   }
 
   @Test
+  void doesNotExplainVariablesIfAProgramIsMissing() {
+    Cli.run("program", "run", "--mock")
+        .fails(2)
+        .isEqualTo(
+            "jopenshowvar: missing required parameter: 'PROGRAM'\n"
+                + "try 'jopenshowvar program run --help'\n");
+  }
+
+  @Test
   void suggestsTheOptionThatWasMeant() {
     assertThat(Cli.run("read", "MYINT", "--mokc").errLines()).contains("did you mean: --mock?");
+  }
+
+  @Test
+  void breaksLinesOnlyBetweenWordsAndAtHyphens() {
+    CommandSpec main =
+        Main.commandLine(new Console(Writer.nullWriter(), Writer.nullWriter(), Map.of()))
+            .getCommandSpec();
+
+    List<String> broken =
+        HelpText.commands(main)
+            .flatMap(
+                command -> {
+                  String help = command.commandLine().getUsageMessage(Help.Ansi.OFF);
+                  Set<String> shown = Set.copyOf(List.of(help.split("\\s+")));
+                  return texts(command)
+                      .flatMap(text -> Stream.of(text.split("\\s+")))
+                      .filter(word -> !word.matches("[\\p{L}(']+(-\\p{L}+)+\\W*"))
+                      .filter(word -> !shown.contains(word));
+                })
+            .toList();
+
+    assertThat(broken).isEmpty();
+  }
+
+  private static Stream<String> texts(CommandSpec command) {
+    Stream<String[]> arguments = command.args().stream().map(ArgSpec::description);
+    UsageMessageSpec usage = command.usageMessage();
+    return Stream.concat(arguments, Stream.of(usage.description(), usage.footer()))
+        .map(HelpText::paragraph);
   }
 
   @ParameterizedTest

@@ -55,7 +55,7 @@ final class FileGet extends FileSubcommand {
 
   @Option(
       names = "--with-dat",
-      description = "Also transfer the data list (.dat) of each .src and .sub, if it exists.")
+      description = "Also transfer the data list (.dat) of each program, if it exists.")
   private boolean withDat;
 
   @Option(

@@ -66,7 +66,7 @@ final class FilePut extends FileSubcommand {
   @Option(
       names = "--with-dat",
       description =
-          "Also transfer the data list (.dat) of each .src and .sub, if it exists. The data list"
+          "Also transfer the data list (.dat) of each program, if it exists. The data list"
               + " in the case of its program takes precedence.")
   private boolean withDat;
 

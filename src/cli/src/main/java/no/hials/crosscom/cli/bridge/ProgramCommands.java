@@ -41,7 +41,7 @@ public final class ProgramCommands {
     add(
         program,
         "stop",
-        "Stops the running program. Never asks for confirmation. With --read-only it is refused"
+        "Stops the running program. Never asks for confirmation, so --yes has no effect. With --read-only it is refused"
             + " like other commands. This is not an emergency stop: it needs a working network.",
         new ProgramOrder("stop", Programs::stop));
     add(

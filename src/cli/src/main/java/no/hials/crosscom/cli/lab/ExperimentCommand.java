@@ -41,7 +41,7 @@ import picocli.CommandLine.Parameters;
     },
     footer = {
       "",
-      "The robot is a KR 6 R900 sixx that runs krl/actuator.src or krl/ext_move_axis.src, with"
+      "The robot is a KR 6 R900 sixx that runs a program of krl (actuator.src or ext_move_axis.src), with"
           + " the watchdog krl/jov_sps.sub. It is simulated in real time in a separate process."
           + " Other programs on this computer can disturb the period of the loop.",
       "",

@@ -118,7 +118,7 @@ public final class MockCommand extends ConsoleCommand {
   @Option(
       names = "--config",
       paramLabel = "FILE.dat",
-      description = "Load a data list, such as a $CONFIG.DAT or $MACHINE.DAT. Can be repeated.")
+      description = "Load a data list, such as $CONFIG.DAT. Can be repeated.")
   private List<Path> configs = new ArrayList<>();
 
   @Option(

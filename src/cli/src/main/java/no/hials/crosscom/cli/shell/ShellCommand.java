@@ -34,8 +34,8 @@ import picocli.CommandLine.Mixin;
           + " prompt, and stops at the first line that fails, with the exit code of that line."
           + " Writes then need --yes.",
       "",
-      "The history is in $XDG_STATE_HOME/jopenshowvar/history, by default in ~/.local/state. A"
-          + " line that begins with a blank is not added.",
+      "The history is in ~/.local/state/jopenshowvar/history, or under $XDG_STATE_HOME if it is"
+          + " set. A line that begins with a blank is not added.",
       "",
       "Examples:",
       "  jopenshowvar shell --host 172.31.1.147",

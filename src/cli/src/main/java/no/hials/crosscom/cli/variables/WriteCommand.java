@@ -46,7 +46,7 @@ import picocli.CommandLine.Parameters;
       "  jopenshowvar write @cell1 '$OV_PRO' 50 --yes",
       "  jopenshowvar write MYINT -5 --mock",
       "  jopenshowvar write 'MYSTRING[]' '\"hello\"' --mock",
-      "  jopenshowvar write MYPOS '{X 100.0,Z -20.5}' --mock"
+      "  jopenshowvar write MYPOS '{X 100.0,Z 20.5}' --mock"
     })
 public final class WriteCommand extends ControllerCommand {
   @Parameters(index = "0", paramLabel = "NAME", description = "A variable, a field or an element.")
@@ -57,7 +57,7 @@ public final class WriteCommand extends ControllerCommand {
       paramLabel = "VALUE",
       description =
           "The KRL value: 50, -1.5, TRUE, #T1, \"text\" with its double quotes, or an aggregate"
-              + " such as {X 100.0,Z -20.5}, whose omitted fields stay unchanged.")
+              + " such as {X 100.0,Z 20.5}, whose omitted fields stay unchanged.")
   private String value = "";
 
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")

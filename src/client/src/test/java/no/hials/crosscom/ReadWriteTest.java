@@ -260,7 +260,7 @@ class ReadWriteTest extends RobotTest {
 
     assertThat(axes.getValue()).containsEntry("X", 525.0).containsEntry("S", 2.0);
     assertThat(axes.getValue().keySet()).startsWith("E1", "E2").doesNotContain("A1");
-    assertThat(axes.getStringValue()).startsWith("{A1 0.0,").doesNotContain("X");
+    assertThat(axes.getStringValue()).isEqualTo("{E1 0.0,E2 0.0,E3 0.0,E4 0.0,E5 0.0,E6 0.0}");
     assertThatIllegalStateException()
         .isThrownBy(axes::getA1)
         .withMessageContaining("$POS_ACT.A1 was not in the controller's answer");
@@ -278,6 +278,31 @@ class ReadWriteTest extends RobotTest {
     assertThatIllegalStateException().isThrownBy(frame::getZ);
     assertThatIllegalStateException().isThrownBy(frame::asArray);
     assertThat(frame.setZ(5).getZ()).isEqualTo(5);
+  }
+
+  @Test
+  void fieldsThatTheLastAnswerDidNotContainAreNotWrittenUnlessSetSince() throws Exception {
+    robot.variables().declare("MYNEW", "E6AXIS", "{A1 5.0}");
+    KRLE6Axis axes = new KRLE6Axis("MYNEW");
+    client.readVariable(axes);
+    axes.setA1(6);
+    axes.setE1(7);
+    client.writeVariable(axes);
+
+    assertThat(written()).containsExactly("MYNEW = {A1 6.0,E1 7.0}");
+    assertThat(robot.variables().get("MYNEW")).isEqualTo("{E6AXIS: A1 6.00000, E1 7.00000}");
+  }
+
+  @Test
+  void aStructureWithoutAFieldToWriteIsNotSent() throws Exception {
+    robot.enqueue(Fault.answer("{FRAME: }", Tail.SUCCESS));
+    KRLFrame frame = new KRLFrame("MYFRAME").setX(1);
+    client.readVariable(frame);
+
+    assertThatIllegalStateException()
+        .isThrownBy(() -> client.writeVariable(frame))
+        .withMessageContaining("MYFRAME has no field to write");
+    assertThat(written()).isEmpty();
   }
 
   @Test

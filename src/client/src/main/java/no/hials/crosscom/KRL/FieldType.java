@@ -2,8 +2,8 @@ package no.hials.crosscom.KRL;
 
 import java.lang.reflect.Type;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -394,18 +394,8 @@ abstract class FieldType {
             "must be a " + type.getSimpleName() + ", is a " + value.getClass().getSimpleName());
       }
       KRLStruct struct = (KRLStruct) value;
-      String[] all = struct.getNodes();
-      List<Object> present = Arrays.asList(struct.getValue().keySet().toArray());
-      String[] there = Arrays.stream(all).filter(present::contains).toArray(String[]::new);
-      if (there.length == all.length) {
-        out.append(struct.getStringValue());
-      } else if (there.length == 0) {
-        out.append("{}");
-      } else {
-        // not as 0.0, unlike the structure alone: a record cannot be written in part, and adding
-        // Status and Turn to a position would change how it is reached
-        out.append(struct.getStringValueOf(there));
-      }
+      boolean empty = Collections.disjoint(struct.getValue().keySet(), fields);
+      out.append(empty ? "{}" : struct.getStringValue());
     }
   }
 }

@@ -3,8 +3,9 @@ package no.hials.crosscom.KRL.structs;
 /**
  * Holds an E6AXIS: the positions of the robot axes A1 to A6 and of the external axes E1 to E6.
  *
- * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
- * answer.
+ * <p>A field that was neither set nor read is 0.0, in getters and in writes, as in JOpenShowVar
+ * 0.2.2; {@link #isSet} returns false for it. If a field was missing in the controller's last
+ * answer, getters throw {@link IllegalStateException} and writes leave it out until it is set.
  */
 public class KRLE6Axis extends KRLAxis {
   /**

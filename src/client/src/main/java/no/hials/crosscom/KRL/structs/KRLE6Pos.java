@@ -4,8 +4,10 @@ package no.hials.crosscom.KRL.structs;
  * Holds an E6POS: a POS with six external axes. The fields are in the order of the original client,
  * E1 to E6 before S and T; a controller prints S and T first.
  *
- * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
- * answer. {@code setX} to {@code setC} and {@code setE1} to {@code setE6} return this structure.
+ * <p>A field that was neither set nor read is 0.0, in getters and in writes, as in JOpenShowVar
+ * 0.2.2; {@link #isSet} returns false for it. If a field was missing in the controller's last
+ * answer, getters throw {@link IllegalStateException} and writes leave it out until it is set.
+ * {@code setX} to {@code setC} and {@code setE1} to {@code setE6} return this structure.
  */
 public final class KRLE6Pos extends KRLPos {
   /**

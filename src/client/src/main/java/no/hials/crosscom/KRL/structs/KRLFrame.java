@@ -4,8 +4,10 @@ package no.hials.crosscom.KRL.structs;
  * Holds a FRAME: a position X, Y, Z in mm and an orientation A, B, C in degrees, which is {@code
  * Rz(A) Ry(B) Rx(C)} (docs/reference/kinematics.md#orientation).
  *
- * <p>Getters throw {@link IllegalStateException} if the field was missing in the controller's last
- * answer. {@code setX} to {@code setC} return this structure.
+ * <p>A field that was neither set nor read is 0.0, in getters and in writes, as in JOpenShowVar
+ * 0.2.2; {@link #isSet} returns false for it. If a field was missing in the controller's last
+ * answer, getters throw {@link IllegalStateException} and writes leave it out until it is set.
+ * {@code setX} to {@code setC} return this structure.
  */
 public class KRLFrame extends NumberStruct {
   /**

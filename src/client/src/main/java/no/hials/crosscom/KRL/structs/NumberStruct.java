@@ -16,7 +16,8 @@ import no.hials.crosscom.protocol.value.KrlValue;
  *
  * <p>A field is in one of three states: never set (it is 0.0, and written as 0.0), set, or missing.
  * A missing field was not in the controller's last answer, because it is not initialised there.
- * Reading a missing field is an error, because any number would be wrong.
+ * Reading a missing field is an error, and a write leaves it out, because any number would be
+ * wrong.
  */
 abstract class NumberStruct extends KRLStruct {
   private double[] values;
@@ -220,8 +221,9 @@ abstract class NumberStruct extends KRLStruct {
   /**
    * Returns the text that writes the whole structure.
    *
-   * @return an aggregate of all fields of this structure; fields that were never set, or were
-   *     missing in the controller's last answer, are 0.0
+   * @return an aggregate of the fields of this structure, except those that were missing in the
+   *     controller's last answer and not set since; fields that were never set or read are 0.0
+   * @throws IllegalStateException if no field is left
    */
   @Override
   public String getStringValue() {
@@ -232,9 +234,19 @@ abstract class NumberStruct extends KRLStruct {
 
   @Override
   protected final boolean appendValue(KrlText text) {
+    boolean empty = true;
     text.openStruct();
     for (int i = 0; i < values.length; i++) {
-      append(text, i);
+      if (!missing[i]) {
+        append(text, i);
+        empty = false;
+      }
+    }
+    if (empty) {
+      throw new IllegalStateException(
+          getName()
+              + " has no field to write: the controller's last answer had none, and none was set"
+              + " since");
     }
     text.closeStruct();
     return true;
@@ -261,11 +273,10 @@ abstract class NumberStruct extends KRLStruct {
 
   private void append(KrlText text, int index) {
     text.nextField(nodes()[index]);
-    double value = missing[index] ? 0 : values[index];
     if (isInt(index)) {
-      text.append((int) value);
+      text.append((int) values[index]);
     } else {
-      text.append((float) value);
+      text.append((float) values[index]);
     }
   }
 

@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import no.hials.crosscom.CrossComAccessException.Operation;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLBool;
@@ -22,6 +23,7 @@ import no.hials.crosscom.KRL.KRLReal;
 import no.hials.crosscom.KRL.KRLRealArray;
 import no.hials.crosscom.KRL.KRLString;
 import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLFrame;
@@ -38,7 +40,9 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Reads and writes variables of every type. */
@@ -264,6 +268,33 @@ class ReadWriteTest extends RobotTest {
     assertThatIllegalStateException()
         .isThrownBy(axes::getA1)
         .withMessageContaining("$POS_ACT.A1 was not in the controller's answer");
+  }
+
+  static Stream<Arguments> structuresOfAnotherType() {
+    return Stream.of(
+        Arguments.of(new KRLE6Pos("$AXIS_ACT"), "found [A1, A2, A3, A4, A5, A6]"),
+        Arguments.of(new KRLFrame("$AXIS_ACT"), "found [A1, A2, A3,"),
+        Arguments.of(new KRLAxis("$TOOL"), "found [X, Y, Z, A, B, C]"),
+        Arguments.of(new KRLE6Axis("$VEL"), "found [CP, ORI1, ORI2]"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("structuresOfAnotherType")
+  void aStructureOfAnotherTypeIsRefused(KRLStruct variable, String reason) {
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.readVariable(variable))
+        .withMessageContaining("the answer of the controller is not a value for")
+        .withMessageContaining("expected fields of [")
+        .withMessageContaining(reason);
+  }
+
+  @Test
+  void aFrameIsReadIntoAnE6Pos() throws Exception {
+    KRLE6Pos tool = new KRLE6Pos("$TOOL");
+    client.readVariable(tool);
+
+    assertThat(tool.asArrayXToZ()).containsExactly(0, 0, 0);
+    assertThatIllegalStateException().isThrownBy(tool::getS);
   }
 
   @Test

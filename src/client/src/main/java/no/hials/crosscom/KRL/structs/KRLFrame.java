@@ -29,6 +29,12 @@ public class KRLFrame extends NumberStruct {
     super(name, nodes);
   }
 
+  /** An E6AXIS has E1 to E6 too, but none of X to C. */
+  @Override
+  final boolean accepts(long seen) {
+    return (seen & 0b111111) != 0;
+  }
+
   /** Returns the position along X, in mm. */
   public double getX() {
     return get("X");

@@ -46,6 +46,15 @@ abstract class NumberStruct extends KRLStruct {
     return false;
   }
 
+  /**
+   * Returns whether an answer with fields of another type can be of this type.
+   *
+   * @param seen bit i is set if the answer has the field {@code nodes()[i]}
+   */
+  boolean accepts(long seen) {
+    return seen != 0;
+  }
+
   private int indexOf(String field) {
     String[] nodes = nodes();
     for (int i = 0; i < nodes.length; i++) {
@@ -317,6 +326,10 @@ abstract class NumberStruct extends KRLStruct {
       next = index + 1;
     }
     scanner.expectEnd();
+    if (others != null && !accepts(seen)) {
+      throw new IllegalArgumentException(
+          "expected fields of " + Arrays.toString(nodes()) + ", found " + others.keySet());
+    }
     accept(seen);
     if (others != null || !written) {
       foreign = others == null ? Map.of() : others;

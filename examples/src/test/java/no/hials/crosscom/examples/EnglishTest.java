@@ -22,7 +22,9 @@ class EnglishTest {
   /** May grow. Whole words, in upper or lower case. */
   private static final String WORDS =
       "anew|for want of|mend|in vain|seldom|whoever|is none|takes the news|(?:end|result) to come"
-          + "|what came of|alike, too|for one thread|may stand there|argument too many";
+          + "|what came of|alike, too|for one thread|may stand there|argument too many|it is not said"
+          + "|gone after it|is waited|to be had|the leave to|is what is left|it has enough"
+          + "|as it were";
 
   /** May grow. First words of a doc comment. */
   private static final String FIRST_WORDS = "Gives|Hears|Says|What";

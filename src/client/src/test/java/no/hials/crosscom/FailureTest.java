@@ -234,7 +234,7 @@ class FailureTest extends RobotTest {
   @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
   void garbageIsNeverAValue(long seed) throws Exception {
     robot.enqueue(Fault.garbage(seed, 40));
-    // garbage that announces more than there is, is waited for
+    // the client waits for the rest of garbage with too large a length
     try (CrossComClient hasty = client(Duration.ofMillis(20))) {
       assertThatExceptionOfType(CrossComException.class)
           .isThrownBy(() -> hasty.readText("$OV_PRO"));

@@ -115,7 +115,7 @@ public final class Main {
     if (code == ExitCode.INTERNAL_ERROR) {
       return internalError(console, e, verbose);
     }
-    // the reader of the output has closed it, as head does: it has enough
+    // the reader of the output has closed it, as head does after some lines
     if (!(e instanceof OutputException lost && lost.isBrokenPipe())) {
       console.failure(e, verbose);
     }

@@ -77,7 +77,7 @@ public abstract class ControllerCommand extends ConsoleCommand {
    * environment, else the default robot of the configuration file. The file is read for a robot of
    * it only.
    *
-   * @throws FileException if the configuration file has an error, or not such a robot
+   * @throws FileException if the configuration file has an error, or lacks the robot
    */
   protected final List<Robot> targets() throws FileException {
     EnvironmentSettings environment = EnvironmentSettings.of(this);
@@ -85,7 +85,7 @@ public abstract class ControllerCommand extends ConsoleCommand {
     List<Robot> result = new ArrayList<>();
     for (Robot target : chosen(environment)) {
       Duration own = target.timeout();
-      // the default robot is what is left where nothing else says anything
+      // the default robot has the lowest precedence
       Duration lesser = named ? or(own, environment.timeout()) : or(environment.timeout(), own);
       result.add(withOptions(target, or(timeout, lesser), environment.readOnly()));
     }

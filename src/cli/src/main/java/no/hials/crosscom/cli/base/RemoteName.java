@@ -28,7 +28,7 @@ public final class RemoteName {
     return folder + (slashes ? "/" : "\\") + name;
   }
 
-  /** Returns whether a name ends with some ending, in any case. */
+  /** Returns whether a name has an ending, in any case. */
   public static boolean hasEnding(String name, String ending) {
     return name.toLowerCase(Locale.ROOT).endsWith(ending);
   }

@@ -6,7 +6,7 @@ import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.WritePermission;
 import picocli.CommandLine.Option;
 
-/** The options of commands that change something on the controller, and the leave to do it. */
+/** The options of commands that change something on the controller, and the permission. */
 public final class WriteOptions {
   @Option(
       names = {"-y", "--yes"},
@@ -28,7 +28,7 @@ public final class WriteOptions {
 
   /** Returns the settings of a connection on which one thing is changed. */
   public Consumer<ClientConfig.Builder> connection() {
-    // a server closes an idle connection, and the user may think about the answer for long
+    // a server closes an idle connection, and the user may answer late
     return yes ? Robot.ONE_SHOT : cfg -> cfg.reconnect(false);
   }
 

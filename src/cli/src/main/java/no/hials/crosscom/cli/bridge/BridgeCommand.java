@@ -34,7 +34,7 @@ public abstract class BridgeCommand extends ControllerCommand {
 
   /**
    * Asks before a change as {@link WritePermission#check(RobotConnection, String)} does; not if the
-   * server cannot do it, as the client says when it is to be sent.
+   * server does not support the change; the client then refuses to send it.
    */
   final void ask(WriteOptions options, RobotConnection controller, String what, MessageType needed)
       throws IOException {

@@ -13,9 +13,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/**
- * {@code program select} and {@code program run}: what names a program of the robot interpreter.
- */
+/** {@code program select} and {@code program run}, for a named program of the robot interpreter. */
 @Command(
     footerHeading = "%n",
     footer = {

@@ -56,7 +56,7 @@ final class ProgramOrder extends BridgeCommand {
     Interpreter interpreter = submit ? Interpreter.SUBMIT : Interpreter.ROBOT;
     String what = verb + " the program of the " + (submit ? "submit" : "robot") + " interpreter";
     try (RobotConnection controller = open(writeOptions, what)) {
-      // what makes the robot stand still is never held up by a question
+      // no question delays a stop
       if (!verb.equals("stop")) {
         ask(writeOptions, controller, what, MessageType.PROGRAM_CONTROL);
       }

@@ -440,7 +440,7 @@ public final class DriveCommand extends ControllerCommand {
     return code;
   }
 
-  /** Returns the name of the robot's program, for a message; empty if it is not to be had. */
+  /** Returns the name of the robot's program, for a message; empty if it cannot be read. */
   private static String selected(RobotConnection controller) {
     return read(controller, "$PRO_NAME1[]").replace("\"", "").strip();
   }

@@ -114,9 +114,7 @@ final class DriveDevice implements InputDevice {
     return greeting;
   }
 
-  /**
-   * Returns whether the user, or a recording, has come to the end; a recording after its last line.
-   */
+  /** Returns whether the user has quit, or a recording has been replayed to its last line. */
   boolean isEnded(boolean standing) {
     return device instanceof KeyboardInput keyboard
         ? keyboard.isEnded()

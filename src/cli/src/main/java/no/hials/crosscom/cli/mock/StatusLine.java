@@ -17,8 +17,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Shows what a simulated controller does: its messages line by line on stderr, and on a terminal a
- * last line that changes in place. That one goes to stdout, of which it is known that it is a
- * terminal.
+ * last line that changes in place. The last line goes to stdout, which is then a terminal.
  */
 final class StatusLine implements AutoCloseable {
   private static final long PERIOD_MILLIS = 250;
@@ -94,7 +93,7 @@ final class StatusLine implements AutoCloseable {
         server.requestCount());
   }
 
-  /** Shows the last messages, and takes the line away. */
+  /** Shows the last messages, and removes the line. */
   @Override
   public synchronized void close() {
     executor.shutdown();

@@ -128,7 +128,7 @@ public final class ReadCommand extends ControllerCommand {
   private final class Reading {
     private final Console console;
 
-    /** Its name in JSON, and what stands before a line; empty if it is the only one. */
+    /** The robot's name in JSON and the label of a line; empty if there is only one robot. */
     private final String robot;
 
     private final String label;
@@ -149,7 +149,7 @@ public final class ReadCommand extends ControllerCommand {
           result = result.orWorse(ExitCode.ofFailedRead(e));
           if (endsTheConnection(e)) {
             if (names.size() > 1) {
-              // with the one that was due, as not every failure of a connection names it
+              // including this one, as not every failure of a connection names the variable
               List<String> left = names.subList(i, names.size());
               console.hint(label + "not read: " + String.join(" ", left));
             }

@@ -82,7 +82,7 @@ public final class WatchCommand extends SamplingCommand {
     try (screen) {
       result = run(sampling, changes, stop, new OnScreen(table, screen));
     }
-    // the screen is as it was before; what it showed last stays
+    // the former screen is back; the last table stays visible
     table.text().forEach(console()::print);
     return result;
   }

@@ -31,7 +31,7 @@ import picocli.CommandLine.Parameters;
           + " (--read-only, JOPENSHOWVAR_READ_ONLY=true, or read-only = true of a robot), the"
           + " command does not connect.",
       "",
-      "JSON: an object as of 'read --json', with the value that was sent. With --json, a VALUE"
+      "JSON: an object as from 'read --json', with the value that was sent. With --json, a VALUE"
           + " that is not a KRL value is refused.",
       "",
       "Quoting: a shell replaces $NAME and patterns with [ ] or { }, so put NAME and VALUE in"

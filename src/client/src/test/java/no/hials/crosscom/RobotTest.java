@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * The contract of the client: gives each test a simulated controller and a client of it, and runs
+ * The contract of the client: creates a simulated controller and a client for each test, and runs
  * it once with each kind of server.
  */
 @ParameterizedClass
@@ -52,7 +52,7 @@ abstract class RobotTest {
     return client(cfg -> cfg.requestTimeout(requestTimeout).reconnect(false));
   }
 
-  /** Makes a client that does nothing by itself but what a test asks for. */
+  /** Creates a client that sends nothing on its own. */
   final CrossComClient client(Consumer<ClientConfig.Builder> settings) throws Exception {
     return new CrossComClient(
         ClientConfig.create(

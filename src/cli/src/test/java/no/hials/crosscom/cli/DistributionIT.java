@@ -114,7 +114,7 @@ class DistributionIT {
 
   @Test
   void runsInAFolderWithOtherLettersWithoutALocale() throws Exception {
-    // the shell makes the name, as this process may have no locale either
+    // the shell creates the name, as this process may have no locale either
     String home = program.getParent().getParent().toString();
     ProcessBuilder builder =
         command(

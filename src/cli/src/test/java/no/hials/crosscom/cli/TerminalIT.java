@@ -13,7 +13,7 @@ import org.junit.jupiter.api.condition.OS;
 @Timeout(120)
 @EnabledOnOs(OS.LINUX)
 class TerminalIT {
-  /** Runs it until a text is there, presses Ctrl-C, and gives all that was shown. */
+  /** Runs it until a text is there, presses Ctrl-C, and returns the whole output. */
   private static String show(String term, String until, String... options) throws Exception {
     String[] args =
         Stream.concat(Stream.of("mock", "--port", "0", "--no-discovery"), Stream.of(options))

@@ -77,7 +77,7 @@ public final class Cli {
     return new Result(code, out.toString(), err.toString());
   }
 
-  /** Runs it with a stdout that is closed already, and gives the exit code. */
+  /** Runs it with a stdout that is closed already, and returns the exit code. */
   public static int runUnread(String... args) throws IOException {
     Writer out = Writer.nullWriter();
     out.close();

@@ -143,7 +143,7 @@ public final class PseudoTerminal implements AutoCloseable {
     return new Shown(process.waitFor(), text);
   }
 
-  /** Waits for the end, which has to be without an error, and gives all that was shown. */
+  /** Waits for the end, which has to be without an error, and returns the whole output. */
   public String finish() throws IOException, InterruptedException {
     Shown all = end();
     assertThat(all.code()).as(all.text()).isZero();

@@ -70,7 +70,7 @@ public final class RunningMock implements AutoCloseable {
     return result.out().substring(result.out().indexOf('=') + 1).strip();
   }
 
-  /** Stops it and gives its exit code. */
+  /** Stops it and returns its exit code. */
   public int stop() {
     thread.interrupt();
     return code.join();

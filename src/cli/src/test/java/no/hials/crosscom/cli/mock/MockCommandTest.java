@@ -123,7 +123,7 @@ class MockCommandTest {
     assertThat(read).isNotEqualTo(failingOneInTwo("6"));
   }
 
-  /** Reads 40 outputs and gives the lines of those that could be read. */
+  /** Reads 40 outputs and returns the lines of those that could be read. */
   private static List<String> failingOneInTwo(String seed) throws InterruptedException {
     try (RunningMock mock =
         new RunningMock("--no-discovery", "--fault", "failure%0.5", "--seed", seed)) {

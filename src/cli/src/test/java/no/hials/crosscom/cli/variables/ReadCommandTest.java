@@ -243,7 +243,7 @@ class ReadCommandTest {
 
     @Override
     public void write(char[] chars, int off, int len) {
-      // kept in a buffer, as it were
+      // as if it were kept in a buffer
     }
 
     @Override

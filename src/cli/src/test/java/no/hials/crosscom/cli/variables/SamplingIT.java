@@ -25,9 +25,7 @@ class SamplingIT {
   @TempDir private Path dir;
   @KukaController private MockServer server;
 
-  /**
-   * Runs a command on a terminal, presses a key when a text is there, and gives all that was shown.
-   */
+  /** Runs a command on a terminal, presses a key when a text is there, and returns the output. */
   private String show(
       Map<String, String> environment, String until, String key, String name, String... args)
       throws Exception {

@@ -34,7 +34,7 @@ class DataListLoaderTest {
     Declarations.declare(globals, "INT SHARED", Access.READ_WRITE, null);
   }
 
-  /** Loads a data list whose declarations begin in line 2; gives what is wrong. */
+  /** Loads a data list whose declarations begin in line 2; returns the errors. */
   private List<String> load(String head, String... lines) {
     ParseResult result =
         KrlParser.parse("x", "DEFDAT " + head + "\n" + String.join("\n", lines) + "\nENDDAT");

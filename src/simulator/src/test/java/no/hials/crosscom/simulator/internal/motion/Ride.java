@@ -88,7 +88,7 @@ final class Ride {
     return motion;
   }
 
-  /** Runs to the end of what is planned, and gives the cycles that it took. */
+  /** Runs to the end of what is planned, and returns the cycles that it took. */
   int toTheEnd() {
     int cycles = 0;
     while (!system.finished()) {
@@ -101,7 +101,7 @@ final class Ride {
     return cycles;
   }
 
-  /** Runs until the robot stands, and gives the cycles that it took. */
+  /** Runs until the robot stands, and returns the cycles that it took. */
   int toStanding() {
     int cycles = 0;
     do {

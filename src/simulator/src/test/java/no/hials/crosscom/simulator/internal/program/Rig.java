@@ -119,7 +119,7 @@ final class Rig {
     return this;
   }
 
-  /** Loads a module and gives what is wrong with it, with lines and columns. */
+  /** Loads a module and returns its errors, with lines and columns. */
   List<String> errorsOf(String source) {
     SourceFile file = (SourceFile) parse("test.src", source);
     library.put(file, null);
@@ -182,7 +182,7 @@ final class Rig {
     return run("DEF TEST()\n" + body + "\nEND\n");
   }
 
-  /** Executes a module that stops with a fault; gives number, line and text. */
+  /** Executes a module that stops with a fault; returns number, line and text. */
   String faultOf(String source) {
     start(source).cycle();
     return fault();

@@ -42,7 +42,8 @@ import picocli.CommandLine.Option;
       "",
       "Ctrl-C (SIGINT) and SIGTERM end the command with exit code 0. Messages of the controller"
           + " are printed to stderr. On a terminal, without --verbose, the last line shows the"
-          + " simulated time, mode, programs, axes in degrees, clients and requests.",
+          + " simulated time, mode, programs, axes in degrees, clients and requests. Without a"
+          + " terminal, mode and programs are printed once, at the start.",
       "",
       "FAULT is NAME[:ARGUMENT][@REQUESTS][@VARIABLE][%%PROBABILITY]:",
       "  drop@3                 no answer to the third request",

@@ -366,6 +366,7 @@ public final class CrossComClient implements Closeable {
    * @param name the variable's name
    * @param value KRL text: {@code 50}, {@code TRUE}, {@code #T1}, {@code "text"} with its quotes,
    *     or an aggregate
+   * @return the text of the answer, which normally repeats the value; empty if it has none
    * @throws CrossComAccessException if the controller refuses
    * @throws CrossComValueException if the text is too long to be sent, or not ISO 8859-1 and the
    *     server is not C3 Bridge
@@ -373,8 +374,8 @@ public final class CrossComClient implements Closeable {
    * @throws IllegalArgumentException if the name is blank, or not ISO 8859-1 and the server is not
    *     C3 Bridge
    */
-  public void writeText(String name, String value) throws IOException {
-    variables.write(name, value);
+  public String writeText(String name, String value) throws IOException {
+    return variables.write(name, value).text();
   }
 
   /**

@@ -32,6 +32,7 @@ public enum ExitCode {
           CannotListenException.class, NOT_CONNECTED,
           FileException.class, USAGE,
           NotSentException.class, NOT_SENT,
+          OtherValueException.class, REFUSED,
           StoppedException.class, STOPPED,
           OutputException.class, OUTPUT_LOST);
 

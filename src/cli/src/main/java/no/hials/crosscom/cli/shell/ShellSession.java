@@ -9,6 +9,8 @@ import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.OtherValueException;
+import no.hials.crosscom.cli.base.WriteAnswer;
 import no.hials.crosscom.cli.base.WriteOptions;
 
 /** Executes lines of the shell language on one controller. */
@@ -82,7 +84,9 @@ final class ShellSession {
           ? ExitCode.ofFailedWrite(failed)
           : ExitCode.ofFailedRead(failed);
     }
-    return e instanceof NotSentException ? ExitCode.NOT_SENT : ExitCode.USAGE;
+    return e instanceof NotSentException || e instanceof OtherValueException
+        ? ExitCode.of(e)
+        : ExitCode.USAGE;
   }
 
   private void read(ShellLine.Read read) throws IOException {
@@ -95,9 +99,10 @@ final class ShellSession {
   private void write(ShellLine.Write write) throws IOException {
     controller.client().checkText(write.name(), write.value());
     writeOptions.permission(console).checkEach(controller, write.toString());
-    controller.client().writeText(write.name(), write.value());
-    console.print(write.name() + " = " + write.value());
+    String answer = controller.client().writeText(write.name(), write.value());
     symbols.used(write.name());
+    WriteAnswer.check(write.name(), write.value(), answer);
+    console.print(write.name() + " = " + write.value());
   }
 
   private static void sleep(ShellLine.Wait wait) throws ShellSyntaxException {

@@ -6,6 +6,7 @@ import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.WriteAnswer;
 import no.hials.crosscom.cli.base.WriteOptions;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -22,8 +23,10 @@ import picocli.CommandLine.Parameters;
             + " can move a machine.",
     footer = {
       "",
-      "VALUE is printed as it was sent; the stored value can differ. A write is never repeated."
-          + " If no answer arrives, the variable may or may not have been written: read it.",
+      "VALUE is printed as it was sent; the stored value can differ. If the answer has another"
+          + " value, the command prints both to stderr and ends with exit code 1. A write is never"
+          + " repeated. If no answer arrives, the variable may or may not have been written: read"
+          + " it.",
       "",
       "The command first reads $MODE_OP. In T1 it writes. In other modes, or if $MODE_OP cannot"
           + " be read, it asks for confirmation; without a terminal it does not write. With --yes"
@@ -77,7 +80,8 @@ public final class WriteCommand extends ControllerCommand {
     try (RobotConnection controller = open(writeOptions, "write " + name)) {
       controller.client().checkText(name, value);
       writeOptions.permission(console()).check(controller, "write " + name);
-      controller.client().writeText(name, value);
+      String answer = controller.client().writeText(name, value);
+      WriteAnswer.check(name, value, answer);
     } catch (CrossComException e) {
       console().failure(e, isVerbose());
       return ExitCode.ofFailedWrite(e);

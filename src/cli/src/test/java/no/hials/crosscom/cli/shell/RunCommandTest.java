@@ -10,9 +10,11 @@ import java.util.List;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ShellInput;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
+import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -98,6 +100,21 @@ class RunCommandTest {
     assertThat(Cli.runOn(server, "run", file, "--yes").lines()).containsExactly("$OV_PRO = 10");
     Cli.Result piped = ShellInput.runOn(server, "\ufeff$OV_PRO\n", "shell");
     assertThat(piped.lines()).containsExactly("$OV_PRO = 10");
+  }
+
+  @Test
+  void stopsAtAWriteWhoseAnswerHasAnotherValue() throws IOException {
+    server.enqueue(Fault.answer("50", Tail.SUCCESS));
+    String file = file("MYINT = 7", "MYINT = 8");
+
+    Cli.runOn(server, "run", file, "--yes")
+        .failsInALine(1)
+        .isEqualTo(
+            "jopenshowvar: "
+                + file
+                + ":1: MYINT: 7 was sent, but the answer to the write is 50; read the variable to"
+                + " see its value");
+    assertThat(server.requests()).hasSize(1);
   }
 
   @Test

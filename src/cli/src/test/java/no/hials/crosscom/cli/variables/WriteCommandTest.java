@@ -111,6 +111,57 @@ class WriteCommandTest {
     assertThat(server.variables().get("MYINT")).isEqualTo("0");
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "MYINT      | 7              | 50",
+        "MYINT      | 16777217       | 16777216",
+        "MYREAL     | 0.1            | 0.2",
+        "MYBOOL     | TRUE           | FALSE",
+        "MYENUM     | #EX            | #AUT",
+        "MYSTRING[] | \"a\"          | \"b\"",
+        "MYREALS[]  | 1.0 2.0        | 1.0 2.5",
+        "MYPOS      | {X 1.0,Z 2.0}  | {X 1.0}",
+        "MYINT      | 7              | ??",
+      })
+  void failsIfTheAnswerHasAnotherValue(String name, String value, String answer) {
+    server.enqueue(Fault.none(), Fault.answer(answer, Tail.SUCCESS));
+
+    Cli.runOn(server, "write", name, value)
+        .failsInALine(1)
+        .isEqualTo(
+            "jopenshowvar: "
+                + name
+                + ": "
+                + value
+                + " was sent, but the answer to the write is "
+                + answer
+                + "; read the variable to see its value");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "MYINT      | 'HFF'          | 255",
+        "MYREAL     | 0.1            | 0.100000001",
+        "MYREAL     | 50             | 50.0000",
+        "MYINT      | 50.0           | 50",
+        "MYENUM     | #ex            | #EX",
+        "MYREALS[]  | 1.0 2.0        | `1.00000 2.00000 `",
+        "MYPOS      | {X 1,Z 2.5}    | {E6POS: X 1.00000, Y 0.0, Z 2.50000}",
+        "MYINT      | 7              | ``",
+      })
+  void acceptsAnAnswerWithTheSameValueInAnotherForm(String name, String value, String answer) {
+    server.enqueue(Fault.none(), Fault.answer(answer, Tail.SUCCESS));
+
+    assertThat(Cli.runOn(server, "write", name, value).lines())
+        .containsExactly(name + " = " + value);
+  }
+
   @Test
   void saysThatTheOutcomeOfATimedOutWriteIsUnknown() {
     server.enqueue(Fault.none(), Fault.dropAnswer());

@@ -61,7 +61,7 @@ class NullArgumentTest extends RobotTest {
           Map.entry(CrossComAction.class, (CrossComAction) c -> {}),
           Map.entry(Interpreter.class, Interpreter.SUBMIT),
           Map.entry(KeyAction.class, KeyAction.start(Interpreter.SUBMIT)),
-          Map.entry(ItemType.class, ItemType.values()[0]),
+          Map.entry(ItemType.class, ItemType.TEXT),
           Map.entry(CopyFlag[].class, new CopyFlag[0]),
           Map.entry(Path.class, Path.of("nowhere")),
           Map.entry(Charset.class, StandardCharsets.ISO_8859_1),

@@ -181,8 +181,10 @@ abstract class Batch {
     }
     List<AccessResult> results =
         answered.response() instanceof MultipleResponse several ? several.results() : List.of();
-    if (results.size() != some.size()) {
-      notEach(some, results.size(), answered.response().tail());
+    Tail tail = answered.response().tail();
+    boolean contradicts = !tail.success() && results.stream().allMatch(AccessResult::success);
+    if (results.size() != some.size() || contradicts) {
+      notEach(some, results.size(), tail);
       return;
     }
     for (int i = 0; i < some.size(); i++) {
@@ -209,7 +211,7 @@ abstract class Batch {
 
   abstract void take(Item item, AccessResult result, long nanos) throws CrossComException;
 
-  /** Handles an answer without a result for each item. */
+  /** Handles an answer without a result for each item, or a failure with only good results. */
   abstract void notEach(List<Item> some, int count, Tail tail);
 
   /** Returns the length of a WSTRING in bytes. */
@@ -315,10 +317,12 @@ abstract class Batch {
                   + what(some)
                   + " must have "
                   + some.size()
-                  + " results, has "
-                  + count
+                  + " results, a bad one if it says failure; it says "
+                  + (tail.success() ? "success" : "failure")
                   + ", code "
-                  + tail.code(),
+                  + tail.code()
+                  + ", and has "
+                  + count,
               null,
               true);
       fail(some, unknown);

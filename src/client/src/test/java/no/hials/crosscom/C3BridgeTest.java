@@ -32,6 +32,7 @@ import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.Version;
 import no.hials.crosscom.protocol.code.BuildType;
 import no.hials.crosscom.protocol.code.Interpreter;
@@ -304,6 +305,20 @@ class C3BridgeTest {
         .hasMessageContaining("broke during the write of MYINTS[1] and 2 more")
         .hasMessageContaining("the outcome is unknown");
     assertThat(types()).containsOnlyOnce(MessageType.WRITE_MULTIPLE);
+  }
+
+  @Test
+  void aFailureWithoutABadResultIsNotTakenForSuccess() throws Exception {
+    client.getServer();
+    List<KRLVariable> variables = ints(2);
+    robot.enqueue(Fault.answer("", Tail.FAILURE));
+    assertThat(client.readVariables(variables)).allMatch(VariableResult::isOk);
+
+    robot.enqueue(Fault.answer("", Tail.FAILURE));
+    assertThat(client.writeVariables(variables))
+        .extracting(VariableResult::failure)
+        .hasOnlyElementsOfType(CrossComProtocolException.class)
+        .allMatch(CrossComException::isOutcomeUnknown);
   }
 
   @Test

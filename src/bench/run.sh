@@ -7,6 +7,10 @@
 #   src/bench/run.sh strace   the system calls of 20,000 exchanges, if strace is installed
 #   src/bench/run.sh load     the mock server under load
 #   src/bench/run.sh jmh ...  JMH, with its options
+#
+# One more looks for defects instead of measuring; it exits with 1 if it finds one:
+#
+#   src/bench/run.sh soak [CALLS [THREADS [FAULTS%]]]  faulty servers, 1,000,000 calls each
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -47,6 +51,7 @@ case ${1:-all} in
   strace) system_calls ;;
   load) "${run[@]}" $ours.MockLoad ;;
   jmh) jmh "${@:2}" ;;
+  soak) "${run[@]}" $ours.Soak "${@:2}" ;;
   all)
     date
     "$java" -version
@@ -60,7 +65,7 @@ case ${1:-all} in
     uptime
     ;;
   *)
-    echo "usage: $0 [all|ratio|strace|load|jmh]" >&2
+    echo "usage: $0 [all|ratio|strace|load|jmh|soak]" >&2
     exit 64
     ;;
 esac

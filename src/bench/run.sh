@@ -8,9 +8,10 @@
 #   src/bench/run.sh load     the mock server under load
 #   src/bench/run.sh jmh ...  JMH, with its options
 #
-# One more looks for defects instead of measuring; it exits with 1 if it finds one:
+# Two more look for defects instead of measuring; they exit with 1 if they find one:
 #
 #   src/bench/run.sh soak [CALLS [THREADS [FAULTS%]]]  faulty servers, 1,000,000 calls each
+#   src/bench/run.sh mutation [EXCHANGES]              changed bytes, 20,000 exchanges each
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -52,6 +53,7 @@ case ${1:-all} in
   load) "${run[@]}" $ours.MockLoad ;;
   jmh) jmh "${@:2}" ;;
   soak) "${run[@]}" $ours.Soak "${@:2}" ;;
+  mutation) "${run[@]}" $ours.MutationRun "${@:2}" ;;
   all)
     date
     "$java" -version
@@ -65,7 +67,7 @@ case ${1:-all} in
     uptime
     ;;
   *)
-    echo "usage: $0 [all|ratio|strace|load|jmh|soak]" >&2
+    echo "usage: $0 [all|ratio|strace|load|jmh|soak|mutation]" >&2
     exit 64
     ;;
 esac

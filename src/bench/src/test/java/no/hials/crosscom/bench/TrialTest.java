@@ -31,6 +31,16 @@ class TrialTest {
     assertThat(printed()).contains("2,000 calls by 8 threads").containsPattern("faults +\\d\\d");
   }
 
+  @ParameterizedTest
+  @EnumSource
+  void changedExchangesFindNothing(ServerType server) throws IOException {
+    assertThat(new MutationRun(out, 500).run(server)).as(printed()).isTrue();
+
+    for (Mutation mutation : Mutation.values()) {
+      assertThat(printed()).contains("  " + mutation + " ");
+    }
+  }
+
   @Test
   void aValueThatNobodyHasWrittenIsNoticed() throws IOException {
     try (MockServer robot = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));

@@ -3,6 +3,7 @@ package no.hials.crosscom.cli.mock;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -56,7 +57,7 @@ import picocli.CommandLine.Option;
       "  jopenshowvar mock",
       "  jopenshowvar mock --config krl/config.dat --program krl/actuator.src \\",
       "      --start --mode AUT",
-      "  mkdir krc && jopenshowvar mock --server c3 --config krl/config.dat --files krc",
+      "  jopenshowvar mock --server c3 --config krl/config.dat --files krc --create",
       "  jopenshowvar mock --port 0 --latency krc4 --fault drop%%0.01 --seed 7"
     })
 public final class MockCommand extends ConsoleCommand {
@@ -115,6 +116,9 @@ public final class MockCommand extends ConsoleCommand {
           "Use this folder as KRC:\\ of C3 Bridge. Clients change the files in it; missing"
               + " folders of R1 and STEU are created. Default: files in memory.")
   private @Nullable Path files;
+
+  @Option(names = "--create", description = "Create the folder of --files if it does not exist.")
+  private boolean create;
 
   @Option(
       names = "--config",
@@ -226,6 +230,9 @@ public final class MockCommand extends ConsoleCommand {
     if (serverType != ServerType.C3_BRIDGE && files != null) {
       throw wrongUsage("--files needs --server c3");
     }
+    if (create && files == null) {
+      throw wrongUsage("--create needs --files");
+    }
   }
 
   /** Returns a warning that other computers reach a server on this address; empty for loopback. */
@@ -275,8 +282,12 @@ public final class MockCommand extends ConsoleCommand {
     if (files == null) {
       return Optional.empty();
     }
+    if (!create && Files.notExists(files)) {
+      throw new FileException(
+          "cannot use " + files + ": the folder does not exist; --create creates it");
+    }
     try {
-      return Optional.of(FileTree.over(files));
+      return Optional.of(FileTree.over(Files.createDirectories(files)));
     } catch (IOException e) {
       throw FileException.cannot("use", files, e);
     }

@@ -86,12 +86,30 @@ class MockFilesTest {
   }
 
   @Test
-  void saysThatTheFolderIsNotThere() {
-    Path gone = dir.resolve("gone");
+  void refusesAFolderThatDoesNotExistUnlessItMayCreateIt() throws Exception {
+    Path krc = dir.resolve("new/krc");
 
-    Cli.run("mock", "--server", "c3", "--port", "0", "--files", gone.toString())
-        .fails(2)
-        .startsWith("jopenshowvar: cannot use " + gone + ": ");
+    Cli.run("mock", "--server", "c3", "--port", "0", "--files", krc.toString())
+        .failsInLines(2)
+        .containsExactly(
+            "jopenshowvar: cannot use " + krc + ": the folder does not exist; --create creates it");
+    assertThat(krc).doesNotExist();
+
+    try (RunningMock mock = bridge("--files", krc.toString(), "--create")) {
+      assertThat(mock.run("file put", file("note.txt", "hello"), "KRC:\\R1\\TP\\").code()).isZero();
+    }
+    assertThat(krc.resolve("R1/TP/note.txt")).exists();
+  }
+
+  @Test
+  void refusesAFileAsItsFolder() throws Exception {
+    String file = file("krc", "");
+
+    Cli.run("mock", "--server", "c3", "--port", "0", "--files", file, "--create")
+        .failsInLines(2)
+        .singleElement()
+        .asString()
+        .startsWith("jopenshowvar: cannot use " + file + ": ");
   }
 
   @Test

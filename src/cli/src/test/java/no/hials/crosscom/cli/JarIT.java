@@ -7,6 +7,8 @@ import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -29,6 +31,8 @@ import org.junit.jupiter.api.io.TempDir;
 /** Runs the jar as a user does: as a process of its own. */
 @Timeout(120)
 class JarIT {
+  private static final Path LICENCE = Path.of("../../LICENSE");
+
   @TempDir private Path dir;
   @KukaController private MockServer server;
 
@@ -49,6 +53,22 @@ class JarIT {
                 + " E1 0.0, E2 0.0, E3 0.0, E4 0.0, E5 0.0, E6 0.0}",
             "$OV_PRO = 100",
             "$MODEL_NAME[] = \"#KR6R900 C4SR FLR 230\"");
+  }
+
+  @Test
+  void namesItsLibrariesAndHasTheTextsOfTheirLicences() throws Exception {
+    try (FileSystem jar = FileSystems.newFileSystem(Jar.FILE)) {
+      List<String> notice = Files.readAllLines(jar.getPath("META-INF/NOTICE"));
+      assertThat(notice)
+          .anyMatch(line -> line.startsWith("logback-classic "))
+          .anyMatch(line -> line.startsWith("picocli "));
+      assertThat(notice)
+          .filteredOn(line -> line.startsWith("  texts: "))
+          .isNotEmpty()
+          .flatMap(line -> List.of(line.substring(9).split(", ")))
+          .allSatisfy(text -> assertThat(jar.getPath("META-INF/licenses", text)).isNotEmptyFile());
+      assertThat(jar.getPath("META-INF/LICENSE")).hasSameTextualContentAs(LICENCE);
+    }
   }
 
   @Test

@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import javax.imageio.ImageIO;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** The formats of picture files. */
 enum Format {
@@ -21,8 +23,10 @@ enum Format {
       } finally {
         g.dispose();
       }
-      try (OutputStream out = Files.newOutputStream(file)) {
-        ImageIO.write(image, "png", out);
+      // ImageIO's own stream has a shutdown hook, which cannot be added after Ctrl-C
+      try (OutputStream out = Files.newOutputStream(file);
+          ImageOutputStream memory = new MemoryCacheImageOutputStream(out)) {
+        ImageIO.write(image, "png", memory);
       }
     }
   },

@@ -16,10 +16,15 @@ import java.util.stream.Stream;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.LiveLine;
 import no.hials.crosscom.cli.base.LocalFiles;
+import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.cli.base.StoppedException;
 import no.hials.crosscom.cli.base.Table;
+import no.hials.crosscom.cli.base.Terminal;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.LoopStatistics;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.lab.experiment.Experiment;
 import no.hials.crosscom.lab.experiment.ExperimentResult;
 import no.hials.crosscom.lab.experiment.Run;
@@ -45,7 +50,8 @@ import picocli.CommandLine.Parameters;
           + " the watchdog krl/jov_sps.sub. It is simulated in real time in a separate process."
           + " Other programs on this computer can disturb the period of the loop.",
       "",
-      "The exit code is 1 if a limit or an error stopped the robot.",
+      "The exit code is 1 if a limit or an error stopped the robot. Ctrl-C ends an experiment; its"
+          + " files then have what was measured until then, and the exit code is 130.",
       "",
       "CSV: NAME.csv has one line per cycle, NAME-figures.csv the results. An experiment with"
           + " two loops has such files for each.",
@@ -177,8 +183,11 @@ public final class ExperimentCommand extends ConsoleCommand {
       }
     }
     ExitCode worst = ExitCode.DONE;
-    for (Experiment each : chosen) {
-      worst = worst.orWorse(run(each));
+    try (StopSignal stop = new StopSignal()) {
+      for (Experiment each : chosen) {
+        stop.check();
+        worst = worst.orWorse(run(each, stop));
+      }
     }
     return worst;
   }
@@ -242,11 +251,10 @@ public final class ExperimentCommand extends ConsoleCommand {
         latency == null ? usual.latency() : latency);
   }
 
-  private ExitCode run(Experiment experiment) throws IOException {
-    Experiment.Settings settings = settings(experiment);
+  private ExitCode run(Experiment experiment, StopSignal stop) throws IOException {
     ExperimentResult outcome;
-    try {
-      outcome = experiment.run(settings);
+    try (Progress progress = new Progress(experiment.name(), stop)) {
+      outcome = experiment.run(settings(experiment), progress).orElseThrow(StoppedException::new);
     } catch (ControlRefusedException e) {
       console().failure(experiment.name() + ": ", e, isVerbose());
       return ExitCode.REFUSED;
@@ -256,9 +264,16 @@ public final class ExperimentCommand extends ConsoleCommand {
     files.add(pictureOf(experiment));
     picture.write(
         this, outcome.chart(), pictureOf(experiment), new Chart.Size(WIDTH, outcome.height()));
-    print(experiment, outcome);
+    boolean stopped =
+        outcome.runs().size() < experiment.loops().size()
+            || outcome.runs().stream().anyMatch(run -> run.end().kind() == StopKind.ASKED);
+    print(experiment, outcome, stopped);
     files.forEach(file -> console().print("wrote " + file));
     ExitCode code = ExitCode.DONE;
+    if (stopped) {
+      console().error(experiment.name() + ": stopped; the files have what was measured until then");
+      code = ExitCode.STOPPED;
+    }
     for (Run run : outcome.runs()) {
       if (!run.end().isPlanned()) {
         console()
@@ -270,13 +285,47 @@ public final class ExperimentCommand extends ConsoleCommand {
     return code;
   }
 
+  /** Shows how far an experiment is: on a terminal in a line that changes, else with -v. */
+  private final class Progress implements Experiment.Observer, AutoCloseable {
+    private final String name;
+    private final StopSignal stop;
+    private final LiveLine line =
+        new LiveLine(console().err(), !isVerbose() && Terminal.showsProgress());
+
+    Progress(String name, StopSignal stop) {
+      this.name = name;
+      this.stop = stop;
+    }
+
+    @Override
+    public boolean goesOn(String phase, Duration elapsed, Duration length) {
+      String text = name + ": " + phase;
+      if (isVerbose() && elapsed.isZero()) {
+        console().error(text + (length.isZero() ? "" : ", " + seconds(length)));
+      } else if (line.isDue()) {
+        line.show(
+            length.isZero() ? text : text + ", " + seconds(elapsed) + " of " + seconds(length));
+      }
+      return !stop.isStopped();
+    }
+
+    private static String seconds(Duration time) {
+      return String.format(Locale.ROOT, "%.1f s", time.toMillis() / 1e3);
+    }
+
+    @Override
+    public void close() {
+      line.close();
+    }
+  }
+
   // what is printed
 
   private static String name(Experiment experiment, String loop) {
     return experiment.name() + (loop.isEmpty() ? "" : "-" + loop);
   }
 
-  private void print(Experiment experiment, ExperimentResult outcome) {
+  private void print(Experiment experiment, ExperimentResult outcome, boolean stopped) {
     console().print("");
     for (Run run : outcome.runs()) {
       LoopStatistics numbers = run.statistics();
@@ -305,7 +354,7 @@ public final class ExperimentCommand extends ConsoleCommand {
                   + numbers.saturated()
                   + " increments cut");
     }
-    if (outcome.runs().stream().allMatch(run -> run.end().isPlanned())) {
+    if (!stopped && outcome.runs().stream().allMatch(run -> run.end().isPlanned())) {
       // else they are those of a part, perhaps of a single cycle
       outcome.figures().forEach(figure -> console().print(line(figure)));
     }

@@ -133,6 +133,18 @@ class ExperimentCommandTest {
   }
 
   @Test
+  void printsALineForEachPhaseIfVerbose() {
+    Cli.Result result = experiment("line-dls", "--for", "200ms", "--verbose");
+
+    assertThat(result.err().lines())
+        .contains(
+            "jopenshowvar: line-dls: starting the robot, krc",
+            "jopenshowvar: line-dls: warming up, krc, 0.0 s",
+            "jopenshowvar: line-dls: measuring, krc, 0.2 s",
+            "jopenshowvar: line-dls: measuring, dls, 0.2 s");
+  }
+
+  @Test
   void aRobotThatWasStoppedIsNoSuccess() {
     Cli.Result result = experiment("position-circle", "--for", "2s", "--lap", "1s");
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.State;
@@ -42,7 +43,8 @@ final class Endurance implements Experiment {
   }
 
   @Override
-  public ExperimentResult run(Settings settings) throws ControlRefusedException, IOException {
+  public Optional<ExperimentResult> run(Settings settings, Observer observer)
+      throws ControlRefusedException, IOException {
     try (GarbageCollections pauses = new GarbageCollections()) {
       Law.CartesianPosition circles =
           (Law.CartesianPosition) CONTROL.law(Shape.CIRCLE, settings.lapSeconds());
@@ -53,12 +55,16 @@ final class Endurance implements Experiment {
                 pauses.begin();
                 return circles.position(state);
               });
-      Run run = Run.of("", settings, KrlPrograms.START, CONTROL.program(), standing, law);
+      Run run = Run.of("", settings, observer, KrlPrograms.START, CONTROL.program(), standing, law);
+      if (run == null) {
+        return Optional.empty();
+      }
       // the first call of the law follows the first reading
       List<GarbageCollections.Pause> seen = pauses.seen(run.cycles().get(0).read() / 1e3);
       MissedCycles misses = MissedCycles.of(run.cycles(), seen, settings.period());
-      return new ExperimentResult(
-          List.of(run), figures(misses, seen), chart(run, seen, settings), HEIGHT);
+      return Optional.of(
+          new ExperimentResult(
+              List.of(run), figures(misses, seen), chart(run, seen, settings), HEIGHT));
     }
   }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import no.hials.crosscom.control.ControlRefusedException;
 
 /** An experiment on a simulated robot and its measurements. */
@@ -60,11 +61,28 @@ public interface Experiment {
    * Runs the experiment in real time and blocks until it ends.
    *
    * @param settings the duration, the period and the latency
-   * @return the outcome, even if the loop stopped the robot
+   * @param observer is told how far it is, and can end it
+   * @return the outcome, even if the loop stopped the robot; if the observer ended it, of what was
+   *     measured until then, or empty if that is nothing
    * @throws ControlRefusedException if a loop did not start
    * @throws IOException if the simulated controller cannot be started or reached
    */
-  ExperimentResult run(Settings settings) throws ControlRefusedException, IOException;
+  Optional<ExperimentResult> run(Settings settings, Observer observer)
+      throws ControlRefusedException, IOException;
+
+  /** Follows an experiment. */
+  @FunctionalInterface
+  interface Observer {
+    /**
+     * Called when a phase begins, and ten times a second while a loop runs.
+     *
+     * @param phase the phase
+     * @param elapsed the time since the phase began
+     * @param length the time that the phase takes; zero if that is not known
+     * @return false to end the experiment
+     */
+    boolean goesOn(String phase, Duration elapsed, Duration length);
+  }
 
   /**
    * The settings of an experiment.

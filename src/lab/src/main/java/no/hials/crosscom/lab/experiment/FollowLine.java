@@ -3,6 +3,8 @@ package no.hials.crosscom.lab.experiment;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.DampedLeastSquares;
@@ -43,13 +45,9 @@ final class FollowLine implements Experiment {
   private static final int HEIGHT = 1700;
 
   /** The positions of axes and tool in a run. */
-  private record Motion(Run run, List<Axes> axes, List<Frame> tool) {
+  private record Motion(String name, Run run, List<Axes> axes, List<Frame> tool) {
     double[] times() {
       return Plots.times(run.cycles());
-    }
-
-    Series line(String name, double... values) {
-      return Series.of(name, Series.Style.LINE, times(), values);
     }
 
     double[] each(ToDoubleFunction<Frame> value) {
@@ -79,12 +77,14 @@ final class FollowLine implements Experiment {
   }
 
   @Override
-  public ExperimentResult run(Settings settings) throws ControlRefusedException, IOException {
+  public Optional<ExperimentResult> run(Settings settings, Observer observer)
+      throws ControlRefusedException, IOException {
     double lap = settings.lapSeconds();
     Run krc =
         Run.of(
             KRC_LOOP,
             settings,
+            observer,
             START_AXES,
             RobotProgram.ACTUATOR,
             Law.cartesianVelocity(state -> wanted(state.position(), state.time(), lap)));
@@ -93,6 +93,7 @@ final class FollowLine implements Experiment {
         Run.of(
             OWN_LOOP,
             settings,
+            observer,
             START_AXES,
             RobotProgram.EXT_MOVE_AXIS,
             Law.jointVelocity(
@@ -100,7 +101,14 @@ final class FollowLine implements Experiment {
                   Frame tool = SimulatedRobot.MODEL.forward(state.axes());
                   return solver.velocity(state.axes(), wanted(tool, state.time(), lap));
                 }));
-    return outcome(ofTool(krc), ofAxes(own), settings);
+    List<Motion> motions = new ArrayList<>();
+    if (krc != null) {
+      motions.add(ofTool(krc));
+    }
+    if (own != null) {
+      motions.add(ofAxes(own));
+    }
+    return motions.isEmpty() ? Optional.empty() : Optional.of(outcome(motions, settings));
   }
 
   /**
@@ -139,7 +147,7 @@ final class FollowLine implements Experiment {
   private static Motion ofAxes(Run run) {
     List<Axes> axes = run.cycles().stream().map(FollowLine::axes).toList();
     List<Frame> tool = axes.stream().map(SimulatedRobot.MODEL::forward).toList();
-    return new Motion(run, axes, tool);
+    return new Motion(OWN, run, axes, tool);
   }
 
   private static Axes axes(Trace.Cycle cycle) {
@@ -157,7 +165,7 @@ final class FollowLine implements Experiment {
       tool.add(frame);
       axes.add(near);
     }
-    return new Motion(run, axes, tool);
+    return new Motion(KRC, run, axes, tool);
   }
 
   // measurements
@@ -179,9 +187,9 @@ final class FollowLine implements Experiment {
     return lag;
   }
 
-  private static ExperimentResult outcome(Motion krc, Motion own, Settings settings) {
+  private static ExperimentResult outcome(List<Motion> motions, Settings settings) {
     List<ExperimentResult.Figure> figures = new ArrayList<>();
-    for (Motion motion : List.of(krc, own)) {
+    for (Motion motion : motions) {
       String name = ", " + motion.run.name();
       figures.addAll(
           ErrorMetrics.figures("tracking error" + name, "mm", lag(motion, settings.lapSeconds())));
@@ -191,65 +199,74 @@ final class FollowLine implements Experiment {
           ErrorMetrics.figures("rotation" + name, "°", motion.each(tool -> tool.angle(START))));
     }
     return new ExperimentResult(
-        List.of(krc.run, own.run),
+        motions.stream().map(Motion::run).toList(),
         figures,
-        new Chart(settings.title("line-dls: two kinematics"), panels(krc, own, settings), 2),
+        new Chart(settings.title("line-dls: two kinematics"), panels(motions, settings), 2),
         HEIGHT);
   }
 
-  private static List<Panel> panels(Motion krc, Motion own, Settings settings) {
+  private static List<Panel> panels(List<Motion> motions, Settings settings) {
     List<Panel> panels = new ArrayList<>();
+    panels.add(path(motions));
     panels.add(
-        Panel.of(
-            "path from the front",
-            new Axis("Y", "mm"),
-            new Axis("Z", "mm"),
-            Panel.Scale.EQUAL,
-            List.of(
-                Series.of(
-                    "desired",
-                    Series.Style.GUIDE,
-                    new double[] {START.y(), START.y() + WAY.y()},
-                    new double[] {START.z(), START.z() + WAY.z()}),
-                Series.of(KRC, Series.Style.LINE, krc.each(Frame::y), krc.each(Frame::z)),
-                Series.of(OWN, Series.Style.LINE, own.each(Frame::y), own.each(Frame::z)))));
-    panels.add(
-        pair(
+        overTime(
             "deviation from the line",
             new Axis("distance", "mm"),
-            krc.line(KRC, krc.each(FollowLine::deviation)),
-            own.line(OWN, own.each(FollowLine::deviation))));
+            motions,
+            motion -> motion.each(FollowLine::deviation)));
     panels.add(
-        pair(
+        overTime(
             "tracking error",
             new Axis("distance", "mm"),
-            krc.line(KRC, lag(krc, settings.lapSeconds())),
-            own.line(OWN, lag(own, settings.lapSeconds()))));
+            motions,
+            motion -> lag(motion, settings.lapSeconds())));
     panels.add(
-        pair(
+        overTime(
             "rotation of the tool, which should be none",
             new Axis("angle", "°"),
-            krc.line(KRC, krc.each(tool -> tool.angle(START))),
-            own.line(OWN, own.each(tool -> tool.angle(START)))));
+            motions,
+            motion -> motion.each(tool -> tool.angle(START))));
     for (int i = 0; i < AXES; i++) {
       int axis = i;
       panels.add(
-          pair(
+          overTime(
               "A" + (i + 1),
               new Axis("A" + (i + 1), "°"),
-              krc.line(KRC, krc.axes.stream().mapToDouble(axes -> axes.get(axis)).toArray()),
-              own.line(OWN, own.axes.stream().mapToDouble(axes -> axes.get(axis)).toArray())));
+              motions,
+              motion -> motion.axes.stream().mapToDouble(axes -> axes.get(axis)).toArray()));
     }
     panels.add(
-        pair(
+        overTime(
             "access times of each cycle, reading and writing",
             new Axis("time", "ms"),
-            Plots.line(KRC, krc.run.cycles(), cycle -> cycle.read() + cycle.write()),
-            Plots.line(OWN, own.run.cycles(), cycle -> cycle.read() + cycle.write())));
+            motions,
+            motion -> Plots.values(motion.run.cycles(), cycle -> cycle.read() + cycle.write())));
     return panels;
   }
 
-  private static Panel pair(String title, Axis y, Series krc, Series own) {
-    return Plots.overTime(title, y, List.of(krc, own));
+  private static Panel path(List<Motion> motions) {
+    List<Series> series = new ArrayList<>();
+    series.add(
+        Series.of(
+            "desired",
+            Series.Style.GUIDE,
+            new double[] {START.y(), START.y() + WAY.y()},
+            new double[] {START.z(), START.z() + WAY.z()}));
+    for (Motion motion : motions) {
+      series.add(
+          Series.of(motion.name, Series.Style.LINE, motion.each(Frame::y), motion.each(Frame::z)));
+    }
+    return Panel.of(
+        "path from the front", new Axis("Y", "mm"), new Axis("Z", "mm"), Panel.Scale.EQUAL, series);
+  }
+
+  private static Panel overTime(
+      String title, Axis y, List<Motion> motions, Function<Motion, double[]> values) {
+    return Plots.overTime(
+        title,
+        y,
+        motions.stream()
+            .map(each -> Series.of(each.name, Series.Style.LINE, each.times(), values.apply(each)))
+            .toList());
   }
 }

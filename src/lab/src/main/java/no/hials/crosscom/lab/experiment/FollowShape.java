@@ -3,6 +3,7 @@ package no.hials.crosscom.lab.experiment;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.Trace;
@@ -48,14 +49,20 @@ record FollowShape(ControlMethod control, Shape shape) implements Experiment {
   }
 
   @Override
-  public ExperimentResult run(Settings settings) throws ControlRefusedException, IOException {
+  public Optional<ExperimentResult> run(Settings settings, Observer observer)
+      throws ControlRefusedException, IOException {
     Run run =
         Run.of(
             "",
             settings,
+            observer,
             KrlPrograms.START,
             control.program(),
             control.law(shape, settings.lapSeconds()));
+    return run == null ? Optional.empty() : Optional.of(result(run, settings));
+  }
+
+  private ExperimentResult result(Run run, Settings settings) {
     List<Trace.Cycle> cycles = run.cycles();
     double[] errors = Plots.values(cycles, cycle -> error(cycle, settings));
     return new ExperimentResult(

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
@@ -54,6 +55,8 @@ final class RobotProcess {
     Latency latency = Latency.parse(args[0], 1);
     String program = RobotProgram.valueOf(args[1]).name().toLowerCase(Locale.ROOT);
     Axes start = Axes.of(Arrays.stream(args).skip(2).mapToDouble(Double::parseDouble).toArray());
+    CountDownLatch ended = new CountDownLatch(1);
+    Runtime.getRuntime().addShutdownHook(new Thread(() -> await(ended), "until-the-input-ends"));
     try (MockServer server = MockServer.start(cfg -> cfg.latency(latency).recordedRequests(0))) {
       KrlPrograms.start(server.controller(), start, program);
       System.out.println(server.host());
@@ -61,6 +64,17 @@ final class RobotProcess {
       while (System.in.read() >= 0) {
         // the input carries no data
       }
+    } finally {
+      ended.countDown();
+    }
+  }
+
+  /** Keeps the robot there after Ctrl-C, which a terminal sends to this process, too. */
+  private static void await(CountDownLatch ended) {
+    try {
+      ended.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
   }
 }

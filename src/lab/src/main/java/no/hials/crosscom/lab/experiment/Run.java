@@ -3,6 +3,9 @@ package no.hials.crosscom.lab.experiment;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import no.hials.crosscom.control.ControlLoop;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.Law;
@@ -13,6 +16,7 @@ import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Trace;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A run of a control loop.
@@ -27,6 +31,9 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
   /** Room for more cycles than periods in the time, which includes the first and the last cycle. */
   private static final int SPARE_CYCLES = 10;
 
+  /** A run of fewer cycles shows nothing. */
+  private static final int MIN_CYCLES = 2;
+
   /** The maximum time at rest before a run, because the first cycles of a process are slow. */
   private static final Duration WARM_UP = Duration.ofSeconds(10);
 
@@ -34,11 +41,17 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
    * Runs a loop on a new simulated robot until its time is over or it stops the robot.
    *
    * @param start the initial position of the axes
+   * @return the run; null if the observer ended it before anything was measured
    */
-  static Run of(
-      String name, Experiment.Settings settings, Axes start, RobotProgram program, Law law)
+  static @Nullable Run of(
+      String name,
+      Experiment.Settings settings,
+      Experiment.Observer observer,
+      Axes start,
+      RobotProgram program,
+      Law law)
       throws ControlRefusedException, IOException {
-    return of(name, settings, start, program, program.standing(), law);
+    return of(name, settings, observer, start, program, program.standing(), law);
   }
 
   /**
@@ -47,23 +60,44 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
    * @param standing the law that keeps the robot at rest; of the same kind as the law of the run,
    *     so that its first cycle is not slower than the others
    */
-  static Run of(
+  static @Nullable Run of(
       String name,
       Experiment.Settings settings,
+      Experiment.Observer observer,
       Axes start,
       RobotProgram program,
       Law standing,
       Law law)
       throws ControlRefusedException, IOException {
+    String suffix = name.isEmpty() ? "" : ", " + name;
+    if (!observer.goesOn("starting the robot" + suffix, Duration.ZERO, Duration.ZERO)) {
+      return null;
+    }
     try (SimulatedRobot robot = SimulatedRobot.start(settings.latency(), start, program)) {
       Duration length = settings.length();
-      Duration warmUp = length.dividedBy(10);
-      run(
-          "",
-          robot,
-          config(settings, warmUp.compareTo(WARM_UP) < 0 ? warmUp : WARM_UP, program),
-          standing);
-      return run(name, robot, config(settings, length, program), law);
+      Duration tenth = length.dividedBy(10);
+      Duration warmUp = tenth.compareTo(WARM_UP) < 0 ? tenth : WARM_UP;
+      Phase rest = new Phase("warming up" + suffix, warmUp, observer);
+      Phase moves = new Phase("measuring" + suffix, length, observer);
+      if (rest.begins()) {
+        run("", robot, config(settings, warmUp, program), standing, rest);
+      }
+      if (!moves.begins()) {
+        return null;
+      }
+      Run run = run(name, robot, config(settings, length, program), law, moves);
+      return run.cycles().size() < MIN_CYCLES && run.end().isPlanned() ? null : run;
+    }
+  }
+
+  /** The time of one loop. */
+  private record Phase(String name, Duration length, Experiment.Observer observer) {
+    boolean begins() {
+      return goesOn(Duration.ZERO);
+    }
+
+    boolean goesOn(Duration elapsed) {
+      return observer.goesOn(name, elapsed, length);
     }
   }
 
@@ -81,10 +115,10 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
                     (int) (length.toNanos() / settings.period().toNanos()) + SPARE_CYCLES));
   }
 
-  private static Run run(String name, SimulatedRobot robot, LoopConfig config, Law law)
+  private static Run run(String name, SimulatedRobot robot, LoopConfig config, Law law, Phase phase)
       throws ControlRefusedException {
     try (ControlLoop loop = ControlLoop.start(robot.client(), config, law)) {
-      StopReason end = await(loop);
+      StopReason end = await(loop, phase);
       return new Run(name, end, loop.statistics(), loop.trace());
     }
   }
@@ -101,13 +135,31 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
         .watchdog(Duration.ofSeconds(4));
   }
 
-  private static StopReason await(ControlLoop loop) {
+  private static StopReason await(ControlLoop loop, Phase phase) {
+    long start = System.nanoTime();
     try {
+      while (!ends(loop)) {
+        if (!phase.goesOn(Duration.ofNanos(System.nanoTime() - start))) {
+          loop.stop();
+        }
+      }
       return loop.await();
     } catch (InterruptedException e) {
       loop.close();
       Thread.currentThread().interrupt();
       return loop.stopReason().orElseThrow();
+    }
+  }
+
+  /** Returns whether the loop ends within a tenth of a second. */
+  private static boolean ends(ControlLoop loop) throws InterruptedException {
+    try {
+      loop.ended().get(100, TimeUnit.MILLISECONDS);
+      return true;
+    } catch (ExecutionException e) {
+      return true;
+    } catch (TimeoutException e) {
+      return false;
     }
   }
 

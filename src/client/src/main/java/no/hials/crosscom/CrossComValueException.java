@@ -11,16 +11,40 @@ public final class CrossComValueException extends CrossComException {
 
   private final String variable;
   private final String text;
+  private final boolean sent;
 
+  /** Creates an exception for an answer of the server. */
   CrossComValueException(String variable, String text, String what, @Nullable Throwable cause) {
+    this(variable, text, what, cause, true);
+  }
+
+  private CrossComValueException(
+      String variable, String text, String what, @Nullable Throwable cause, boolean sent) {
     super(variable + ": " + what, cause, false);
     this.variable = variable;
     this.text = text;
+    this.sent = sent;
+  }
+
+  /** Returns an exception for a value that was not sent. */
+  static CrossComValueException notSent(
+      String variable, String text, String what, @Nullable Throwable cause) {
+    return new CrossComValueException(variable, text, what, cause, false);
   }
 
   /** Returns the variable's name. */
   public String getVariable() {
     return variable;
+  }
+
+  /**
+   * Returns whether the request was sent.
+   *
+   * @return true if the text is the answer of the server; false if it is a value to be written,
+   *     which the controller did not receive
+   */
+  public boolean isSent() {
+    return sent;
   }
 
   /** Returns the value's whole text, as the server sent it or as it would have been sent. */

@@ -451,7 +451,7 @@ final class VariableExchange {
     }
     int limit = config.maxAggregateLength();
     if (limit > 0 && value.length() > limit && value.toString().stripLeading().startsWith("{")) {
-      throw new CrossComValueException(
+      throw CrossComValueException.notSent(
           name,
           value.toString(),
           "an aggregate to be written must have at most "
@@ -467,11 +467,11 @@ final class VariableExchange {
 
   private static CrossComValueException cannotBeSent(
       String name, String value, @Nullable String why, Exception cause) {
-    return new CrossComValueException(name, value, "the value cannot be sent: " + why, cause);
+    return CrossComValueException.notSent(name, value, "the value cannot be sent: " + why, cause);
   }
 
   private CrossComValueException tooLong(String name, String text, int length) {
-    return new CrossComValueException(
+    return CrossComValueException.notSent(
         name,
         text,
         "a request must have at most " + config.maxRequestLength() + " bytes, has " + length,

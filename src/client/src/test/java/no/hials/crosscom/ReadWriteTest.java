@@ -494,7 +494,8 @@ class ReadWriteTest extends RobotTest {
 
     assertThatExceptionOfType(CrossComValueException.class)
         .isThrownBy(() -> client.writeVariable(i))
-        .withMessageContaining("the write was done");
+        .withMessageContaining("the write was done")
+        .satisfies(e -> assertThat(e.isSent()).isTrue());
     assertThat(i.getValue()).isEqualTo(3);
   }
 
@@ -528,7 +529,8 @@ class ReadWriteTest extends RobotTest {
     assertThatExceptionOfType(CrossComValueException.class)
         .isThrownBy(() -> client.writeText("MYFRAME", text))
         .withMessageContaining("must have at most 255 bytes, has 257")
-        .satisfies(e -> assertThat(e.getText()).isEqualTo(text));
+        .satisfies(e -> assertThat(e.getText()).isEqualTo(text))
+        .satisfies(e -> assertThat(e.isSent()).isFalse());
     assertThat(robot.requests()).isEmpty();
     client.writeText("MYFRAME", "{X 1.0" + " ".repeat(248) + "}");
     assertThat(robot.variables().get("MYFRAME.X")).isEqualTo("1.00000");

@@ -3,9 +3,13 @@ package no.hials.crosscom.cli.base;
 import java.util.Arrays;
 import java.util.Map;
 import no.hials.crosscom.CrossComAccessException;
+import no.hials.crosscom.CrossComClosedException;
 import no.hials.crosscom.CrossComConnectException;
-import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComConnectionLostException;
+import no.hials.crosscom.CrossComProtocolException;
 import no.hials.crosscom.CrossComRefusedException;
+import no.hials.crosscom.CrossComTimeoutException;
+import no.hials.crosscom.CrossComTransferException;
 import no.hials.crosscom.CrossComUnsupportedException;
 import no.hials.crosscom.CrossComValueException;
 import no.hials.crosscom.cell.FileException;
@@ -27,14 +31,25 @@ public enum ExitCode {
   /** As shells say that SIGINT ended a process. */
   STOPPED(130);
 
-  private static final Map<Class<?>, ExitCode> OF_EXCEPTIONS =
-      Map.of(
-          CannotListenException.class, NOT_CONNECTED,
-          FileException.class, USAGE,
-          NotSentException.class, NOT_SENT,
-          OtherValueException.class, REFUSED,
-          StoppedException.class, STOPPED,
-          OutputException.class, OUTPUT_LOST);
+  /** The exit codes of all exceptions of the client, and of those of the commands. */
+  static final Map<Class<?>, ExitCode> OF_EXCEPTIONS =
+      Map.ofEntries(
+          Map.entry(CrossComAccessException.class, REFUSED),
+          Map.entry(CrossComRefusedException.class, REFUSED),
+          Map.entry(CrossComUnsupportedException.class, REFUSED),
+          Map.entry(CrossComConnectException.class, NOT_CONNECTED),
+          Map.entry(CrossComClosedException.class, LOST),
+          Map.entry(CrossComConnectionLostException.class, LOST),
+          Map.entry(CrossComProtocolException.class, LOST),
+          Map.entry(CrossComTimeoutException.class, LOST),
+          Map.entry(CrossComTransferException.class, LOST),
+          Map.entry(CrossComValueException.class, LOST),
+          Map.entry(CannotListenException.class, NOT_CONNECTED),
+          Map.entry(FileException.class, USAGE),
+          Map.entry(NotSentException.class, NOT_SENT),
+          Map.entry(OtherValueException.class, REFUSED),
+          Map.entry(StoppedException.class, STOPPED),
+          Map.entry(OutputException.class, OUTPUT_LOST));
 
   private final int code;
 
@@ -57,23 +72,9 @@ public enum ExitCode {
 
   /** Returns the exit code of a command that ended with an exception. */
   public static ExitCode of(Exception e) {
-    if (e instanceof CrossComException failed) {
-      return ofFailedRead(failed);
+    if (e instanceof CrossComValueException value && !value.isSent()) {
+      return USAGE;
     }
     return OF_EXCEPTIONS.getOrDefault(e.getClass(), INTERNAL_ERROR);
-  }
-
-  public static ExitCode ofFailedRead(CrossComException e) {
-    if (e instanceof CrossComAccessException
-        || e instanceof CrossComRefusedException
-        || e instanceof CrossComUnsupportedException) {
-      return REFUSED;
-    }
-    return e instanceof CrossComConnectException ? NOT_CONNECTED : LOST;
-  }
-
-  public static ExitCode ofFailedWrite(CrossComException e) {
-    // it was not sent: it is too long
-    return e instanceof CrossComValueException ? USAGE : ofFailedRead(e);
   }
 }

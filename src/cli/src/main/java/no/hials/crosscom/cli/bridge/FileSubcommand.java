@@ -69,7 +69,7 @@ abstract class FileSubcommand extends BridgeCommand {
         && none.getServer() == ServerType.KUKAVARPROXY) {
       console().hint("KUKAVARPROXY has no files: that needs C3 Bridge Interface on the controller");
     }
-    return ExitCode.ofFailedRead(e);
+    return ExitCode.of(e);
   }
 
   /** Transfers a file. */

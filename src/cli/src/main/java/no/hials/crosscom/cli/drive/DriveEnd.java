@@ -20,7 +20,7 @@ final class DriveEnd {
       case STALE_FEEDBACK, INPUT -> ExitCode.LOST;
       case ACCESS ->
           cause(reason) instanceof CrossComException failed
-              ? ExitCode.ofFailedWrite(failed)
+              ? ExitCode.of(failed)
               : ExitCode.REFUSED;
       case LAW, ERROR -> ExitCode.INTERNAL_ERROR;
       case SPEED,

@@ -2,14 +2,11 @@ package no.hials.crosscom.cli.shell;
 
 import java.io.IOException;
 import java.util.Optional;
-import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.CatalogueEntry;
-import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cli.base.OtherValueException;
 import no.hials.crosscom.cli.base.WriteAnswer;
 import no.hials.crosscom.cli.base.WriteOptions;
 
@@ -74,19 +71,8 @@ final class ShellSession {
       if (verbose) {
         e.printStackTrace(console.err());
       }
-      return codeOf(line, e);
+      return e instanceof ShellSyntaxException ? ExitCode.USAGE : ExitCode.of(e);
     }
-  }
-
-  private static ExitCode codeOf(ShellLine line, IOException e) {
-    if (e instanceof CrossComException failed) {
-      return line instanceof ShellLine.Write
-          ? ExitCode.ofFailedWrite(failed)
-          : ExitCode.ofFailedRead(failed);
-    }
-    return e instanceof NotSentException || e instanceof OtherValueException
-        ? ExitCode.of(e)
-        : ExitCode.USAGE;
   }
 
   private void read(ShellLine.Read read) throws IOException {

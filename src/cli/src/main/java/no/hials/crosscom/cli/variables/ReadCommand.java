@@ -115,7 +115,7 @@ public final class ReadCommand extends ControllerCommand {
       result = new Reading(console, target.name(), target.label()).of(controller.client());
     } catch (CrossComException e) {
       console.failure(target.label(), e, isVerbose());
-      result = ExitCode.ofFailedRead(e);
+      result = ExitCode.of(e);
     } catch (IOException e) {
       // a simulated controller that could not listen
       console.failure(target.label(), e, isVerbose());
@@ -146,7 +146,7 @@ public final class ReadCommand extends ControllerCommand {
           console.print(read(client, names.get(i)));
         } catch (CrossComException e) {
           console.failure(label, e, isVerbose());
-          result = result.orWorse(ExitCode.ofFailedRead(e));
+          result = result.orWorse(ExitCode.of(e));
           if (endsTheConnection(e)) {
             if (names.size() > 1) {
               // including this one, as not every failure of a connection names the variable

@@ -66,7 +66,7 @@ abstract class SamplingCommand extends ControllerCommand {
     ExitCode result = ExitCode.DONE;
     for (Sampling.Failure failure : sampling.failedToConnect()) {
       console().failure(failure.label(), failure.cause(), isVerbose());
-      result = result.orWorse(ExitCode.ofFailedRead(failure.cause()));
+      result = result.orWorse(ExitCode.of(failure.cause()));
     }
     List<Sampling.Failure> failures;
     try {
@@ -76,7 +76,7 @@ abstract class SamplingCommand extends ControllerCommand {
       throw wrongUsage(String.valueOf(e.getMessage()));
     }
     for (Sampling.Failure failure : failures) {
-      result = result.orWorse(ExitCode.ofFailedRead(failure.cause()));
+      result = result.orWorse(ExitCode.of(failure.cause()));
     }
     failures.stream().map(Sampling.Failure::message).distinct().forEach(console()::error);
     return result;

@@ -84,7 +84,7 @@ public final class WriteCommand extends ControllerCommand {
       WriteAnswer.check(name, value, answer);
     } catch (CrossComException e) {
       console().failure(e, isVerbose());
-      return ExitCode.ofFailedWrite(e);
+      return ExitCode.of(e);
     } catch (IllegalArgumentException e) {
       throw wrongUsage(String.valueOf(e.getMessage()));
     }

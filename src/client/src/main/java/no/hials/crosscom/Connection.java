@@ -188,13 +188,21 @@ final class Connection {
       channel.configureBlocking(true);
     } catch (IOException e) {
       close();
-      return new CrossComConnectionLostException(
-          "the connection to " + remote + " broke while it was not used: " + reason(e), e, false);
+      CrossComException foreign = foreign(e, false);
+      return foreign != null
+          ? foreign
+          : new CrossComConnectionLostException(
+              "the connection to " + remote + " broke while it was not used: " + reason(e),
+              e,
+              false);
     }
     if (reader.surplus() > 0) {
       close();
-      return new CrossComProtocolException(
-          "bytes came that no request had asked for: " + reader.surplusHex(), null, false);
+      CrossComException foreign = foreign(null, false);
+      return foreign != null
+          ? foreign
+          : new CrossComProtocolException(
+              "bytes came that no request had asked for: " + reader.surplusHex(), null, false);
     }
     return null;
   }
@@ -261,7 +269,6 @@ final class Connection {
       }
       long end = System.nanoTime();
       lastEnd = end;
-      answered = true;
       answer.set(reader.buffer(), answerLength, end - start);
     } catch (MalformedFrameException e) {
       disarm();
@@ -270,7 +277,10 @@ final class Connection {
       boolean expired = disarm();
       boolean byUs = closed && !expired;
       close();
-      if (expired) {
+      CrossComProtocolException foreign = foreign(e, write);
+      if (foreign != null) {
+        throw foreign;
+      } else if (expired) {
         throw timedOut(what(type, name), write, timeout, e);
       } else if (byUs) {
         throw new CrossComClosedException(
@@ -295,6 +305,7 @@ final class Connection {
           "received {}", MalformedFrameException.hex(reader.buffer(), answerLength(), LOGGED));
     }
     check(id, type, name, write);
+    answered = true;
     return answer;
   }
 
@@ -369,8 +380,20 @@ final class Connection {
   private CrossComProtocolException violated(
       MalformedFrameException e, String what, boolean write) {
     close();
-    return new CrossComProtocolException(
-        "the answer to the " + what + " is invalid: " + e.getMessage(), e, write);
+    CrossComProtocolException foreign = foreign(e, write);
+    return foreign != null
+        ? foreign
+        : new CrossComProtocolException(
+            "the answer to the " + what + " is invalid: " + e.getMessage(), e, write);
+  }
+
+  /** Returns an exception that names the protocol of the server if that is another one. */
+  private @Nullable CrossComProtocolException foreign(@Nullable IOException cause, boolean write) {
+    String service = answered ? null : ForeignService.of(reader.buffer(), reader.received());
+    return service == null
+        ? null
+        : new CrossComProtocolException(
+            remote + " answered with " + service + ", not KUKAVARPROXY or C3 Bridge", cause, write);
   }
 
   private CrossComTimeoutException timedOut(

@@ -174,12 +174,12 @@ class FailureTest extends RobotTest {
   }
 
   @Test
-  void theMessageShowsTheFirst64BytesOfALongAnswer() {
+  void theMessageShowsTheFirst32BytesOfALongAnswer() {
     robot.enqueue(Fault.raw("00 01 01 00 09" + " 41".repeat(255)));
 
     assertThatExceptionOfType(CrossComProtocolException.class)
         .isThrownBy(() -> client.readText("$OV_PRO"))
-        .withMessageMatching(".* [0-9A-F]{2}( [0-9A-F]{2}){63} \\.\\.\\. \\(260 bytes\\)");
+        .withMessageMatching(".* [0-9A-F]{2}( [0-9A-F]{2}){31} \\.\\.\\. \\(260 bytes\\)");
   }
 
   @ParameterizedTest

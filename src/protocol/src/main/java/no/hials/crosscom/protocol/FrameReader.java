@@ -150,6 +150,15 @@ public final class FrameReader {
   }
 
   /**
+   * Returns the number of bytes in {@link #buffer()}: the last frame and the bytes after it.
+   *
+   * @return 0 or more
+   */
+  public int received() {
+    return end;
+  }
+
+  /**
    * Returns the bytes after the last frame in hex, such as a frame that is not complete yet.
    *
    * @return the bytes

@@ -8,7 +8,7 @@ public class MalformedFrameException extends IOException {
   private static final long serialVersionUID = 1L;
 
   /** The number of bytes that a message shows of a long frame. */
-  private static final int SHOWN = 64;
+  private static final int SHOWN = 32;
 
   /**
    * Creates the exception.
@@ -30,7 +30,7 @@ public class MalformedFrameException extends IOException {
    * Returns bytes as pairs of hexadecimal digits, separated by blanks, for a message.
    *
    * @param bytes a buffer that begins with the bytes
-   * @param length the number of bytes; of more than 64 only the first are printed, and the number
+   * @param length the number of bytes; of more than 32 only the first are printed, and the number
    * @return the text
    */
   public static String hex(byte[] bytes, int length) {

@@ -527,16 +527,16 @@ final class CodecTest {
   }
 
   @Test
-  void aLongFrameIsShownByItsFirst64Bytes() {
+  void aLongFrameIsShownByItsFirst32Bytes() {
     byte[] zeros = new byte[300];
 
     assertThatExceptionOfType(MalformedFrameException.class)
         .isThrownBy(() -> Codec.decodeRequest(zeros))
         .withMessage(
             "the length field must be 296, is 0, frame: "
-                + "00 ".repeat(63)
+                + "00 ".repeat(31)
                 + "00 ... (300 bytes)");
-    assertThat(MalformedFrameException.hex(zeros, 64)).isEqualTo("00 ".repeat(63) + "00");
+    assertThat(MalformedFrameException.hex(zeros, 32)).isEqualTo("00 ".repeat(31) + "00");
   }
 
   static Stream<Arguments> outOfRange() {

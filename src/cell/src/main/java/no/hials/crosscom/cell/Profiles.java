@@ -96,7 +96,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
     table.allow("host", "port", "timeout", "read-only", "mock", "server");
     boolean mock = table.flag("mock");
     boolean readOnly = table.flag("read-only");
-    String host = table.text("host");
+    HostAndPort host = table.converted("host", HostAndPort::parse, TomlTable.TEXT, String.class);
     Integer port =
         table.converted(
             "port", SettingText::port, "must be a whole number, without quotes", Number.class);
@@ -115,16 +115,27 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
     if (!mock && server != null) {
       throw table.error("server", "goes with mock = true");
     }
-    if (!mock && (host == null || host.isBlank())) {
+    if (!mock && host == null) {
       throw table.error("a robot needs a host, or mock = true");
     }
     return new Robot(
         table.name(),
-        host,
-        port == null ? ClientConfig.DEFAULT_PORT : port,
+        host == null ? null : host.host(),
+        port(table, host, port),
         timeout,
         readOnly ? "read-only = true in " + table.place("read-only") : null,
         server == null ? simulated : server);
+  }
+
+  private static int port(TomlTable table, @Nullable HostAndPort host, @Nullable Integer port)
+      throws FileException {
+    try {
+      return host == null
+          ? ClientConfig.DEFAULT_PORT
+          : host.portOr(port, ClientConfig.DEFAULT_PORT);
+    } catch (IllegalArgumentException e) {
+      throw table.error("host", String.valueOf(e.getMessage()));
+    }
   }
 
   /**

@@ -36,7 +36,7 @@ import picocli.CommandLine.Command;
       "Example:",
       "  default = \"cell1\"",
       "  [robots.cell1]",
-      "  host = \"172.31.1.147\"   # port = 7000",
+      "  host = \"172.31.1.147\"   # or \"172.31.1.147:7000\"",
       "  timeout = \"2s\"",
       "  read-only = true",
       "  [robots.sim]",

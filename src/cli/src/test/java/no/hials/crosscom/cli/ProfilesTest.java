@@ -1,8 +1,11 @@
 package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThatCode;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -91,6 +94,46 @@ class ProfilesTest {
         .containsExactly("MYINT = 2");
     assertThat(run("read", "MYINT", "@cell2", "--port", "" + one.port()).lines())
         .containsExactly("MYINT = 1");
+  }
+
+  @Test
+  void takesThePortAfterTheHost() throws IOException {
+    String address = one.host() + ":" + one.port();
+    assertThat(run("read", "MYINT", "--host", address).lines()).containsExactly("MYINT = 1");
+    assertThat(run("read", "MYINT", "--host", address, "--port", "" + one.port()).lines())
+        .containsExactly("MYINT = 1");
+    assertThat(run("read", "MYINT", "--host", "localhost:" + two.port()).lines())
+        .containsExactly("MYINT = 2");
+
+    environment.put("JOPENSHOWVAR_HOST", address);
+    assertThat(run("read", "MYINT").lines()).containsExactly("MYINT = 1");
+
+    config("[robots.cell2]", "host = \"" + two.host() + ":" + two.port() + "\"");
+    assertThat(run("read", "@cell2", "MYINT").lines()).containsExactly("MYINT = 2");
+  }
+
+  @Test
+  void takesThePortAfterAnAddressOfIpv6() throws Exception {
+    InetAddress loopback = InetAddress.getByName("::1");
+    assumeThatCode(() -> new ServerSocket(0, 1, loopback).close()).doesNotThrowAnyException();
+    try (MockServer six = MockServer.start(cfg -> cfg.bindAddress(loopback))) {
+      assertThat(run("read", "MYINT", "--host", "[::1]:" + six.port()).lines())
+          .containsExactly("MYINT = 0");
+    }
+  }
+
+  @Test
+  void refusesTwoDifferentPorts() {
+    run("read", "MYINT", "--host", "127.0.0.1:7", "--port", "8")
+        .fails(2)
+        .startsWith(
+            "jopenshowvar: invalid value for option '--host': names the port 7, but the port is set"
+                + " to 8");
+    environment.put("JOPENSHOWVAR_HOST", "h:7");
+    environment.put("JOPENSHOWVAR_PORT", "8");
+    run("read", "MYINT")
+        .fails(2)
+        .startsWith("jopenshowvar: JOPENSHOWVAR_HOST names the port 7, but the port is set to 8");
   }
 
   @Test
@@ -256,7 +299,9 @@ class ProfilesTest {
       value = {
         "hots = 'a'             | :2: robots.a.hots: no such key; known: host, port, timeout,",
         "port = 7000            | :1: robots.a: a robot needs a host, or mock = true",
-        "host = ' '             | :1: robots.a: a robot needs a host, or mock = true",
+        "host = ' '             | :2: robots.a.host: must be HOST, HOST:PORT or [IPV6]:PORT, is ' '",
+        "host = 'h:0'           | :2: robots.a.host: the port must be 1 to 65535, is 0",
+        "host = 'h:7'~port = 8  | :2: robots.a.host: names the port 7, but the port is set to 8",
         "host = 7               | :2: robots.a.host: must be a text in quotes",
         "host = ['h']           | :2: robots.a.host: must be a text in quotes",
         "port = '7000'          | :2: robots.a.port: must be a whole number, without quotes",

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.HostAndPort;
 import no.hials.crosscom.cell.Profiles;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
@@ -19,7 +20,10 @@ import picocli.CommandLine.Option;
 public abstract class ControllerCommand extends ConsoleCommand {
   private static final Pattern ROBOT = Pattern.compile("@(\\w[\\w.-]*)?");
 
-  @Option(names = "--host", paramLabel = "HOST", description = "Name or address of the controller.")
+  @Option(
+      names = "--host",
+      paramLabel = "HOST",
+      description = "Name or address of the controller; also HOST:PORT or [IPV6]:PORT.")
   private @Nullable String host;
 
   @Option(
@@ -118,14 +122,13 @@ public abstract class ControllerCommand extends ConsoleCommand {
       return List.of(new Robot("", null, 0, null, null, simulated()));
     }
     if (host != null) {
-      if (host.isBlank()) {
-        throw wrongUsage("--host must not be blank");
-      }
-      return List.of(new Robot("", host, ClientConfig.DEFAULT_PORT, null, null, simulated()));
+      HostAndPort at = argument("--host", host, HostAndPort::parse);
+      int itsPort = argument("--host", host, text -> at.portOr(port, ClientConfig.DEFAULT_PORT));
+      return List.of(new Robot("", at.host(), itsPort, null, null, simulated()));
     }
     if (environment.host() != null) {
-      int itsPort = environment.port() == null ? ClientConfig.DEFAULT_PORT : environment.port();
-      return List.of(new Robot("", environment.host(), itsPort, null, null, simulated()));
+      return List.of(
+          new Robot("", environment.host(), environment.port(), null, null, simulated()));
     }
     Profiles profiles = Profiles.read(console()::environment, simulated());
     if (profiles == null || profiles.defaultRobot() == null) {

@@ -2,6 +2,8 @@ package no.hials.crosscom.cli.base;
 
 import java.time.Duration;
 import java.util.function.Function;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.cell.HostAndPort;
 import no.hials.crosscom.cell.SettingText;
 import org.jspecify.annotations.Nullable;
 
@@ -9,27 +11,35 @@ import org.jspecify.annotations.Nullable;
  * The settings of the controller in the environment.
  *
  * @param host {@code JOPENSHOWVAR_HOST}, the controller if no option names one
- * @param port {@code JOPENSHOWVAR_PORT}, the port there
+ * @param port the port there, of {@code JOPENSHOWVAR_HOST} or {@code JOPENSHOWVAR_PORT}
  * @param timeout {@code JOPENSHOWVAR_TIMEOUT}
  * @param readOnly {@code JOPENSHOWVAR_READ_ONLY}, for whatever controller
  */
 record EnvironmentSettings(
-    @Nullable String host, @Nullable Integer port, @Nullable Duration timeout, boolean readOnly) {
+    @Nullable String host, int port, @Nullable Duration timeout, boolean readOnly) {
   private static final String HOST = "JOPENSHOWVAR_HOST";
   private static final String PORT = "JOPENSHOWVAR_PORT";
 
   /** Reads it for a command, whose wrong usage a wrong value is. */
   static EnvironmentSettings of(ConsoleCommand command) {
-    String host = command.console().environment(HOST);
+    HostAndPort host = converted(command, HOST, HostAndPort::parse);
     Integer port = converted(command, PORT, SettingText::port);
     if (host == null && port != null) {
       throw command.wrongUsage(PORT + " goes with " + HOST);
     }
     return new EnvironmentSettings(
-        host,
-        port,
+        host == null ? null : host.host(),
+        host == null ? 0 : port(command, host, port),
         converted(command, "JOPENSHOWVAR_TIMEOUT", SettingText::time),
         Boolean.TRUE.equals(converted(command, "JOPENSHOWVAR_READ_ONLY", SettingText::flag)));
+  }
+
+  private static int port(ConsoleCommand command, HostAndPort host, @Nullable Integer port) {
+    try {
+      return host.portOr(port, ClientConfig.DEFAULT_PORT);
+    } catch (IllegalArgumentException e) {
+      throw command.wrongUsage(HOST + " " + e.getMessage());
+    }
   }
 
   private static <T> @Nullable T converted(

@@ -1,0 +1,47 @@
+package no.hials.crosscom.cell;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class HostAndPortTest {
+  @ParameterizedTest
+  @CsvSource({
+    "172.31.1.147, 172.31.1.147,",
+    "127.0.0.1:7001, 127.0.0.1, 7001",
+    "krc:1, krc, 1",
+    "::1, ::1,",
+    "fe80::1:7000, fe80::1:7000,",
+    "::, ::,",
+    "[::1], ::1,",
+    "[::1]:65535, ::1, 65535"
+  })
+  void findsThePortAfterTheHost(String text, String host, Integer port) {
+    assertThat(HostAndPort.parse(text)).isEqualTo(new HostAndPort(host, port));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", " ", ":7000", "[]:7000", "[::1", "h:", "h:0", "h:65536", "h:x"})
+  void refusesOtherTexts(String text) {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> HostAndPort.parse(text))
+        .withMessageContaining("must be ");
+  }
+
+  @Test
+  void refusesTwoDifferentPorts() {
+    HostAndPort address = HostAndPort.parse("h:7001");
+
+    assertThat(address.portOr(null, 7000)).isEqualTo(7001);
+    assertThat(address.portOr(7001, 7000)).isEqualTo(7001);
+    assertThat(HostAndPort.parse("h").portOr(7002, 7000)).isEqualTo(7002);
+    assertThat(HostAndPort.parse("h").portOr(null, 7000)).isEqualTo(7000);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> address.portOr(7002, 7000))
+        .withMessage("names the port 7001, but the port is set to 7002");
+  }
+}

@@ -3,6 +3,8 @@ package no.hials.crosscom.cli;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.OutputStreamWriter;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.io.Writer;
 import java.time.Duration;
 import java.util.Arrays;
@@ -53,7 +55,14 @@ public final class Main {
 
   public static int run(String[] args, Console console) {
     try {
-      return commandLine(console, args).execute(ControllerCommand.withNamesAsOptions(args));
+      CommandLine main = commandLine(console, args);
+      StringWriter help = new StringWriter();
+      main.setOut(new PrintWriter(help));
+      int code = main.execute(ControllerCommand.withNamesAsOptions(args));
+      console.write(help.toString());
+      return code;
+    } catch (OutputException e) {
+      return failure(console, e, false).code();
     } catch (Error e) {
       return internalError(console, e, true).code();
     }

@@ -150,11 +150,14 @@ class UsageTest {
     assertThat(result.out())
         .contains("--host", "--port", "--verbose", "--help", "--version", "Examples:")
         .contains(
-            "  0    done",
-            "  1    refused by the controller",
-            "  2    wrong usage",
-            "  3    could not connect",
-            "  4    connection lost, timed out or not this protocol");
+            "  0     done",
+            "  1     refused by the controller",
+            "  2     wrong usage",
+            "  3     could not connect",
+            "  4     connection lost, timed out or not this protocol",
+            "  129   ended by SIGHUP",
+            "  130   ended by Ctrl-C (SIGINT)",
+            "  143   ended by SIGTERM");
     result.succeeds().allMatch(line -> line.length() <= 80);
   }
 

@@ -24,7 +24,10 @@ import picocli.CommandLine.UnmatchedArgumentException;
       "4:connection lost, timed out or not this protocol",
       "5:not sent: the controller is read-only, or the user did not confirm",
       "70:internal error, please report it",
-      "74:stdout or a file could not be written"
+      "74:stdout or a file could not be written",
+      "129:ended by SIGHUP, as when its terminal is closed",
+      "130:ended by Ctrl-C (SIGINT)",
+      "143:ended by SIGTERM"
     })
 public abstract class ConsoleCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // picocli sets it

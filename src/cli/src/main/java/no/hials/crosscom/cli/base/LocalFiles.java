@@ -7,8 +7,8 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.Printable;
 import org.jspecify.annotations.Nullable;
 
@@ -43,11 +43,15 @@ public final class LocalFiles {
     }
   }
 
-  /** Refuses a place in a folder that is not there. */
-  public static void checkFolderOf(Path file) throws FileException {
+  /**
+   * Refuses a place in a folder that is not there.
+   *
+   * @throws OutputException if so
+   */
+  public static void checkFolderOf(Path file) {
     Path folder = file.toAbsolutePath().getParent();
     if (folder == null || !Files.isDirectory(folder)) {
-      throw FileException.cannot("write", file, new IOException("there is no folder " + folder));
+      throw new OutputException(file.toString(), new IOException("there is no folder " + folder));
     }
   }
 
@@ -55,11 +59,13 @@ public final class LocalFiles {
    * Refuses a file that already exists or cannot be created.
    *
    * @param overwrite whether to replace an existing file
+   * @throws FileException if it exists
+   * @throws OutputException if it cannot be created
    */
   public static void checkNew(Path file, boolean overwrite) throws FileException {
     checkFolderOf(file);
     if (Files.isDirectory(file)) {
-      throw new FileException("cannot write " + file + ": it is a folder");
+      throw new OutputException(file.toString(), new IOException("it is a folder"));
     }
     // not a device or a pipe, which has nothing to lose
     if (Files.isRegularFile(file) && !overwrite) {
@@ -93,26 +99,6 @@ public final class LocalFiles {
       throw e;
     } catch (IOException e) {
       throw FileException.cannot("list", folder, e);
-    }
-  }
-
-  /** Transfers a file. */
-  public interface Transfer {
-    void run() throws IOException;
-  }
-
-  /**
-   * Does a transfer, and tells failures of this computer from those of the controller.
-   *
-   * @param verb what is done with the file here
-   */
-  public static void transfer(String verb, Path file, Transfer transfer) throws IOException {
-    try {
-      transfer.run();
-    } catch (CrossComException e) {
-      throw e;
-    } catch (IOException e) {
-      throw FileException.cannot(verb, file, e);
     }
   }
 }

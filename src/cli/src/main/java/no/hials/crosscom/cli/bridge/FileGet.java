@@ -8,10 +8,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
+import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.TransferConfig;
-import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.NotSentException;
+import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.WritePermission;
@@ -91,7 +92,7 @@ final class FileGet extends FileSubcommand {
     }
   }
 
-  private Path place(int count) throws FileException {
+  private Path place(int count) {
     Path place = LocalFiles.path(this, arguments.get(arguments.size() - 1));
     boolean folder = java.nio.file.Files.isDirectory(place);
     if (!folder && count > 1) {
@@ -143,8 +144,11 @@ final class FileGet extends FileSubcommand {
     try (Progress progress = progress(job.name(), stop)) {
       TransferConfig config =
           TransferConfig.create(cfg -> cfg.overwrite(job.isThere()).progress(progress));
-      LocalFiles.transfer(
-          "write", job.local(), () -> files.download(job.name(), job.local(), config));
+      files.download(job.name(), job.local(), config);
+    } catch (CrossComException e) {
+      throw e;
+    } catch (IOException e) { // of this computer
+      throw new OutputException(job.local().toString(), e);
     }
     print("get", job.local(), job.name());
   }

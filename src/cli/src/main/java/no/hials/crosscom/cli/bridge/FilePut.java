@@ -8,10 +8,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
+import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.c3.Verification;
+import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LocalFiles;
@@ -181,7 +183,11 @@ final class FilePut extends FileSubcommand {
           TransferConfig.create(
               cfg ->
                   cfg.overwrite(job.there()).verification(Verification.CONTENT).progress(progress));
-      LocalFiles.transfer("read", job.local(), () -> files.upload(job.local(), job.name(), config));
+      files.upload(job.local(), job.name(), config);
+    } catch (CrossComException e) {
+      throw e;
+    } catch (IOException e) { // of this computer
+      throw FileException.cannot("read", job.local(), e);
     }
     print("put", job.local(), job.name());
   }

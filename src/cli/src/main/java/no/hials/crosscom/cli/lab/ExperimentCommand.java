@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Stream;
-import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LiveLine;
@@ -170,10 +170,10 @@ public final class ExperimentCommand extends ConsoleCommand {
     try {
       Files.createDirectories(folder);
     } catch (IOException e) {
-      throw FileException.cannot("make", folder, e);
+      throw new OutputException(folder.toString(), e);
     }
     if (!Files.isWritable(folder)) { // before the run, which may take ten minutes
-      throw FileException.cannot("write to", folder, new AccessDeniedException(folder.toString()));
+      throw new OutputException(folder.toString(), new AccessDeniedException(folder.toString()));
     }
     for (Experiment each : chosen) {
       PictureOptions.check(this, pictureOf(each), yes);
@@ -389,8 +389,7 @@ public final class ExperimentCommand extends ConsoleCommand {
 
   // what is written
 
-  private List<Path> writeCsv(Experiment experiment, ExperimentResult outcome)
-      throws FileException {
+  private List<Path> writeCsv(Experiment experiment, ExperimentResult outcome) {
     List<Path> files = new ArrayList<>();
     for (Run run : outcome.runs()) {
       files.add(write(csvOf(experiment, run.name()), run.trace()::writeCsv));
@@ -419,11 +418,11 @@ public final class ExperimentCommand extends ConsoleCommand {
     void writeTo(Appendable text) throws IOException;
   }
 
-  private static Path write(Path file, Contents contents) throws FileException {
+  private static Path write(Path file, Contents contents) {
     try (BufferedWriter writer = Files.newBufferedWriter(file)) {
       contents.writeTo(writer);
     } catch (IOException e) {
-      throw FileException.cannot("write", file, e);
+      throw new OutputException(file.toString(), e);
     }
     return file;
   }

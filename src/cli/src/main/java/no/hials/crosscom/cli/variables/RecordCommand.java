@@ -15,7 +15,6 @@ import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.cell.CsvRecording;
-import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.JsonRecording;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.Recording;
@@ -137,7 +136,7 @@ public final class RecordCommand extends SamplingCommand {
     return format.equalsIgnoreCase("jsonl");
   }
 
-  private Recording open(boolean jsonLines, Sampling sampling) throws FileException {
+  private Recording open(boolean jsonLines, Sampling sampling) {
     Recording.RecordingOutput sink =
         out.equals(STDOUT) ? new StdoutSink(console()) : FileSink.open(out, yes);
     return jsonLines ? new JsonRecording(sink) : new CsvRecording(sink, sampling.robots());
@@ -206,7 +205,7 @@ public final class RecordCommand extends SamplingCommand {
 
   /** Writes to a file without a buffer, so that written data survives the end of this process. */
   private record FileSink(String name, OutputStream file) implements Recording.RecordingOutput {
-    static FileSink open(String name, boolean overwrite) throws FileException {
+    static FileSink open(String name, boolean overwrite) {
       Path path = Path.of(name);
       boolean replaces = overwrite || (Files.exists(path) && !Files.isRegularFile(path));
       List<OpenOption> how =
@@ -219,7 +218,7 @@ public final class RecordCommand extends SamplingCommand {
       try {
         return new FileSink(name, Files.newOutputStream(path, how.toArray(OpenOption[]::new)));
       } catch (IOException e) {
-        throw FileException.cannot("write", path, e);
+        throw new OutputException(name, e);
       }
     }
 

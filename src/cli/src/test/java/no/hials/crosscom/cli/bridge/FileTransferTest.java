@@ -334,9 +334,9 @@ class FileTransferTest {
   @Test
   void checksThePlaceBeforeItConnects() {
     get("/R1/A.SRC", dir.resolve("gone/a.src").toString())
-        .fails(2)
+        .fails(74)
         .isEqualTo(
-            "jopenshowvar: cannot write "
+            "jopenshowvar: could not write "
                 + dir.resolve("gone/a.src")
                 + ": there is no folder "
                 + dir.resolve("gone")

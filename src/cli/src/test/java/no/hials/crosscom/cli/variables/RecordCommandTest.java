@@ -231,9 +231,12 @@ class RecordCommandTest {
     file = dir.resolve("none").resolve("a.csv");
 
     record("--count", "1", "MYINT")
-        .failsInLines(2)
+        .failsInLines(74)
         .containsExactly(
-            "jopenshowvar: cannot write " + file + ": there is no folder " + dir.resolve("none"));
+            "jopenshowvar: could not write "
+                + file
+                + ": there is no folder "
+                + dir.resolve("none"));
     assertThat(server.requestCount()).isZero();
   }
 

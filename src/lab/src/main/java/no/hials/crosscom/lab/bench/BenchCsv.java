@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.locks.ReentrantLock;
-import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.TimeText;
 
@@ -17,13 +16,13 @@ public final class BenchCsv implements Bench.BenchListener, AutoCloseable {
   private final CsvWriter csv;
   private final ReentrantLock lock = new ReentrantLock();
 
-  public BenchCsv(Path file) throws FileException {
+  public BenchCsv(Path file) {
     this.file = file;
     try {
       csv = CsvWriter.builder().build(file);
       csv.writeRecord("seconds", "client", "access", "name", "access_ms", "failure");
     } catch (IOException e) {
-      throw FileException.cannot("write", file, e);
+      throw new OutputException(file.toString(), e);
     }
   }
 

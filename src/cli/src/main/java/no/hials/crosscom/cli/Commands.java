@@ -35,7 +35,8 @@ enum Commands {
   PROGRAMS("Programs and files:", "info", "discover", "program", "file", "confirm"),
   CONTROL("Control:", "drive"),
   MEASURING("Measuring:", "watch", "record", "plot", "bench"),
-  SIMULATION("Simulated controller:", "mock", "experiment");
+  SIMULATION("Simulated controller:", "mock", "experiment"),
+  HELP("Help:", "help");
 
   private final String title;
 
@@ -71,6 +72,7 @@ enum Commands {
       case "run" -> new RunCommand();
       case "mock" -> new MockCommand();
       case "experiment" -> new ExperimentCommand();
+      case "help" -> new HelpCommand();
       default -> throw new IllegalArgumentException("there is no command " + name);
     };
   }

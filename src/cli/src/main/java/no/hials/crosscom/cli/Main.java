@@ -8,6 +8,7 @@ import java.io.StringWriter;
 import java.io.Writer;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.List;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
@@ -15,6 +16,7 @@ import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.cli.base.Suggestions;
 import no.hials.crosscom.cli.bridge.BridgeCommand;
 import no.hials.crosscom.protocol.ServerType;
 import picocli.CommandLine;
@@ -99,24 +101,37 @@ public final class Main {
   }
 
   private static ExitCode usageError(Console console, ParameterException e, String... args) {
+    CommandLine command = e.getCommandLine();
     console.error(ConsoleCommand.message(e));
     if (e instanceof MissingParameterException missing
         && missing.getMissing().stream().anyMatch(ArgSpec::isPositional)
         && e.getCommandLine().getCommand() instanceof ControllerCommand) {
       if (Arrays.stream(args).anyMatch(arg -> arg.matches("-[^A-Za-z-].*"))) {
-        console.hint(
-            "a value that begins with - and is not a number needs -- before the arguments");
+        console.hint("a value that begins with - must be a number, such as -1.5");
       } else if (!(e.getCommandLine().getCommand() instanceof BridgeCommand)) {
         console.hint("in a shell, names with $ need single quotes: '$OV_PRO'");
       }
     }
-    if (e instanceof UnmatchedArgumentException unmatched
-        && !unmatched.getSuggestions().isEmpty()) {
-      console.hint("did you mean: " + String.join(", or ", unmatched.getSuggestions()) + "?");
+    if (e instanceof UnmatchedArgumentException unmatched) {
+      String typed = unmatched.getUnmatched().get(0);
+      String question = Suggestions.question(suggestions(command, typed));
+      if (!question.isEmpty()) {
+        console.hint(question);
+      }
     }
-    String command = e.getCommandLine().getCommandSpec().qualifiedName();
-    console.hint("try '" + command + " --help'");
+    console.hint("try '" + command.getCommandSpec().qualifiedName() + " --help'");
     return ExitCode.USAGE;
+  }
+
+  /** Returns the options, or the commands, that a mistyped one may stand for. */
+  private static List<String> suggestions(CommandLine command, String typed) {
+    return typed.startsWith("-")
+        ? Suggestions.of(
+            typed.replaceFirst("=.*", ""),
+            command.getCommandSpec().optionsMap().keySet().stream()
+                .filter(name -> name.startsWith("--"))
+                .toList())
+        : Suggestions.of(typed, command.getSubcommands().keySet());
   }
 
   private static ExitCode failure(Console console, Exception e, boolean verbose) {

@@ -1,12 +1,15 @@
 package no.hials.crosscom.cli;
 
 import java.util.List;
+import java.util.concurrent.Callable;
 import no.hials.crosscom.cli.base.CommandTree;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.VersionProvider;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
 
 /** The program, which has only help of its own. */
 @Command(
@@ -48,13 +51,24 @@ import picocli.CommandLine.Command;
           + " of the default robot. The controller is read-only if --read-only,"
           + " JOPENSHOWVAR_READ_ONLY=true or read-only = true of the robot is set.",
       "",
-      "See 'jopenshowvar COMMAND --help' for options and exit codes."
+      "See 'jopenshowvar help COMMAND' for options and exit codes."
     })
-final class MainCommand implements CommandTree {
+final class MainCommand implements CommandTree, Callable<Integer> {
   private final Console console;
+
+  @SuppressWarnings("NullAway.Init") // picocli sets it
+  @Spec
+  private CommandSpec spec;
 
   MainCommand(Console console) {
     this.console = console;
+  }
+
+  /** Prints the help, since no command is given. */
+  @Override
+  public Integer call() {
+    spec.commandLine().usage(console.err());
+    return ExitCode.USAGE.code();
   }
 
   @Override

@@ -25,8 +25,9 @@ class UsageTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
-        "``                                      | missing required subcommand",
         "raed MYINT --mock                       | unknown command: 'raed'",
+        "help raed                               | unknown command: 'raed'",
+        "help read MYINT                         | too many arguments: 'MYINT'",
         "read --mock                             | missing required parameter: 'NAME'",
         "read MYINT                              | which controller? give --host HOST, or --mock",
         "read MYINT --host h --mock              | --host and --mock exclude each other",
@@ -94,8 +95,26 @@ class UsageTest {
   void givesAHintOnlyWhereItFits() {
     assertThat(Cli.run("read", "--mock").errLines().get(1)).contains("single quotes");
     assertThat(Cli.run("write", "MYINT", "-5x", "--mock").errLines().get(1))
-        .isEqualTo("a value that begins with - and is not a number needs -- before the arguments");
+        .isEqualTo("a value that begins with - must be a number, such as -1.5");
     assertThat(Cli.run("experiment").errLines()).hasSize(2);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "raed MYINT, read",
+    "wriet MYINT 5, write",
+    "recrod, record",
+    "exp, experiment",
+    "help raed, read",
+    "file gte a b, get",
+    "program strat, start",
+    "read MYINT --mokc, --mock",
+    "read MYINT --hots=h, --host",
+    "write --read MYINT 5, --read-only",
+    "read MYINT --tiemout 5s, --timeout"
+  })
+  void suggestsWhatWasMeant(String arguments, String meant) {
+    assertThat(Cli.run(arguments.split(" ")).errLines()).contains("did you mean " + meant + "?");
   }
 
   @Test
@@ -108,8 +127,21 @@ class UsageTest {
   }
 
   @Test
-  void suggestsTheOptionThatWasMeant() {
-    assertThat(Cli.run("read", "MYINT", "--mokc").errLines()).contains("did you mean: --mock?");
+  void suggestsNothingIfNothingIsNear() {
+    assertThat(Cli.run("frobnicate").errLines()).hasSize(2);
+  }
+
+  @Test
+  void printsTheHelpOnStderrWithoutACommand() {
+    Cli.Result help = Cli.run("--help");
+
+    assertThat(Cli.run()).isEqualTo(new Cli.Result(2, "", help.out()));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"help, --help", "help read, read --help", "help file get, file get --help"})
+  void printsTheHelpOfACommand(String arguments, String option) {
+    assertThat(Cli.run(arguments.split(" "))).isEqualTo(Cli.run(option.split(" ")));
   }
 
   @Test

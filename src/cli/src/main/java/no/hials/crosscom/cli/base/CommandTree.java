@@ -15,4 +15,23 @@ public interface CommandTree {
 
   /** Runs a command. */
   ExitCode run(Console console, String... args);
+
+  /** Returns the command that the arguments begin with: the program, or one below it. */
+  static CommandLine find(CommandLine main, String... args) {
+    CommandLine found = main;
+    for (String arg : args) {
+      CommandLine next = found.getSubcommands().get(arg);
+      if (next == null) {
+        return found;
+      }
+      found = next;
+    }
+    return found;
+  }
+
+  /** Returns the number of arguments that name a command: 0 for the program. */
+  static int depth(CommandLine command) {
+    CommandLine parent = command.getParent();
+    return parent == null ? 0 : 1 + depth(parent);
+  }
 }

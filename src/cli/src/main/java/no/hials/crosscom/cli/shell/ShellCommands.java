@@ -28,7 +28,7 @@ import picocli.CommandLine.ParameterException;
 final class ShellCommands {
   /** Commands with another form in the language, or without a use in a shell. */
   private static final Set<String> LEFT_OUT =
-      Set.of("read", "write", "mock", "shell", "run", "drive");
+      Set.of("read", "write", "mock", "shell", "run", "drive", "help");
 
   /** The options that choose a controller. */
   private static final Pattern CONTROLLER = Pattern.compile("--(host|port|mock|robot)(=.*)?");
@@ -84,14 +84,11 @@ final class ShellCommands {
       throws ShellSyntaxException {
     checkController(words);
     String[] args = words.toArray(String[]::new);
-    CommandLine command = program.commandLine(console, args);
-    int place = 0;
-    while (place < args.length && command.getSubcommands().containsKey(args[place])) {
-      command = command.getSubcommands().get(args[place]);
-      place++;
-    }
+    CommandLine command = CommandTree.find(program.commandLine(console, args), args);
     List<String> all = new ArrayList<>(words);
-    all.addAll(place, options(console, command.getCommandSpec(), controller, writeOptions));
+    all.addAll(
+        CommandTree.depth(command),
+        options(console, command.getCommandSpec(), controller, writeOptions));
     return program.run(console, all.toArray(String[]::new));
   }
 

@@ -7,9 +7,11 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.io.Writer;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import no.hials.crosscom.cell.OutputException;
+import no.hials.crosscom.cli.base.CommandTree;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ControllerCommand;
@@ -57,17 +59,42 @@ public final class Main {
 
   public static int run(String[] args, Console console) {
     try {
-      CommandLine main = commandLine(console, args);
+      int robots = (int) Arrays.stream(args).takeWhile(ControllerCommand::isRobot).count();
+      String[] rest = Arrays.copyOfRange(args, robots, args.length);
+      CommandLine main = commandLine(console, rest);
       StringWriter help = new StringWriter();
       main.setOut(new PrintWriter(help));
-      int code = main.execute(ControllerCommand.withNamesAsOptions(args));
-      console.write(help.toString());
+      int code = main.execute(arguments(main, Arrays.copyOf(args, robots), rest));
+      if (help.getBuffer().length() > 0) {
+        console.write(help.toString());
+      }
       return code;
+    } catch (ParameterException e) {
+      return usageError(console, e, args).code();
     } catch (OutputException e) {
       return failure(console, e, false).code();
     } catch (Error e) {
       return internalError(console, e, true).code();
     }
+  }
+
+  /**
+   * Returns the arguments with the robots that stand before the command after it, as options.
+   *
+   * @throws ParameterException if there are robots in both places
+   */
+  private static String[] arguments(CommandLine main, String[] robots, String... rest) {
+    List<String> all = new ArrayList<>(List.of(ControllerCommand.withNamesAsOptions(rest)));
+    int words = CommandTree.depth(CommandTree.find(main, rest));
+    if (robots.length > 0 && words > 0) {
+      if (all.stream().takeWhile(arg -> !arg.equals("--")).anyMatch(a -> a.startsWith("--robot"))) {
+        throw new ParameterException(
+            main,
+            robots[0] + " stands before the command, and another robot after it; use one place");
+      }
+      all.addAll(words, List.of(ControllerCommand.withNamesAsOptions(robots)));
+    }
+    return all.toArray(String[]::new);
   }
 
   /** Creates the tree of commands: all commands, or only those in the arguments. */

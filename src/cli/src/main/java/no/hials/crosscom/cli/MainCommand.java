@@ -31,8 +31,8 @@ import picocli.CommandLine.Spec;
       "  jopenshowvar read '$POS_ACT' --mock",
       "  jopenshowvar read @cell1 @cell2 '$POS_ACT'",
       "",
-      "@NAME is a robot of the configuration file (in PowerShell, quote it: '@NAME'). The file"
-          + " is:",
+      "@NAME is a robot of the configuration file (in PowerShell, quote it: '@NAME'), before or"
+          + " after the command. The file is:",
       "  $XDG_CONFIG_HOME/jopenshowvar/config.toml, by default ~/.config/...",
       "  %%APPDATA%%\\jopenshowvar\\config.toml on Windows",
       "  the file named by JOPENSHOWVAR_CONFIG, if set",

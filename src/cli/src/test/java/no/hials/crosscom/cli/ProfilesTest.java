@@ -20,6 +20,7 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -70,6 +71,43 @@ class ProfilesTest {
     assertThat(run("read", "@cell1", "MYINT").lines()).containsExactly("MYINT = 1");
     assertThat(run("read", "MYINT", "@cell-2.a").lines()).containsExactly("MYINT = 2");
     assertThat(run("read", "MYINT", "--robot", "cell1").lines()).containsExactly("MYINT = 1");
+  }
+
+  @Test
+  void takesARobotBeforeTheCommand() throws IOException {
+    config(robot("cell1", one), robot("cell2", two));
+
+    assertThat(run("@cell2", "read", "MYINT").lines()).containsExactly("MYINT = 2");
+    assertThat(run("@cell1", "@cell2", "read", "MYINT").lines())
+        .containsExactly("cell1: MYINT = 1", "cell2: MYINT = 2");
+    assertThat(run("@cell1", "write", "--", "MYINT", "-5").lines()).containsExactly("MYINT = -5");
+  }
+
+  @Test
+  void takesARobotBeforeACommandOfAGroup() throws IOException {
+    try (MockServer bridge = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
+      config(robot("cell1", bridge));
+
+      assertThat(run("@cell1", "file", "ls", "KRC:\\").code()).isZero();
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "@a read @b MYINT     | @a stands before the command, and another robot after it",
+        "@a read @a MYINT     | @a stands before the command, and another robot after it",
+        "@a read MYINT --host h | --host and @a exclude each other",
+        "@a @a read MYINT     | @a is given twice",
+        "@a mock              | this command takes no robot: @a",
+        "mock @a              | this command takes no robot: @a",
+        "@a raed MYINT        | unknown command: 'raed'"
+      })
+  void refusesASecondPlaceForTheRobot(String arguments, String message) throws IOException {
+    config(robot("a", one), robot("b", two));
+
+    run(arguments.split(" ")).fails(2).startsWith("jopenshowvar: " + message);
   }
 
   @Test

@@ -81,8 +81,13 @@ public abstract class ConsoleCommand implements Callable<Integer> {
 
   /** Returns a message about wrong arguments. */
   public static String message(ParameterException e) {
+    String first =
+        e instanceof UnmatchedArgumentException unmatched ? unmatched.getUnmatched().get(0) : "";
+    if (first.startsWith("--robot=")) {
+      return "this command takes no robot: @" + first.substring("--robot=".length());
+    }
     if (e instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
-      String argument = "'" + unmatched.getUnmatched().get(0) + "'";
+      String argument = "'" + first + "'";
       return e.getCommandLine().getSubcommands().isEmpty()
           ? "too many arguments: " + argument + "; an argument with blanks needs quotes"
           : "unknown command: " + argument;

@@ -65,13 +65,18 @@ public abstract class ControllerCommand extends ConsoleCommand {
               + " 3s, 1m. Default: 5s for the connection, 3s for an answer.")
   private @Nullable Duration timeout;
 
+  /** Returns whether an argument is {@code @NAME}, a robot. */
+  public static boolean isRobot(String arg) {
+    return ROBOT.matcher(arg).matches();
+  }
+
   /** Replaces each argument {@code @NAME} before {@code --} by {@code --robot=NAME}. */
   public static String[] withNamesAsOptions(String... args) {
     List<String> result = new ArrayList<>();
     boolean options = true;
     for (String arg : args) {
       options &= !arg.equals("--");
-      result.add(options && ROBOT.matcher(arg).matches() ? "--robot=" + arg.substring(1) : arg);
+      result.add(options && isRobot(arg) ? "--robot=" + arg.substring(1) : arg);
     }
     return result.toArray(String[]::new);
   }

@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Set;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.cli.base.Suggestions;
+import no.hials.crosscom.cli.base.ValueText;
 import no.hials.crosscom.protocol.value.KrlValue;
 import picocli.CommandLine.TypeConversionException;
 
@@ -162,7 +164,7 @@ sealed interface ShellLine {
     try {
       KrlValue.parse(text);
     } catch (KrlSyntaxException e) {
-      String what = text + " is not a KRL value: " + e.getMessage();
+      String what = text + " is not a KRL value: " + ValueText.explain(e, "");
       throw new ShellSyntaxException(
           command.isEmpty() && !sign ? "unknown command: " + name + "; as a write: " + what : what);
     }

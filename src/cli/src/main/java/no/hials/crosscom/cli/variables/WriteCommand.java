@@ -8,6 +8,7 @@ import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.WriteAnswer;
 import no.hials.crosscom.cli.base.WriteOptions;
+import no.hials.crosscom.cli.base.ValueText;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import picocli.CommandLine.Command;
@@ -23,10 +24,10 @@ import picocli.CommandLine.Parameters;
             + " can move a machine.",
     footer = {
       "",
-      "VALUE is printed as it was sent; the stored value can differ. If the answer has another"
-          + " value, the command prints both to stderr and ends with exit code 1. A write is never"
-          + " repeated. If no answer arrives, the variable may or may not have been written: read"
-          + " it.",
+      "A VALUE that is not a KRL value is not sent. VALUE is printed as it was sent; the stored"
+          + " value can differ. If the answer has another value, the command prints both to stderr"
+          + " and ends with exit code 1. A write is never repeated. If no answer arrives, the"
+          + " variable may or may not have been written: read it.",
       "",
       "The command first reads $MODE_OP. In T1 it writes. In other modes, or if $MODE_OP cannot"
           + " be read, it asks for confirmation; without a terminal it does not write. With --yes"
@@ -34,15 +35,13 @@ import picocli.CommandLine.Parameters;
           + " (--read-only, JOPENSHOWVAR_READ_ONLY=true, or read-only = true of a robot), the"
           + " command does not connect.",
       "",
-      "JSON: an object as from 'read --json', with the value that was sent. With --json, a VALUE"
-          + " that is not a KRL value is refused.",
+      "JSON: an object as from 'read --json', with the value that was sent.",
       "",
       "Quoting: a shell replaces $NAME and patterns with [ ] or { }, so put NAME and VALUE in"
           + " single quotes. A text also needs its own double quotes:",
       "  sh, bash, zsh          '\"text\"'",
       "  PowerShell before 7.3  '\\\"text\\\"'",
       "  cmd.exe                \"\\\"text\\\"\"",
-      "If VALUE begins with - and is not a number, put -- between the options and NAME.",
       "",
       "Examples:",
       "  jopenshowvar write '$OV_PRO' 50 --host 172.31.1.147",
@@ -76,7 +75,8 @@ public final class WriteCommand extends ControllerCommand {
     if (value.isBlank()) {
       throw wrongUsage("VALUE is blank; an empty text is '\"\"'");
     }
-    String line = json ? JsonLine.of(name, parse()) : name + " = " + value;
+    KrlValue parsed = parse();
+    String line = json ? JsonLine.of(name, parsed) : name + " = " + value;
     try (RobotConnection controller = open(writeOptions, "write " + name)) {
       controller.client().checkText(name, value);
       writeOptions.permission(console()).check(controller, "write " + name);
@@ -96,7 +96,7 @@ public final class WriteCommand extends ControllerCommand {
     try {
       return KrlValue.parse(value);
     } catch (KrlSyntaxException e) {
-      throw wrongUsage("VALUE is not a KRL value: " + e.getMessage());
+      throw wrongUsage("VALUE is not a KRL value: " + ValueText.explain(e, "'"));
     }
   }
 }

@@ -100,6 +100,8 @@ class ShellLineTest {
       })
   void saysWhatIsWrong(String line, String message) {
     assertThatThrownBy(() -> parse(line))
+        "S[] = hello      | a text needs double quotes: \"hello\", a constant",
+        "MYPOS = {X 1     | the brace at position 0 is not closed",
         .isInstanceOf(ShellSyntaxException.class)
         .hasMessageContaining(message);
   }

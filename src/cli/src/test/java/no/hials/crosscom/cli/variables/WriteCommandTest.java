@@ -64,16 +64,39 @@ class WriteCommandTest {
 
   @Test
   void takesAnyValueBehindTwoHyphens() {
-    server.variables().declare("ANY", "INT", "0");
-
-    Cli.runOn(server, "write", "--yes", "--", "ANY", "--json")
-        .fails(1)
-        .contains("refused to write ANY");
-    assertThat(server.requests().get(0).toString()).contains("--json");
+    Cli.runOn(server, "write", "--yes", "--", "MYINT", "-5").succeeds();
+    Cli.runOn(server, "write", "--", "MYINT", "--json")
+        .fails(2)
+        .startsWith("jopenshowvar: VALUE is not a KRL value: ");
   }
 
   @ParameterizedTest
-  @CsvSource({"$POS_ACT.X,1.0", "NOPE,1", "MYINT,#T1", "MYSTRING[],text"})
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "S[]     | hello        | a text needs double quotes: '\"hello\"', a constant of an ENUM"
+            + " begins with #: '#hello'",
+        "S[]     | two words    | a text needs double quotes: '\"two words\"'",
+        "S[]     | \"hello       | the double quote at position 0 is not closed",
+        "MYENUM  | EX           | begins with #: '#EX'",
+        "MYFRAME | {X 1         | expected ',' or '}' at position 4, found the end, in: {X 1; the"
+            + " brace at position 0 is not closed",
+        "MYFRAME | {A {X 1}     | the brace at position 0 is not closed",
+        "MYREAL  | 1,5          | a decimal number has a point: 1.5",
+        "MYINT   | 5x           | expected",
+      })
+  void refusesAMalformedValueBeforeItConnects(String name, String value, String hint) {
+    server.refuseConnections();
+
+    Cli.runOn(server, "write", "--yes", name, value)
+        .fails(2)
+        .startsWith("jopenshowvar: VALUE is not a KRL value: ")
+        .contains(hint);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"$POS_ACT.X,1.0", "NOPE,1", "MYINT,#T1"})
   void saysWhatTheControllerRefused(String name, String value) {
     Cli.runOn(server, "write", name, value)
         .failsInALine(1)
@@ -107,7 +130,7 @@ class WriteCommandTest {
 
     Cli.Result result = Cli.runOn(server, "write", "MYINT", "@" + file);
 
-    assertThat(result.code()).isEqualTo(1);
+    assertThat(result.err()).contains("VALUE is not a KRL value", "@" + file);
     assertThat(server.variables().get("MYINT")).isEqualTo("0");
   }
 

@@ -125,7 +125,7 @@ public final class WritePermission {
 
   /**
    * Refuses a change that is not allowed, and asks in any mode unless {@code --yes} is given. Used
-   * for lines of the shell language, where a write is quickly typed.
+   * for what is typed on a terminal, where a write is quickly typed.
    *
    * @param what the operation, such as {@code write $OV_PRO = 50}
    * @throws NotSentException if the change is not allowed or not confirmed

@@ -93,10 +93,15 @@ class ConfirmationIT {
   }
 
   @Test
-  void doesNotAskInT1() throws Exception {
+  void asksInT1AsTheShellDoes() throws Exception {
     server.controller().setMode(OperatingMode.T1);
 
-    assertThat(answer("xterm", "", "MYINT", "5"))
-        .isEqualTo(new PseudoTerminal.Shown(0, "MYINT = 5\r\n"));
+    PseudoTerminal.Shown shown = answer("xterm", "\r", "MYINT", "5");
+
+    assertThat(shown.text())
+        .startsWith("Really write MYINT? [y/N] ")
+        .endsWith("jopenshowvar: did not write MYINT: not confirmed\r\n");
+    assertThat(shown.code()).isEqualTo(5);
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
   }
 }

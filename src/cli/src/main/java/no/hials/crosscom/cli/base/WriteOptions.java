@@ -12,8 +12,8 @@ public final class WriteOptions {
       names = {"-y", "--yes"},
       order = 5,
       description =
-          "Do not ask for confirmation before changes outside T1, and before files are"
-              + " overwritten or deleted.")
+          "Do not ask for confirmation before changes, and before files are overwritten or"
+              + " deleted.")
   private boolean yes;
 
   @Option(

@@ -4,11 +4,12 @@ import java.io.IOException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.WritePermission;
 import no.hials.crosscom.cli.base.ControllerCommand;
 import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.ValueText;
 import no.hials.crosscom.cli.base.WriteAnswer;
 import no.hials.crosscom.cli.base.WriteOptions;
-import no.hials.crosscom.cli.base.ValueText;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import picocli.CommandLine.Command;
@@ -29,11 +30,11 @@ import picocli.CommandLine.Parameters;
           + " and ends with exit code 1. A write is never repeated. If no answer arrives, the"
           + " variable may or may not have been written: read it.",
       "",
-      "The command first reads $MODE_OP. In T1 it writes. In other modes, or if $MODE_OP cannot"
-          + " be read, it asks for confirmation; without a terminal it does not write. With --yes"
-          + " it does not read $MODE_OP and does not ask. If the controller is read-only"
-          + " (--read-only, JOPENSHOWVAR_READ_ONLY=true, or read-only = true of a robot), the"
-          + " command does not connect.",
+      "The command first reads $MODE_OP. On a terminal, it asks for confirmation. Without a"
+          + " terminal, it writes in T1; in other modes, or if $MODE_OP cannot be read, it does not"
+          + " write. With --yes it does not read $MODE_OP and does not ask. If the controller is"
+          + " read-only (--read-only, JOPENSHOWVAR_READ_ONLY=true, or read-only = true of a robot),"
+          + " the command does not connect.",
       "",
       "JSON: an object as from 'read --json', with the value that was sent.",
       "",
@@ -79,7 +80,7 @@ public final class WriteCommand extends ControllerCommand {
     String line = json ? JsonLine.of(name, parsed) : name + " = " + value;
     try (RobotConnection controller = open(writeOptions, "write " + name)) {
       controller.client().checkText(name, value);
-      writeOptions.permission(console()).check(controller, "write " + name);
+      checkPermission(controller);
       String answer = controller.client().writeText(name, value);
       WriteAnswer.check(name, value, answer);
     } catch (CrossComException e) {
@@ -90,6 +91,16 @@ public final class WriteCommand extends ControllerCommand {
     }
     console().print(line);
     return ExitCode.DONE;
+  }
+
+  /** Asks on a terminal in every mode, where a line is quickly typed. */
+  private void checkPermission(RobotConnection controller) throws IOException {
+    WritePermission permission = writeOptions.permission(console());
+    if (console().isInteractive()) {
+      permission.checkEach(controller, "write " + name);
+    } else {
+      permission.check(controller, "write " + name);
+    }
   }
 
   private KrlValue parse() {

@@ -103,7 +103,9 @@ public final class ShellCommand extends ControllerCommand {
     try (ShellTerminal terminal = terminal(symbols)) {
       Console asking = console().asking(terminal::ask);
       ShellSession session = session(asking, controller, symbols);
-      ShellPrompt prompt = new ShellPrompt(controller);
+      ShellPrompt prompt =
+          new ShellPrompt(
+              controller, writeOptions.permission(asking).isReadOnly(controller.robot()));
       String text = terminal.readLine(prompt);
       while (text != null && runTyped(text, asking, session, prompt)) {
         text = terminal.readLine(prompt);

@@ -6,10 +6,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import no.hials.crosscom.cli.base.Converters;
-import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.cli.base.Suggestions;
 import no.hials.crosscom.cli.base.ValueText;
+import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import picocli.CommandLine.TypeConversionException;
 
@@ -122,7 +123,7 @@ sealed interface ShellLine {
         nothingBehind(first, rest);
         yield new Exit();
       }
-      default -> commands.contains(first) ? command(first, rest) : variable(words);
+      default -> commands.contains(first) ? command(first, rest) : variable(words, commands);
     };
   }
 
@@ -144,11 +145,42 @@ sealed interface ShellLine {
     return new Command(List.copyOf(words));
   }
 
-  private static ShellLine variable(List<String> words) throws ShellSyntaxException {
+  private static ShellLine variable(List<String> words, Set<String> commands)
+      throws ShellSyntaxException {
+    boolean sign = words.size() > 1 && words.get(1).equals("=");
+    if (!sign) {
+      checkNoTypingMistake(words.get(0), commands);
+    }
     if (words.size() == 1) {
       return new Read(names(words));
     }
     return write("", words);
+  }
+
+  /**
+   * Refuses a word that is nearly a command, so that it is not read or written as a variable.
+   * Commands are typed in lower case; a word with a capital, a digit or {@code $} is a variable.
+   */
+  private static void checkNoTypingMistake(String word, Set<String> commands)
+      throws ShellSyntaxException {
+    if (word.matches("[a-z]+")) {
+      Set<String> all = new TreeSet<>(commands);
+      all.addAll(OWN.keySet());
+      all.addAll(List.of("read", "write", "quit"));
+      List<String> meant = Suggestions.near(word, all);
+      if (!meant.isEmpty()) {
+        throw new ShellSyntaxException(
+            "unknown command: "
+                + word
+                + "; "
+                + Suggestions.question(meant)
+                + " For a variable of this name: get "
+                + word
+                + ", set "
+                + word
+                + " VALUE");
+      }
+    }
   }
 
   /** Creates a write of {@code NAME VALUE} or {@code NAME = VALUE}. */

@@ -6,7 +6,7 @@ import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
 
-/** The text before a typed line: the robot, and its mode unless that is T1. */
+/** The text before a typed line: the robot, whether it is read-only, and its mode unless T1. */
 final class ShellPrompt {
   private static final String MODE = "$MODE_OP";
   private static final String SAFE_MODE = "#T1";
@@ -15,11 +15,12 @@ final class ShellPrompt {
   private final String name;
   private boolean connected = true;
 
-  ShellPrompt(RobotConnection controller) {
+  ShellPrompt(RobotConnection controller, boolean readOnly) {
     this.controller = controller;
     Robot target = controller.robot();
     String host = target.host();
-    name = !target.name().isEmpty() ? target.name() : host == null ? "mock" : host;
+    String robot = !target.name().isEmpty() ? target.name() : host == null ? "mock" : host;
+    name = readOnly ? robot + " (read-only)" : robot;
   }
 
   /** Notes how a line ended: after one that failed, the next line is the first to connect again. */

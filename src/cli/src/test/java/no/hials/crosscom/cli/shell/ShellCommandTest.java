@@ -52,6 +52,14 @@ class ShellCommandTest {
   }
 
   @Test
+  void doesNotSendAMistypedCommandAsAVariable() {
+    ShellInput.runOn(server, "wiat 500\n", "shell", "--yes")
+        .fails(2)
+        .contains("unknown command: wiat; did you mean wait?");
+    assertThat(server.requestCount()).isZero();
+  }
+
+  @Test
   void doesNotWriteIfItIsForReadingOnly() {
     ShellInput.runOn(server, "MYINT = 5\n", "shell", "--yes", "--read-only")
         .fails(5)

@@ -62,6 +62,14 @@ class ShellIT {
   }
 
   @Test
+  void showsInThePromptThatItIsForReadingOnly() throws Exception {
+    try (PseudoTerminal shell = shell(Map.of(), "--read-only")) {
+      shell.until("127.0.0.1 (read-only)> ").type("$OV_PRO = 50\r").until("--read-only is given");
+      shell.until("127.0.0.1 (read-only)> ").type(PseudoTerminal.CTRL_D).finish();
+    }
+  }
+
+  @Test
   void anAnswerThatWasTypedBeforeTheQuestionIsNone() throws Exception {
     CountDownLatch typed = new CountDownLatch(1);
     try (PseudoTerminal shell = shell(Map.of())) {

@@ -57,6 +57,15 @@ class ShellLineTest {
     assertThat(parse(line)).isEqualTo(new ShellLine.Write(name, value));
   }
 
+  @Test
+  void aWordThatIsNearlyACommandIsAVariableIfTheLineSaysSo() throws Exception {
+    assertThat(parse("READY")).isEqualTo(new ShellLine.Read(List.of("READY")));
+    assertThat(parse("get ready")).isEqualTo(new ShellLine.Read(List.of("ready")));
+    assertThat(parse("ready = TRUE")).isEqualTo(new ShellLine.Write("ready", "TRUE"));
+    assertThat(parse("set ready TRUE")).isEqualTo(new ShellLine.Write("ready", "TRUE"));
+    assertThat(parse("myvar")).isEqualTo(new ShellLine.Read(List.of("myvar")));
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"", "   ", "; $OV_PRO = 0", "# $OV_PRO = 0", "  # x"})
   void blankLinesAndCommentsDoNothing(String line) throws Exception {
@@ -83,8 +92,16 @@ class ShellLineTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
+        "raed             | unknown command: raed; did you mean read? For a variable of this name:",
+        "raed $X          | unknown command: raed; did you mean read?",
+        "wiat 500         | did you mean wait?",
+        "hepl             | did you mean help?",
+        "exti             | get exti, set exti VALUE",
+        "vras             | did you mean vars?",
         "foo bar          | unknown command: foo; as a write: bar is not a KRL value",
         "$OV_PRO = fifty  | fifty is not a KRL value",
+        "S[] = hello      | a text needs double quotes: \"hello\", a constant",
+        "MYPOS = {X 1     | the brace at position 0 is not closed",
         "$OV_PRO =        | the value is missing",
         "set $OV_PRO      | the value is missing: set NAME VALUE",
         "get              | missing names of variables: get NAME...",
@@ -100,8 +117,6 @@ class ShellLineTest {
       })
   void saysWhatIsWrong(String line, String message) {
     assertThatThrownBy(() -> parse(line))
-        "S[] = hello      | a text needs double quotes: \"hello\", a constant",
-        "MYPOS = {X 1     | the brace at position 0 is not closed",
         .isInstanceOf(ShellSyntaxException.class)
         .hasMessageContaining(message);
   }

@@ -237,7 +237,7 @@ class TransferThreadsTest extends FilesRobotTest {
 
     assertThatNullPointerException()
         .isThrownBy(() -> files.uploadAsync((byte[]) null, FILE, config))
-        .withMessage("the source or target");
+        .withMessage("content");
     assertThatNullPointerException()
         .isThrownBy(() -> files.downloadAsync(null, config))
         .withMessage("name");

@@ -445,7 +445,10 @@ public final class CrossComClient implements Closeable {
       return axes.asArrayA1ToA6();
     } catch (IllegalStateException e) {
       throw new CrossComValueException(
-          axes.getName(), axes.getValue().toString(), "A1 to A6 are not all there", e);
+          axes.getName(),
+          axes.getStringValue(),
+          "the answer must have A1 to A6, is " + axes.getStringValue(),
+          e);
     }
   }
 

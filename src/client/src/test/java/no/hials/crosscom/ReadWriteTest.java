@@ -312,6 +312,15 @@ class ReadWriteTest extends RobotTest {
   }
 
   @Test
+  void jointAnglesThatAreMissingInTheAnswerAreAnErrorThatShowsTheOthers() {
+    robot.enqueue(Fault.answer("{E6AXIS: A1 5.0}", Tail.SUCCESS));
+
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(client::readJointAngles)
+        .withMessage("$AXIS_ACT: the answer must have A1 to A6, is {A1 5.0}");
+  }
+
+  @Test
   void fieldsThatTheLastAnswerDidNotContainAreNotWrittenUnlessSetSince() throws Exception {
     robot.variables().declare("MYNEW", "E6AXIS", "{A1 5.0}");
     KRLE6Axis axes = new KRLE6Axis("MYNEW");

@@ -19,7 +19,7 @@ public final class CrossComUnsupportedException extends CrossComException {
   CrossComUnsupportedException(
       String what, MessageType needed, ServerType server, @Nullable Version version) {
     super(
-        "this server cannot do the "
+        "this server does not support the "
             + what
             + ": it needs C3 Bridge Interface"
             + needed.since().map(since -> " " + since + " or later").orElse("")

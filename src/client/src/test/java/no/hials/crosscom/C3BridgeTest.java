@@ -524,7 +524,7 @@ class C3BridgeTest {
             "LIN_REL {X 1.5,Z -2.0}");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> client.motion().ptp(new KRLPos("NOWHERE")))
-        .withMessage("NOWHERE is no position: none of its fields was set or read");
+        .withMessage("NOWHERE has no position: none of its fields was set or read");
   }
 
   @Test

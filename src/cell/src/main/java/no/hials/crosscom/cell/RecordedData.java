@@ -107,7 +107,7 @@ public final class RecordedData {
       severalRobots = header.get(2).equals(ROBOT);
       rows = records.subList(1, complete(records));
       if (rows.isEmpty()) {
-        throw new IllegalArgumentException("it has no row");
+        throw new IllegalArgumentException("it must have a row, has none");
       }
       start = instant(rows.get(0));
     }

@@ -100,7 +100,7 @@ class RecordedDataTest {
       value = {
         "``                                 | ``                    | it is empty",
         "a,b,c,d                            | 1,2,3,4               | the first line must be time,sec",
-        "time,seconds,R,access_ms,status    | ``                    | it has no row",
+        "time,seconds,R,access_ms,status    | ``                    | it must have a row, has none",
         "time,seconds,R,access_ms,status    | now,0,1,2,            | line 2 must begin with a time",
         "time,seconds,R,access_ms,status    | 2026-05-04T10:15:30Z,x,1,2, | line 2 must have the sec"
       })

@@ -428,7 +428,7 @@ class FilesTest extends FilesRobotTest {
       }
       assertThatExceptionOfType(CrossComUnsupportedException.class)
           .isThrownBy(() -> none.upload(new byte[1], FILE))
-          .withMessageContaining("cannot do the upload of " + FILE);
+          .withMessageContaining("does not support the upload of " + FILE);
       assertThat(folder).isEmptyDirectory();
       assertThat(old.requests()).extracting(r -> r.request().type()).containsOnly(MessageType.READ);
     }

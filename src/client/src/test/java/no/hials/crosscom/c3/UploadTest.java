@@ -124,8 +124,8 @@ class UploadTest extends FilesRobotTest {
         .withMessage(
             "the upload of "
                 + FILE
-                + " failed after 0 bytes: the controller has it already, and overwriting was not"
-                + " asked for")
+                + " failed after 0 bytes: the file exists on the controller, and overwrite is"
+                + " false")
         .satisfies(e -> assertThat(e.getFile()).isEqualTo(FILE));
     assertThat(tree.text(FILE)).contains("old");
     assertThat(received(Step.BEGIN)).isEmpty();

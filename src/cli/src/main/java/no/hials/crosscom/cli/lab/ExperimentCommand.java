@@ -341,7 +341,7 @@ public final class ExperimentCommand extends ConsoleCommand {
       addTimes(table, "read [ms]", numbers.read());
       addTimes(table, "write [ms]", numbers.write());
       addTimes(table, "the rest of a cycle [ms]", numbers.own());
-      addTimes(table, "begun late by [ms]", numbers.late());
+      addTimes(table, "delay of the start [ms]", numbers.late());
       table.print(console());
       console()
           .print(

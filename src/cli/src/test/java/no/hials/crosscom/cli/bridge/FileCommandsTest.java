@@ -293,7 +293,7 @@ class FileCommandsTest {
           .last()
           .isEqualTo("KUKAVARPROXY has no files: that needs C3 Bridge Interface on the controller");
       assertThat(result.errLines().get(0))
-          .startsWith("jopenshowvar: this server cannot do the ")
+          .startsWith("jopenshowvar: this server does not support the ")
           .endsWith("the server is KUKAVARPROXY");
     }
   }

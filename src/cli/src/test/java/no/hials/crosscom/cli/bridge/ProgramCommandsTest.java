@@ -182,7 +182,7 @@ class ProgramCommandsTest {
 
       Cli.runOn(old, command)
           .failsInALine(1)
-          .startsWith("jopenshowvar: this server cannot do the ")
+          .startsWith("jopenshowvar: this server does not support the ")
           .endsWith("the server is KUKAVARPROXY");
     }
   }

@@ -57,7 +57,7 @@ public final class C3Motion implements Motion {
     String[] fields = Arrays.stream(position.getNodes()).filter(isSet).toArray(String[]::new);
     if (fields.length == 0) {
       throw new IllegalArgumentException(
-          position.getName() + " is no position: none of its fields was set or read");
+          position.getName() + " has no position: none of its fields was set or read");
     }
     String text = position.getStringValueOf(fields);
     channel.ask(

@@ -42,7 +42,7 @@ final class LocalFile implements Closeable {
   private void refuseExisting() throws FileAlreadyExistsException {
     if (Files.exists(target, LinkOption.NOFOLLOW_LINKS)) {
       throw new FileAlreadyExistsException(
-          target.toString(), null, "it is there already, and overwriting was not asked for");
+          target.toString(), null, "the file exists, and overwrite is false");
     }
   }
 

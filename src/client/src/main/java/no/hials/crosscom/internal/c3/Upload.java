@@ -54,7 +54,7 @@ final class Upload extends Transfer {
     // first, because otherwise the error would name the properties and not the upload
     channel.require(MessageType.WRITE_CONTENT, what);
     if (!config.overwrite() && C3Files.exists(channel, name)) {
-      throw failed("the controller has it already, and overwriting was not asked for");
+      throw failed("the file exists on the controller, and overwrite is false");
     }
     store(content);
     verify();

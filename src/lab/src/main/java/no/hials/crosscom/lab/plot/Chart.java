@@ -17,7 +17,7 @@ public record Chart(String title, List<Panel> panels, int columns) {
   public Chart {
     panels = List.copyOf(panels);
     if (panels.isEmpty()) {
-      throw new IllegalArgumentException("a chart must have a panel, has none");
+      throw new IllegalArgumentException("a chart must have at least 1 panel, has 0");
     }
     if (columns < 1) {
       throw new IllegalArgumentException("columns must be at least 1, are " + columns);

@@ -220,14 +220,14 @@ public final class Interpolator {
   }
 
   /**
-   * Puts the plan aside, so that an interrupt can move the robot; ends {@link #brake(boolean)}.
+   * Suspends the plan, so that an interrupt can move the robot; ends {@link #brake(boolean)}.
    *
    * @return the plan for {@link #resume(SuspendedPlan, AxisRates)}
    * @throws IllegalStateException if the robot does not stand
    */
   public SuspendedPlan suspend() {
     if (!standing()) {
-      throw new IllegalStateException("a plan can be put aside when the robot stands");
+      throw new IllegalStateException("the robot must stand still before its plan is suspended");
     }
     SuspendedPlan suspended = new SuspendedPlan(now, cursor, planned, plannedEnd, returning);
     forget();

@@ -147,7 +147,7 @@ class InterruptTest {
 
     assertThatThrownBy(ride.system::suspend)
         .isInstanceOf(IllegalStateException.class)
-        .hasMessage("a plan can be put aside when the robot stands");
+        .hasMessage("the robot must stand still before its plan is suspended");
   }
 
   @Test

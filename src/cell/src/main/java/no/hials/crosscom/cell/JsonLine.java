@@ -16,6 +16,7 @@ import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.protocol.value.KrlVisitor;
 
 /**
  * Prints a variable as one line of JSON, such as <code>
@@ -25,6 +26,8 @@ public final class JsonLine {
   // escaped text does not depend on the charset of stdout
   private static final JsonFactory FACTORY =
       JsonFactory.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
+
+  private static final Printer PRINTER = new Printer();
 
   private JsonLine() {}
 
@@ -109,51 +112,100 @@ public final class JsonLine {
   }
 
   private static String type(KrlValue value, boolean whole) {
-    if (value instanceof KrlInt) {
-      return "INT";
-    } else if (value instanceof KrlReal) {
-      return "REAL";
-    } else if (value instanceof KrlBool) {
-      return "BOOL";
-    } else if (value instanceof KrlEnum) {
-      return "ENUM";
-    } else if (value instanceof KrlString string) {
-      return whole || string.text().length() != 1 ? "CHAR[]" : "CHAR";
-    } else if (value instanceof KrlArray array) {
-      return type(array.elements().get(0), false) + "[]";
-    } else if (value instanceof KrlStruct) {
-      return "STRUC";
-    }
-    throw new AssertionError(value);
+    return value.accept(new TypeName(whole));
   }
 
   static void write(JsonGenerator json, KrlValue value) throws IOException {
-    if (value instanceof KrlInt number) {
-      json.writeNumber(number.value());
-    } else if (value instanceof KrlReal number) {
+    value.accept(PRINTER).write(json);
+  }
+
+  /** Returns the name of a value's type; {@code whole} if the name of the variable ends in []. */
+  private record TypeName(boolean whole) implements KrlVisitor<String> {
+    @Override
+    public String visit(KrlInt number) {
+      return "INT";
+    }
+
+    @Override
+    public String visit(KrlReal number) {
+      return "REAL";
+    }
+
+    @Override
+    public String visit(KrlBool bool) {
+      return "BOOL";
+    }
+
+    @Override
+    public String visit(KrlEnum constant) {
+      return "ENUM";
+    }
+
+    @Override
+    public String visit(KrlString string) {
+      return whole || string.text().length() != 1 ? "CHAR[]" : "CHAR";
+    }
+
+    @Override
+    public String visit(KrlArray array) {
+      return type(array.elements().get(0), false) + "[]";
+    }
+
+    @Override
+    public String visit(KrlStruct struct) {
+      return "STRUC";
+    }
+  }
+
+  /** Returns the code that writes a value. */
+  private static final class Printer implements KrlVisitor<JsonFields> {
+    @Override
+    public JsonFields visit(KrlInt number) {
+      return json -> json.writeNumber(number.value());
+    }
+
+    @Override
+    public JsonFields visit(KrlReal number) {
       // keeps the controller's digits, which a double would lose
-      json.writeNumber(number.print());
-    } else if (value instanceof KrlBool bool) {
-      json.writeBoolean(bool.value());
-    } else if (value instanceof KrlString string) {
-      json.writeString(string.text());
-    } else if (value instanceof KrlEnum constant) {
-      json.writeString(constant.print());
-    } else if (value instanceof KrlArray array) {
-      json.writeStartArray();
-      for (KrlValue element : array.elements()) {
-        write(json, element);
-      }
-      json.writeEndArray();
-    } else if (value instanceof KrlStruct struct) {
-      json.writeStartObject();
-      for (KrlStruct.Field field : struct.fields()) {
-        json.writeFieldName(field.name());
-        write(json, field.value());
-      }
-      json.writeEndObject();
-    } else {
-      throw new AssertionError(value);
+      return json -> json.writeNumber(number.print());
+    }
+
+    @Override
+    public JsonFields visit(KrlBool bool) {
+      return json -> json.writeBoolean(bool.value());
+    }
+
+    @Override
+    public JsonFields visit(KrlString string) {
+      return json -> json.writeString(string.text());
+    }
+
+    @Override
+    public JsonFields visit(KrlEnum constant) {
+      return json -> json.writeString(constant.print());
+    }
+
+    @Override
+    public JsonFields visit(KrlArray array) {
+      return json -> {
+        json.writeStartArray();
+        for (KrlValue element : array.elements()) {
+          write(json, element);
+        }
+        json.writeEndArray();
+      };
+    }
+
+    @Override
+    public JsonFields visit(KrlStruct struct) {
+      return json -> {
+        json.writeStartObject();
+        for (KrlStruct.Field field : struct.fields()) {
+          json.writeFieldName(field.name());
+          write(json, field.value());
+        }
+        json.writeEndObject();
+      };
     }
   }
 }

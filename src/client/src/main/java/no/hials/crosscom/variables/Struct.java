@@ -10,6 +10,7 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.protocol.value.KrlVisitor;
 
 /** Holds an aggregate. Its nodes are of the raw type, as in the original. */
 @SuppressWarnings("rawtypes")
@@ -44,25 +45,46 @@ public class Struct extends Variable<List<StructNode>> {
   static List<StructNode> nodes(KrlStruct struct) {
     List<StructNode> nodes = new ArrayList<>();
     for (KrlStruct.Field field : struct.fields()) {
-      nodes.add(new StructNode<>(field.name(), toJava(field.value())));
+      nodes.add(new StructNode<>(field.name(), field.value().accept(new ToJava())));
     }
     return nodes;
   }
 
-  private static Object toJava(KrlValue value) {
-    if (value instanceof KrlInt number) {
+  /** Returns a value as the original did. */
+  private static final class ToJava implements KrlVisitor<Object> {
+    @Override
+    public Object visit(KrlInt number) {
       return number.value();
-    } else if (value instanceof KrlReal number) {
+    }
+
+    @Override
+    public Object visit(KrlReal number) {
       return Double.valueOf(number.print());
-    } else if (value instanceof KrlBool bool) {
+    }
+
+    @Override
+    public Object visit(KrlBool bool) {
       return bool.value();
-    } else if (value instanceof KrlEnum constant) {
+    }
+
+    @Override
+    public Object visit(KrlEnum constant) {
       return constant.print();
-    } else if (value instanceof KrlString string) {
+    }
+
+    @Override
+    public Object visit(KrlString string) {
       return string.text();
-    } else if (value instanceof KrlStruct struct) {
+    }
+
+    @Override
+    public Object visit(KrlStruct struct) {
       return nodes(struct);
     }
-    return ((KrlArray) value).print();
+
+    @Override
+    public Object visit(KrlArray array) {
+      return array.print();
+    }
   }
 }

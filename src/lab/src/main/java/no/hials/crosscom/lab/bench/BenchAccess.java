@@ -9,6 +9,7 @@ import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.protocol.value.KrlVisitor;
 
 /**
  * An access that {@code bench} measures.
@@ -35,29 +36,48 @@ public record BenchAccess(boolean write, String name, String type, int bytes) {
 
   private static String type(String value) {
     try {
-      return type(KrlValue.parse(value));
+      return KrlValue.parse(value).accept(new TypeName());
     } catch (KrlSyntaxException e) {
       return "text";
     }
   }
 
-  private static String type(KrlValue value) {
-    if (value instanceof KrlInt) {
+  /** Returns the name of a value's type. */
+  private static final class TypeName implements KrlVisitor<String> {
+    @Override
+    public String visit(KrlInt number) {
       return "INT";
-    } else if (value instanceof KrlReal) {
+    }
+
+    @Override
+    public String visit(KrlReal number) {
       return "REAL";
-    } else if (value instanceof KrlBool) {
+    }
+
+    @Override
+    public String visit(KrlBool bool) {
       return "BOOL";
-    } else if (value instanceof KrlEnum) {
+    }
+
+    @Override
+    public String visit(KrlEnum constant) {
       return "ENUM";
-    } else if (value instanceof KrlArray array) {
-      return type(array.elements().get(0)) + "[" + array.elements().size() + "]";
-    } else if (value instanceof KrlStruct struct) {
+    }
+
+    @Override
+    public String visit(KrlArray array) {
+      return array.elements().get(0).accept(this) + "[" + array.elements().size() + "]";
+    }
+
+    @Override
+    public String visit(KrlStruct struct) {
       String name = struct.typeName();
       return name == null ? "STRUC" : name;
-    } else if (value instanceof KrlString) {
+    }
+
+    @Override
+    public String visit(KrlString string) {
       return "CHAR[]";
     }
-    throw new AssertionError(value);
   }
 }

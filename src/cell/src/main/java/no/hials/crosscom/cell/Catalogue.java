@@ -16,6 +16,7 @@ import java.util.function.BiPredicate;
 import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.Declaration;
+import no.hials.crosscom.lang.DeclarationVisitor;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.VariableNote;
@@ -101,29 +102,79 @@ public final class Catalogue {
       String origin,
       @Nullable Access access,
       BiPredicate<String, VariableNote> shown) {
-    boolean system = list.name().startsWith("$");
-    for (Declaration declaration : list.declarations()) {
-      if (declaration instanceof Declaration.StrucDeclaration struc) {
-        structures.putIfAbsent(
-            key(struc.name()),
-            struc.components().stream()
-                .map(part -> entry(part.type(), part.declarator(), VariableNote.NONE, origin, null))
-                .toList());
-      } else if (declaration instanceof Declaration.EnumDeclaration enumeration) {
-        List<String> constants = enumeration.constants();
-        enumerations.putIfAbsent(
-            key(enumeration.name()),
-            origin.isEmpty() ? constants.stream().sorted().toList() : constants);
-      } else if (declaration instanceof Declaration.Signal signal && system) {
+    Collector collector = new Collector(list, origin, access, shown);
+    list.declarations().forEach(declaration -> declaration.accept(collector));
+  }
+
+  /** Adds each declaration of a data list. */
+  private final class Collector implements DeclarationVisitor<@Nullable Void> {
+    private final DataList list;
+    private final String origin;
+    private final @Nullable Access access;
+    private final BiPredicate<String, VariableNote> shown;
+    private final boolean system;
+
+    Collector(
+        DataList list,
+        String origin,
+        @Nullable Access access,
+        BiPredicate<String, VariableNote> shown) {
+      this.list = list;
+      this.origin = origin;
+      this.access = access;
+      this.shown = shown;
+      this.system = list.name().startsWith("$");
+    }
+
+    @Override
+    public @Nullable Void visit(Declaration.StrucDeclaration struc) {
+      structures.putIfAbsent(
+          key(struc.name()),
+          struc.components().stream()
+              .map(part -> entry(part.type(), part.declarator(), VariableNote.NONE, origin, null))
+              .toList());
+      return null;
+    }
+
+    @Override
+    public @Nullable Void visit(Declaration.EnumDeclaration enumeration) {
+      List<String> constants = enumeration.constants();
+      enumerations.putIfAbsent(
+          key(enumeration.name()),
+          origin.isEmpty() ? constants.stream().sorted().toList() : constants);
+      return null;
+    }
+
+    @Override
+    public @Nullable Void visit(Declaration.Signal signal) {
+      if (system) {
         VariableNote note = VariableNote.of(signal.comment());
         add(entry("SIGNAL", signal.name(), List.of(), note, origin, access), note, shown);
-      } else if (declaration instanceof Declaration.Variables group
-          && (system || (list.isPublic() && group.global()))) {
+      }
+      return null;
+    }
+
+    @Override
+    public @Nullable Void visit(Declaration.Variables group) {
+      if (system || (list.isPublic() && group.global())) {
         VariableNote note = VariableNote.of(group.comment());
         group
             .variables()
             .forEach(one -> add(entry(group.type(), one, note, origin, access), note, shown));
       }
+      return null;
+    }
+
+    /** Sets the value of a variable that is declared elsewhere. */
+    @Override
+    public @Nullable Void visit(Declaration.InitialValue initial) {
+      return null;
+    }
+
+    /** The data list of the other module declares it. */
+    @Override
+    public @Nullable Void visit(Declaration.External external) {
+      return null;
     }
   }
 

@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.Declaration;
+import no.hials.crosscom.lang.DeclarationVisitor;
 import no.hials.crosscom.lang.Expression;
 import org.jspecify.annotations.Nullable;
 
@@ -28,90 +30,106 @@ public final class DeclarationRows {
       String name, String type, String value, List<String> words, int line, String comment) {}
 
   public static List<Row> of(DataList list) {
-    List<Row> rows = new ArrayList<>();
-    for (Declaration declaration : list.declarations()) {
-      if (declaration instanceof Declaration.Variables group) {
-        group.variables().forEach(variable -> rows.add(variable(group, variable)));
-      } else {
-        rows.add(other(declaration));
+    Lister lister = new Lister();
+    return list.declarations().stream().flatMap(each -> each.accept(lister)).toList();
+  }
+
+  /** Lists one declaration. */
+  private static final class Lister implements DeclarationVisitor<Stream<Row>> {
+    @Override
+    public Stream<Row> visit(Declaration.Variables group) {
+      return group.variables().stream().map(variable -> variable(group, variable));
+    }
+
+    private static Row variable(Declaration.Variables group, Declaration.Declarator variable) {
+      List<String> words = words(group.global());
+      if (group.constant()) {
+        words.add("CONST");
       }
-    }
-    return rows;
-  }
-
-  private static Row variable(Declaration.Variables group, Declaration.Declarator variable) {
-    List<String> words = words(group.global());
-    if (group.constant()) {
-      words.add("CONST");
-    }
-    return new Row(
-        declarator(variable),
-        group.type().toUpperCase(Locale.ROOT),
-        text(variable.initial()),
-        words,
-        variable.position().line(),
-        group.comment().strip());
-  }
-
-  private static Row other(Declaration declaration) {
-    int line = declaration.position().line();
-    if (declaration instanceof Declaration.InitialValue initial) {
       return new Row(
+          declarator(variable),
+          group.type().toUpperCase(Locale.ROOT),
+          text(variable.initial()),
+          words,
+          variable.position().line(),
+          group.comment().strip());
+    }
+
+    @Override
+    public Stream<Row> visit(Declaration.InitialValue initial) {
+      return row(
+          initial,
           ExpressionText.of(initial.target()),
           "",
           ExpressionText.of(initial.value()),
-          List.of(),
-          line,
-          initial.comment().strip());
-    } else if (declaration instanceof Declaration.StrucDeclaration struc) {
+          false,
+          initial.comment());
+    }
+
+    @Override
+    public Stream<Row> visit(Declaration.StrucDeclaration struc) {
       String parts =
           struc.components().stream()
               .map(part -> part.type() + " " + declarator(part.declarator()))
               .collect(Collectors.joining(", "));
-      return new Row(
-          struc.name(), "STRUC", parts, words(struc.global()), line, struc.comment().strip());
-    } else if (declaration instanceof Declaration.EnumDeclaration enumeration) {
-      return new Row(
+      return row(struc, struc.name(), "STRUC", parts, struc.global(), struc.comment());
+    }
+
+    @Override
+    public Stream<Row> visit(Declaration.EnumDeclaration enumeration) {
+      String constants = "#" + String.join(", #", enumeration.constants());
+      return row(
+          enumeration,
           enumeration.name(),
           "ENUM",
-          "#" + String.join(", #", enumeration.constants()),
-          words(enumeration.global()),
-          line,
-          enumeration.comment().strip());
-    } else if (declaration instanceof Declaration.Signal signal) {
+          constants,
+          enumeration.global(),
+          enumeration.comment());
+    }
+
+    @Override
+    public Stream<Row> visit(Declaration.Signal signal) {
       String wire = text(signal.first());
       String last = signal.last() == null ? "" : " TO " + text(signal.last());
-      return new Row(
-          signal.name(),
-          "SIGNAL",
-          wire.isEmpty() ? "FALSE" : wire + last,
-          words(signal.global()),
-          line,
-          signal.comment().strip());
-    } else if (declaration instanceof Declaration.External external) {
-      return new Row(external.name(), "EXTERNAL", external.source(), List.of(), line, "");
+      String wires = wire.isEmpty() ? "FALSE" : wire + last;
+      return row(signal, signal.name(), "SIGNAL", wires, signal.global(), signal.comment());
     }
-    throw new IllegalArgumentException("unknown declaration: " + declaration);
-  }
 
-  private static List<String> words(boolean global) {
-    List<String> words = new ArrayList<>();
-    if (global) {
-      words.add("GLOBAL");
+    @Override
+    public Stream<Row> visit(Declaration.External external) {
+      return row(external, external.name(), "EXTERNAL", external.source(), false, "");
     }
-    return words;
-  }
 
-  private static String declarator(Declaration.Declarator declarator) {
-    if (declarator.dimensions().isEmpty()) {
-      return declarator.name();
+    private static Stream<Row> row(
+        Declaration declaration,
+        String name,
+        String type,
+        String value,
+        boolean global,
+        String comment) {
+      int line = declaration.position().line();
+      return Stream.of(new Row(name, type, value, words(global), line, comment.strip()));
     }
-    return declarator.dimensions().stream()
-        .map(DeclarationRows::text)
-        .collect(Collectors.joining(",", declarator.name() + "[", "]"));
-  }
 
-  private static String text(@Nullable Expression expression) {
-    return expression == null ? "" : ExpressionText.of(expression);
+    private static List<String> words(boolean global) {
+      List<String> words = new ArrayList<>();
+      if (global) {
+        words.add("GLOBAL");
+      }
+      return words;
+    }
+
+    private static String declarator(Declaration.Declarator declarator) {
+      if (declarator.dimensions().isEmpty()) {
+        return declarator.name();
+      }
+      return declarator.dimensions().stream()
+          .map(Lister::text)
+          .collect(Collectors.joining(",", declarator.name() + "[", "]"));
+    }
+
+    private static String text(@Nullable Expression expression) {
+      return expression == null ? "" : ExpressionText.of(expression);
+    }
   }
 }

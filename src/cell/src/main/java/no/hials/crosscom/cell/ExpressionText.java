@@ -3,43 +3,61 @@ package no.hials.crosscom.cell;
 import java.util.List;
 import java.util.stream.Collectors;
 import no.hials.crosscom.lang.Expression;
+import no.hials.crosscom.lang.ExpressionVisitor;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 
 /** Prints expressions in KRL syntax. */
-final class ExpressionText {
+final class ExpressionText implements ExpressionVisitor<String> {
+  private static final ExpressionText PRINTER = new ExpressionText();
+
   private ExpressionText() {}
 
   static String of(Expression expression) {
-    if (expression instanceof Expression.IntLiteral number) {
-      return Integer.toString(number.value());
-    } else if (expression instanceof Expression.RealLiteral number) {
-      return KrlReal.of(number.value()).printShort();
-    } else if (expression instanceof Expression.BoolLiteral bool) {
-      return bool.value() ? "TRUE" : "FALSE";
-    } else if (expression instanceof Expression.TextLiteral text) {
-      return new KrlString(text.text()).printShort();
-    } else if (expression instanceof Expression.EnumLiteral constant) {
-      return "#" + constant.name();
-    } else if (expression instanceof Expression.Aggregate aggregate) {
-      return aggregate(aggregate);
-    } else if (expression instanceof Expression.Variable variable) {
-      return variable.steps().stream().map(ExpressionText::step).collect(Collectors.joining("."));
-    } else if (expression instanceof Expression.FunctionCall call) {
-      return call.name() + "(" + list(call.arguments()) + ")";
-    } else if (expression instanceof Expression.Unary unary) {
-      return unary(unary);
-    } else if (expression instanceof Expression.Binary binary) {
-      return "(" + of(binary.left()) + operator(binary.operator()) + of(binary.right()) + ")";
-    }
-    throw new IllegalArgumentException("unknown expression: " + expression);
+    return expression.accept(PRINTER);
   }
 
-  private static String aggregate(Expression.Aggregate aggregate) {
+  @Override
+  public String visit(Expression.IntLiteral number) {
+    return Integer.toString(number.value());
+  }
+
+  @Override
+  public String visit(Expression.RealLiteral number) {
+    return KrlReal.of(number.value()).printShort();
+  }
+
+  @Override
+  public String visit(Expression.BoolLiteral bool) {
+    return bool.value() ? "TRUE" : "FALSE";
+  }
+
+  @Override
+  public String visit(Expression.TextLiteral text) {
+    return new KrlString(text.text()).printShort();
+  }
+
+  @Override
+  public String visit(Expression.EnumLiteral constant) {
+    return "#" + constant.name();
+  }
+
+  @Override
+  public String visit(Expression.Aggregate aggregate) {
     String type = aggregate.type() == null ? "" : aggregate.type() + ": ";
     return aggregate.fields().stream()
         .map(field -> field.name() + " " + of(field.value()))
         .collect(Collectors.joining(",", "{" + type, "}"));
+  }
+
+  @Override
+  public String visit(Expression.Variable variable) {
+    return variable.steps().stream().map(ExpressionText::step).collect(Collectors.joining("."));
+  }
+
+  @Override
+  public String visit(Expression.FunctionCall call) {
+    return call.name() + "(" + list(call.arguments()) + ")";
   }
 
   private static String step(Expression.Step step) {
@@ -56,7 +74,8 @@ final class ExpressionText {
         .collect(Collectors.joining(","));
   }
 
-  private static String unary(Expression.Unary unary) {
+  @Override
+  public String visit(Expression.Unary unary) {
     String operator =
         switch (unary.operator()) {
           case PLUS -> "+";
@@ -64,6 +83,11 @@ final class ExpressionText {
           case NOT, B_NOT -> unary.operator() + " ";
         };
     return operator + of(unary.operand());
+  }
+
+  @Override
+  public String visit(Expression.Binary binary) {
+    return "(" + of(binary.left()) + operator(binary.operator()) + of(binary.right()) + ")";
   }
 
   private static String operator(Expression.BinaryOperator operator) {

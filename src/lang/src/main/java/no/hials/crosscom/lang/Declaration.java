@@ -9,6 +9,9 @@ public sealed interface Declaration {
   /** Returns the position of the first token. */
   Position position();
 
+  /** Calls the method of a visitor for the kind of this declaration. */
+  <R extends @Nullable Object> R accept(DeclarationVisitor<R> visitor);
+
   /**
    * A name with dimensions and an initial value.
    *
@@ -41,7 +44,12 @@ public sealed interface Declaration {
       String type,
       List<Declarator> variables,
       String comment)
-      implements Declaration {}
+      implements Declaration {
+    @Override
+    public <R extends @Nullable Object> R accept(DeclarationVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * A structure type.
@@ -54,7 +62,12 @@ public sealed interface Declaration {
    */
   record StrucDeclaration(
       Position position, boolean global, String name, List<Component> components, String comment)
-      implements Declaration {}
+      implements Declaration {
+    @Override
+    public <R extends @Nullable Object> R accept(DeclarationVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * A component of a structure type.
@@ -75,7 +88,12 @@ public sealed interface Declaration {
    */
   record EnumDeclaration(
       Position position, boolean global, String name, List<String> constants, String comment)
-      implements Declaration {}
+      implements Declaration {
+    @Override
+    public <R extends @Nullable Object> R accept(DeclarationVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * A signal: {@code SIGNAL NAME $OUT[1] TO $OUT[8]}, or {@code SIGNAL NAME FALSE} for a signal
@@ -95,7 +113,12 @@ public sealed interface Declaration {
       Expression.@Nullable Variable first,
       Expression.@Nullable Variable last,
       String comment)
-      implements Declaration {}
+      implements Declaration {
+    @Override
+    public <R extends @Nullable Object> R accept(DeclarationVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * A line of a data list that sets an element or a component: {@code $SOFTN_END[1]=-170.0}.
@@ -107,7 +130,12 @@ public sealed interface Declaration {
    */
   record InitialValue(
       Position position, Expression.Variable target, Expression value, String comment)
-      implements Declaration {}
+      implements Declaration {
+    @Override
+    public <R extends @Nullable Object> R accept(DeclarationVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * A reference to a routine or variable of another module: {@code EXT}, {@code EXTFCT}, {@code
@@ -118,5 +146,10 @@ public sealed interface Declaration {
    * @param source the source in {@code IMPORT ... IS /R1/MODULE..NAME}; empty without {@code
    *     IMPORT}
    */
-  record External(Position position, String name, String source) implements Declaration {}
+  record External(Position position, String name, String source) implements Declaration {
+    @Override
+    public <R extends @Nullable Object> R accept(DeclarationVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 }

@@ -9,6 +9,9 @@ public sealed interface Expression {
   /** Returns the position of the first token; for an operation, of its operator. */
   Position position();
 
+  /** Calls the method of a visitor for the kind of this expression. */
+  <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor);
+
   /** A value that is written out. */
   sealed interface Literal extends Expression {}
 
@@ -18,7 +21,12 @@ public sealed interface Expression {
    * @param position where it is
    * @param value the number
    */
-  record IntLiteral(Position position, int value) implements Literal {}
+  record IntLiteral(Position position, int value) implements Literal {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * A number with a decimal point or an exponent.
@@ -26,7 +34,12 @@ public sealed interface Expression {
    * @param position where it is
    * @param value the number, rounded to a 32-bit float
    */
-  record RealLiteral(Position position, double value) implements Literal {}
+  record RealLiteral(Position position, double value) implements Literal {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * {@code TRUE} or {@code FALSE}.
@@ -34,7 +47,12 @@ public sealed interface Expression {
    * @param position where it is
    * @param value the value
    */
-  record BoolLiteral(Position position, boolean value) implements Literal {}
+  record BoolLiteral(Position position, boolean value) implements Literal {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * A text in double quotes; a text of one character can be a CHAR.
@@ -42,7 +60,12 @@ public sealed interface Expression {
    * @param position where it is
    * @param text the characters between the quotes
    */
-  record TextLiteral(Position position, String text) implements Literal {}
+  record TextLiteral(Position position, String text) implements Literal {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * {@code #NAME}.
@@ -50,7 +73,12 @@ public sealed interface Expression {
    * @param position where it is
    * @param name the constant, without {@code #}
    */
-  record EnumLiteral(Position position, String name) implements Literal {}
+  record EnumLiteral(Position position, String name) implements Literal {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * An aggregate: {@code {X 10,Y 2*I}} or {@code {POS: X 10}}.
@@ -60,7 +88,12 @@ public sealed interface Expression {
    * @param fields the fields in the order of the file
    */
   record Aggregate(Position position, @Nullable String type, List<AggregateField> fields)
-      implements Expression {}
+      implements Expression {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * A field of an aggregate.
@@ -79,6 +112,11 @@ public sealed interface Expression {
    * @param steps the name, then the components; at least one
    */
   record Variable(Position position, List<Step> steps) implements Expression {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+
     /** Returns the name of the variable itself, as written. */
     public String name() {
       return steps.get(0).name();
@@ -103,7 +141,12 @@ public sealed interface Expression {
    * @param arguments the arguments; null for an omitted argument
    */
   record FunctionCall(Position position, String name, List<@Nullable Expression> arguments)
-      implements Expression {}
+      implements Expression {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * An operation with one operand.
@@ -113,7 +156,12 @@ public sealed interface Expression {
    * @param operand the operand
    */
   record Unary(Position position, UnaryOperator operator, Expression operand)
-      implements Expression {}
+      implements Expression {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /**
    * An operation with two operands.
@@ -124,7 +172,12 @@ public sealed interface Expression {
    * @param right the right operand
    */
   record Binary(Position position, BinaryOperator operator, Expression left, Expression right)
-      implements Expression {}
+      implements Expression {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
 
   /** The unary operators. */
   enum UnaryOperator {

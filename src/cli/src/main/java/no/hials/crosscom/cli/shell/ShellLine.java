@@ -1,5 +1,6 @@
 package no.hials.crosscom.cli.shell;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -8,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Suggestions;
 import no.hials.crosscom.cli.base.ValueText;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
@@ -26,8 +28,20 @@ sealed interface ShellLine {
           Map.entry("help", "help [NAME|COMMAND]  explains a variable or a command"),
           Map.entry("exit", "exit, quit, Ctrl-D   ends the shell"));
 
+  /**
+   * Executes the line.
+   *
+   * @return the exit code; the caller handles the end of the shell
+   */
+  ExitCode run(ShellSession session) throws IOException;
+
   /** A blank line or a comment. */
-  record Nothing() implements ShellLine {}
+  record Nothing() implements ShellLine {
+    @Override
+    public ExitCode run(ShellSession session) throws IOException {
+      return ExitCode.DONE;
+    }
+  }
 
   /**
    * Reads variables.
@@ -35,6 +49,12 @@ sealed interface ShellLine {
    * @param names at least one
    */
   record Read(List<String> names) implements ShellLine {
+    @Override
+    public ExitCode run(ShellSession session) throws IOException {
+      session.read(names);
+      return ExitCode.DONE;
+    }
+
     @Override
     public String toString() {
       return "read " + String.join(" ", names);
@@ -49,6 +69,12 @@ sealed interface ShellLine {
    */
   record Write(String name, String value) implements ShellLine {
     @Override
+    public ExitCode run(ShellSession session) throws IOException {
+      session.write(this);
+      return ExitCode.DONE;
+    }
+
+    @Override
     public String toString() {
       return "write " + name + " = " + value;
     }
@@ -60,6 +86,12 @@ sealed interface ShellLine {
    * @param time how long
    */
   record Wait(Duration time) implements ShellLine {
+    @Override
+    public ExitCode run(ShellSession session) throws IOException {
+      ShellSession.sleep(time);
+      return ExitCode.DONE;
+    }
+
     @Override
     public String toString() {
       return "wait " + time.toMillis() + " ms";
@@ -73,6 +105,12 @@ sealed interface ShellLine {
    */
   record Help(String topic) implements ShellLine {
     @Override
+    public ExitCode run(ShellSession session) throws IOException {
+      session.help(topic);
+      return ExitCode.DONE;
+    }
+
+    @Override
     public String toString() {
       return topic.isEmpty() ? "help" : "help " + topic;
     }
@@ -80,6 +118,11 @@ sealed interface ShellLine {
 
   /** Ends the shell. */
   record Exit() implements ShellLine {
+    @Override
+    public ExitCode run(ShellSession session) throws IOException {
+      return ExitCode.DONE;
+    }
+
     @Override
     public String toString() {
       return "exit";
@@ -92,6 +135,11 @@ sealed interface ShellLine {
    * @param words the command and its arguments
    */
   record Command(List<String> words) implements ShellLine {
+    @Override
+    public ExitCode run(ShellSession session) throws IOException {
+      return session.run(words);
+    }
+
     @Override
     public String toString() {
       return String.join(" ", words);

@@ -1,6 +1,8 @@
 package no.hials.crosscom.cli.shell;
 
 import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.cell.Printable;
@@ -37,24 +39,15 @@ final class ShellSession {
 
   private ExitCode run(ShellLine line) throws IOException {
     try {
-      if (line instanceof ShellLine.Read read) {
-        read(read);
-      } else if (line instanceof ShellLine.Write write) {
-        write(write);
-      } else if (line instanceof ShellLine.Wait wait) {
-        sleep(wait);
-      } else if (line instanceof ShellLine.Help help) {
-        help(help.topic());
-      } else if (line instanceof ShellLine.Command other) {
-        return commands.run(console, other.words(), controller, writeOptions);
-      } else if (!(line instanceof ShellLine.Nothing)) {
-        throw new AssertionError(line);
-      }
+      return line.run(this);
     } catch (IllegalArgumentException e) {
       // a name or a text that cannot be sent
       throw new ShellSyntaxException(String.valueOf(e.getMessage()));
     }
-    return ExitCode.DONE;
+  }
+
+  ExitCode run(List<String> command) throws IOException {
+    return commands.run(console, command, controller, writeOptions);
   }
 
   /**
@@ -75,14 +68,14 @@ final class ShellSession {
     }
   }
 
-  private void read(ShellLine.Read read) throws IOException {
-    for (String name : read.names()) {
+  void read(List<String> names) throws IOException {
+    for (String name : names) {
       console.print(name + " = " + Printable.of(controller.client().readText(name)));
       symbols.used(name);
     }
   }
 
-  private void write(ShellLine.Write write) throws IOException {
+  void write(ShellLine.Write write) throws IOException {
     controller.client().checkText(write.name(), write.value());
     writeOptions.permission(console).checkEach(controller, write.toString());
     String answer = controller.client().writeText(write.name(), write.value());
@@ -91,16 +84,16 @@ final class ShellSession {
     console.print(write.name() + " = " + write.value());
   }
 
-  private static void sleep(ShellLine.Wait wait) throws ShellSyntaxException {
+  static void sleep(Duration time) throws ShellSyntaxException {
     try {
-      Thread.sleep(wait.time().toMillis());
+      Thread.sleep(time.toMillis());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new ShellSyntaxException("interrupted");
     }
   }
 
-  private void help(String topic) throws ShellSyntaxException {
+  void help(String topic) throws ShellSyntaxException {
     String lower = ShellLine.canonical(topic);
     if (topic.isEmpty()) {
       ShellHelp.language(commands.names()).forEach(console::print);

@@ -360,10 +360,14 @@ final class Connection {
       throws CrossComProtocolException {
     AnswerFrame frame = answer.frame();
     try {
-      if (frame.id() != id) {
+      boolean unknown = frame.functionUnknown();
+      if (frame.id() != id && !(unknown && frame.id() == 0)) {
         throw frame.malformed("id must be " + id + ", is " + frame.id());
       }
-      if (frame.functionUnknown()) {
+      if (unknown && type == MessageType.FEATURES) {
+        return; // an answer too: this message also tells the servers apart
+      }
+      if (unknown) {
         throw frame.malformed("the server does not know function " + type.code());
       }
       if (frame.function() != type.code()) {

@@ -29,6 +29,8 @@ final class ServerDetector {
   /** The first version of C3 Bridge; its messages need no further question. */
   private static final Version FIRST = new Version(1, 0, 0);
 
+  private static final String FEATURES_REQUEST = "request for the server's features";
+
   private static final Features KUKAVARPROXY =
       new Features(
           ServerType.KUKAVARPROXY.types().stream()
@@ -61,24 +63,31 @@ final class ServerDetector {
       features = null;
     }
     if (type == null) {
-      // KUKAVARPROXY answers empty or failure (docs/reference/c3-messages.md#internal-variables)
-      type =
-          C3_BRIDGE.equalsIgnoreCase(read(askType, "@PROXY_TYPE"))
-              ? ServerType.C3_BRIDGE
-              : ServerType.KUKAVARPROXY;
+      type = isC3Bridge() ? ServerType.C3_BRIDGE : ServerType.KUKAVARPROXY;
     }
     return type;
   }
 
-  private String read(byte[] frame, String name) throws CrossComException {
-    AnswerFrame answer =
-        link.send(frame, frame.length, MessageType.READ, Repeatability.READ, name).frame();
-    return answer.success() ? answer.toString().strip() : "";
+  /**
+   * Asks for the type. A failure does not show it: old KUKAVARPROXYs always fail, and C3 Bridge may
+   * fail once; but only C3 Bridge knows message 14 (docs/reference/servers.md).
+   */
+  private boolean isC3Bridge() throws CrossComException {
+    AnswerFrame answer = send(askType, MessageType.READ, "@PROXY_TYPE");
+    return answer.success()
+        ? C3_BRIDGE.equalsIgnoreCase(answer.toString().strip())
+        : !send(askFeatures, MessageType.FEATURES, FEATURES_REQUEST).functionUnknown();
+  }
+
+  private AnswerFrame send(byte[] frame, MessageType message, String name)
+      throws CrossComException {
+    return link.send(frame, frame.length, message, Repeatability.READ, name).frame();
   }
 
   @Nullable Version version() throws CrossComException {
     if (type() == ServerType.C3_BRIDGE && !versionAsked) {
-      version = Versions.parse(read(askVersion, "@PROXY_VERSION"));
+      AnswerFrame answer = send(askVersion, MessageType.READ, "@PROXY_VERSION");
+      version = answer.success() ? Versions.parse(answer.toString().strip()) : null;
       versionAsked = true;
     }
     return version;
@@ -89,17 +98,16 @@ final class ServerDetector {
       return KUKAVARPROXY;
     }
     if (features == null) {
-      String what = "request for the server's features";
       TypedResponse response =
           link.send(
                   askFeatures,
                   MessageType.FEATURES,
                   Repeatability.READ,
-                  what,
+                  FEATURES_REQUEST,
                   FeaturesResponse.class)
               .response();
       if (!(response instanceof FeaturesResponse known) || !response.tail().success()) {
-        throw new CrossComRefusedException(what, response.tail().code());
+        throw new CrossComRefusedException(FEATURES_REQUEST, response.tail().code());
       }
       features = known.features();
     }

@@ -1,0 +1,70 @@
+package no.hials.crosscom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.util.List;
+import no.hials.crosscom.mock.FailedRead;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.Tail;
+import org.junit.jupiter.api.Test;
+
+/** Detects the type of a server that fails to answer the first question. */
+class ServerDetectionTest extends RobotTest {
+  private ServerType detected() throws Exception {
+    return client.getServer().type();
+  }
+
+  private List<MessageType> types() {
+    return robot.requests().stream()
+        .map(r -> r.request() == null ? MessageType.FEATURES : r.request().type())
+        .toList();
+  }
+
+  @Test
+  void aFailureInAnswerToTheTypeDoesNotHideTheServer() throws Exception {
+    robot.enqueue(Fault.answer("", Tail.FAILURE_ZERO));
+
+    assertThat(detected()).isEqualTo(server);
+    assertThat(detected()).isEqualTo(server);
+    assertThat(robot.requests()).extracting(RecordedRequest::connection).containsOnly(1);
+  }
+
+  @Test
+  void aKukavarproxyThatAnswersUnknownNamesWithAFailureIsDetected() throws Exception {
+    try (MockServer old =
+            MockServer.start(
+                cfg -> cfg.server(ServerType.KUKAVARPROXY).failedRead(FailedRead.FAILURE));
+        CrossComClient other = new CrossComClient(old.host(), old.port())) {
+      assertThat(other.getServer().type()).isEqualTo(ServerType.KUKAVARPROXY);
+      assertThat(other.readText("MYINT")).isEqualTo("0");
+      assertThat(old.requests()).extracting(RecordedRequest::connection).containsOnly(1);
+    }
+  }
+
+  @Test
+  void anAnswerToAnUnknownFunctionMayHaveTheId0() throws Exception {
+    robot.enqueue(Fault.answer("", Tail.FAILURE), Fault.raw("0000 0000"));
+
+    assertThat(detected()).isEqualTo(ServerType.KUKAVARPROXY);
+    assertThat(types()).containsExactly(MessageType.READ, MessageType.FEATURES);
+    assertThat(client.readText("MYINT")).as("the connection is usable").isEqualTo("0");
+  }
+
+  @Test
+  void theTypeStaysUnknownAfterATimeOut() throws Exception {
+    client.close();
+    client = client(cfg -> cfg.requestTimeout(SHORT));
+    robot.enqueue(Fault.drop());
+    assertThatExceptionOfType(CrossComTimeoutException.class).isThrownBy(this::detected);
+    robot.enqueue(Fault.answer("", Tail.FAILURE), Fault.drop());
+    assertThatExceptionOfType(CrossComTimeoutException.class).isThrownBy(this::detected);
+
+    client.setSoTimeout((int) LONG.toMillis());
+    assertThat(detected()).isEqualTo(server);
+  }
+}

@@ -25,8 +25,8 @@ abstract class Batch {
   /** The maximum number of variables in a message. */
   private static final int MAX_COUNT = 255;
 
-  /** The maximum number of bytes of the names, or names and values, in a message. */
-  private static final int ROOM = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 2;
+  /** The maximum number of bytes of the items in an answer, which has less room than a request. */
+  private static final int ROOM = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 2 - Tail.LENGTH;
 
   final VariableExchange exchange;
   private final C3Channel channel;
@@ -202,7 +202,10 @@ abstract class Batch {
     return some.size() == 1 ? first : first + " and " + (some.size() - 1) + " more";
   }
 
-  /** Returns the bytes of an item in a message; -1 if it cannot share a message with others. */
+  /**
+   * Returns the bytes of an item in a request or, if more are known, in its answer; -1 if it cannot
+   * share a message with others.
+   */
   abstract long length(Item item);
 
   abstract Request request(List<Item> some);
@@ -216,7 +219,11 @@ abstract class Batch {
 
   /** Returns the length of a WSTRING in bytes. */
   private static long wide(String text) {
-    return 2 + 2L * text.length();
+    return wide(text.length());
+  }
+
+  private static long wide(int characters) {
+    return 2 + 2L * characters;
   }
 
   /** Reads variables. */
@@ -285,7 +292,8 @@ abstract class Batch {
       } catch (CrossComValueException e) {
         item.failure = e;
       }
-      return wide(item.name()) + wide(item.text);
+      return Math.max(
+          wide(item.name()) + wide(item.text), 1 + wide(PrintedLength.longest(item.text)));
     }
 
     @Override
@@ -308,9 +316,14 @@ abstract class Batch {
       VariableExchange.takeEcho(item.variable, new TextAnswer(result.value(), nanos));
     }
 
-    /** Some of the writes may be done, and it is not known which. */
+    /**
+     * Some of the writes may be done, and it is not known which. The server also executes the
+     * writes whose answer does not fit into a message; then the batch continues
+     * (docs/reference/c3-messages.md#several-variables-6-and-7).
+     */
     @Override
     void notEach(List<Item> some, int count, Tail tail) {
+      boolean tooLong = tail.code() == ErrorCode.LONG_ANSWER.code();
       CrossComException unknown =
           new CrossComProtocolException(
               "the answer to the "
@@ -321,11 +334,16 @@ abstract class Batch {
                   + (tail.success() ? "success" : "failure")
                   + ", code "
                   + tail.code()
+                  + (tooLong ? " (it does not fit into one message)" : "")
                   + ", and has "
                   + count,
               null,
               true);
-      fail(some, unknown);
+      if (tooLong) {
+        some.forEach(item -> item.failure = unknown);
+      } else {
+        fail(some, unknown);
+      }
     }
   }
 }

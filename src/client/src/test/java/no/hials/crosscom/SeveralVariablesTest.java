@@ -11,6 +11,8 @@ import no.hials.crosscom.KRL.KRLIntArray;
 import no.hials.crosscom.KRL.KRLReal;
 import no.hials.crosscom.KRL.KRLRealArray;
 import no.hials.crosscom.KRL.KRLString;
+import no.hials.crosscom.KRL.KRLVariable;
+import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -249,5 +251,55 @@ class SeveralVariablesTest extends RobotTest {
     assertThat(client.readVariables(i, ints)).allMatch(VariableResult::isOk);
 
     assertThat(ints.getValue()).startsWith(5, 7);
+  }
+
+  /** Declares positions whose text is long: each number has nine digits. */
+  private List<String> declarePositions(int count) {
+    List<String> names = new ArrayList<>();
+    StringBuilder value = new StringBuilder("{X -1234.56789");
+    for (String field : List.of("Y", "Z", "A", "B", "C", "E1", "E2", "E3", "E4", "E5", "E6")) {
+      value.append(",").append(field).append(" -1234.56789");
+    }
+    for (int i = 0; i < count; i++) {
+      names.add("POSITION_OF_PART_" + i);
+      robot.variables().declare(names.get(i), "E6POS", value.append("}").toString());
+      value.setLength(value.length() - 1);
+    }
+    return names;
+  }
+
+  @Test
+  void aWriteOfManyPositionsIsDividedSoThatItsAnswersFit() {
+    List<KRLE6Pos> positions =
+        declarePositions(300).stream()
+            .map(KRLE6Pos::new)
+            .peek(position -> position.setXToZ(1.5, -0.000123456789, 4e-12))
+            .toList();
+
+    assertThat(client.writeVariables(positions)).hasSize(300).allMatch(VariableResult::isOk);
+    assertThat(robot.variables().get("POSITION_OF_PART_299.X")).isEqualTo("1.50000");
+  }
+
+  @Test
+  void writesWhoseAnswerDoesNotFitAreUnknownAndTheRestIsWritten() {
+    List<KRLVariable> frames = new ArrayList<>();
+    // the server answers the whole E6POS
+    declarePositions(240).forEach(name -> frames.add(new KRLFrame(name)));
+    KRLInt last = new KRLInt("MYINT");
+    last.setValue(7);
+    frames.add(last);
+
+    List<VariableResult> results = client.writeVariables(frames);
+
+    assertThat(results.get(240).isOk()).isTrue();
+    assertThat(robot.variables().get("MYINT")).isEqualTo("7");
+    assertThat(robot.variables().get("POSITION_OF_PART_0.X")).isEqualTo("0.0");
+    if (server == ServerType.C3_BRIDGE) {
+      assertThat(results.get(0).failure())
+          .hasMessageContaining("code 10 (it does not fit into one message)")
+          .satisfies(e -> assertThat(e.isOutcomeUnknown()).isTrue());
+    } else {
+      assertThat(results).allMatch(VariableResult::isOk);
+    }
   }
 }

@@ -257,7 +257,7 @@ public final class C3VariableHandler {
 
     Outcome answer(Request request) {
       if (length > C3Answers.FIELDS) {
-        // measured for type 6, assumed for type 7
+        // the items of type 7 are written (docs/reference/c3-messages.md#several-variables-6-and-7)
         return empty(request, ErrorCode.LONG_ANSWER, tooLong().refused());
       }
       // code 0 and flag false if some failed; assumed: also if all failed

@@ -45,6 +45,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -365,6 +366,26 @@ class UploadTest extends FilesRobotTest {
                     FILE,
                     TransferConfig.create(c -> c.verification(Verification.CONTENT))))
         .withMessageContaining("the file is stored, but its content differs from the content sent");
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"EXISTS", "BEGIN_READ", "READ_DATA", "READ_SIZE"})
+  void aVerificationThatBreaksReportsThatTheFileIsStored(Step step) throws Exception {
+    robot.fault(step::is, Fault.closeBefore());
+
+    assertThatExceptionOfType(CrossComConnectionLostException.class)
+        .isThrownBy(
+            () ->
+                files.upload(
+                    TWO_PARTS,
+                    FILE,
+                    TransferConfig.create(
+                        c -> c.overwrite(true).verification(Verification.CONTENT))))
+        .withMessageContaining(
+            "broke during the verification of "
+                + FILE
+                + " (the file is stored but was not verified): ");
+    assertThat(tree.get(FILE)).isEqualTo(TWO_PARTS);
   }
 
   // --- failures of this side

@@ -17,6 +17,7 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.file.FileRequest.BeginReadRequest;
 import no.hials.crosscom.protocol.file.FileRequest.EndWriteRequest;
 import no.hials.crosscom.protocol.file.FileRequest.ReadDataRequest;
 import no.hials.crosscom.protocol.file.FileRequest.WriteDataRequest;
@@ -219,6 +220,17 @@ class FileTransferTest {
     assertThat(server.requests())
         .filteredOn(each -> each.request() instanceof EndWriteRequest)
         .hasSize(1);
+  }
+
+  @Test
+  void printsThatAFileIsStoredIfItsVerificationBreaks() throws IOException {
+    server.fault(each -> each.request() instanceof BeginReadRequest, Fault.closeBefore());
+
+    Cli.Result result = put(file("a.src", A), "KRC:\\R1\\TP\\");
+
+    assertThat(result.errLines().get(0)).contains("(the file is stored but was not verified)");
+    assertThat(result.code()).isEqualTo(4);
+    assertThat(server.files().exists("KRC:\\R1\\TP\\a.src")).isTrue();
   }
 
   @Test

@@ -43,27 +43,41 @@ final class Download extends Transfer {
       long limit,
       TransferConfig config,
       Cancellation cancellation) {
-    super(channel, "download", name, config, cancellation);
+    this(channel, "download of " + name, name, limit, config, cancellation);
+  }
+
+  private Download(
+      MessageChannel channel,
+      String what,
+      String name,
+      long limit,
+      TransferConfig config,
+      Cancellation cancellation) {
+    super(channel, what, name, config, cancellation);
     this.limit = limit;
   }
 
   /** Downloads a file, and once more to compare if the configuration requires it. */
   void run(OutputStream target) throws IOException {
     fetch(target);
-    if (digest != null && !Arrays.equals(digest.digest(), digest(channel, name, config))) {
+    if (digest != null && !Arrays.equals(digest.digest(), digest(channel, what, name, config))) {
       throw failed("the file that came a second time to compare is different");
     }
   }
 
-  /** Downloads a file only for its digest. */
-  static byte[] digest(MessageChannel channel, String name, TransferConfig config)
+  /**
+   * Downloads a file only for its digest.
+   *
+   * @param what a noun phrase for error messages
+   */
+  static byte[] digest(MessageChannel channel, String what, String name, TransferConfig config)
       throws IOException {
     TransferConfig quiet =
         TransferConfig.create(
             cfg ->
                 cfg.flags(config.flags().toArray(CopyFlag[]::new))
                     .verification(Verification.CONTENT));
-    Download download = new Download(channel, name, MAX_SIZE, quiet, Cancellation.NEVER);
+    Download download = new Download(channel, what, name, MAX_SIZE, quiet, Cancellation.NEVER);
     download.fetch(OutputStream.nullOutputStream());
     return Objects.requireNonNull(download.digest).digest();
   }

@@ -39,7 +39,7 @@ abstract class Transfer {
       TransferConfig config,
       Cancellation cancellation) {
     this.channel = channel;
-    this.what = what + " of " + name;
+    this.what = what;
     this.name = name;
     this.config = config;
     this.cancellation = cancellation;

@@ -43,7 +43,7 @@ final class Upload extends Transfer {
       long size,
       TransferConfig config,
       Cancellation cancellation) {
-    super(channel, "upload", name, config, cancellation);
+    super(channel, "upload of " + name, name, config, cancellation);
     this.size = size;
   }
 
@@ -144,18 +144,20 @@ final class Upload extends Transfer {
     if (config.verification() == Verification.PARTS) {
       return;
     }
+    String check = "verification of " + name + " (the file is stored but was not verified)";
     long stored =
         channel
             .ask(
                 new FilePropertiesRequest(0, Flags.of(FileProperty.SIZE), name),
                 FilePropertiesResponse.class,
-                "check of the size of " + name + " after its upload")
+                check)
             .properties()
             .size();
     if (stored != size) {
       throw failed("the file is stored, but has " + stored + " bytes instead of " + size);
     }
-    if (digest != null && !Arrays.equals(digest.digest(), Download.digest(channel, name, config))) {
+    if (digest != null
+        && !Arrays.equals(digest.digest(), Download.digest(channel, check, name, config))) {
       throw failed("the file is stored, but its content differs from the content sent");
     }
   }

@@ -303,9 +303,12 @@ public final class CrossComClient implements Closeable {
    * @param watchConfig the variables and the period
    * @param listener called with the samples in a separate thread; more listeners can be added
    * @return the running watch; the caller closes it
+   * @throws CrossComClosedException if the client is closed
    */
-  public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener) {
+  public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener)
+      throws IOException {
     Objects.requireNonNull(watchConfig, "watchConfig");
+    connection.checkOpen();
     Watch watch = new Watch(variables, connection, watchConfig, watches::remove);
     watch.addListener(listener);
     watches.add(watch);
@@ -323,8 +326,10 @@ public final class CrossComClient implements Closeable {
    * @param listener called with the samples in a separate thread; more listeners can be added
    * @param names the variables to read
    * @return the running watch; the caller closes it
+   * @throws CrossComClosedException if the client is closed
    */
-  public Watch watch(Duration period, Consumer<? super Sample> listener, String... names) {
+  public Watch watch(Duration period, Consumer<? super Sample> listener, String... names)
+      throws IOException {
     return watch(
         WatchConfig.create(
             Arrays.asList(Objects.requireNonNull(names, "names")), cfg -> cfg.period(period)),

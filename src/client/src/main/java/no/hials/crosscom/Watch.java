@@ -57,6 +57,8 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private final AtomicLong polls = new AtomicLong();
   private final AtomicLong missed = new AtomicLong();
   private final AtomicLong failed = new AtomicLong();
+  private final AtomicLong listenerFailures = new AtomicLong();
+  private volatile @Nullable Throwable listenerFailure;
 
   // used only by the watching thread
   private long samples;
@@ -94,7 +96,8 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   /**
    * Adds a listener.
    *
-   * @param listener called with each later sample, one after the other; its exceptions are logged
+   * @param listener called with each later sample, one after the other, even after it has thrown an
+   *     exception; {@link #listenerFailure} returns its exceptions
    */
   public void addListener(Consumer<? super Sample> listener) {
     Objects.requireNonNull(listener, "listener");
@@ -104,9 +107,18 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
               try {
                 listener.accept(sample);
               } catch (RuntimeException | Error e) {
-                LOG.warn("the listener of a watch failed on sample {}", sample.number(), e);
+                listenerFailed(sample, e);
               }
             });
+  }
+
+  private void listenerFailed(Sample sample, Throwable failure) {
+    listenerFailure = failure;
+    if (listenerFailures.getAndIncrement() == 0) {
+      LOG.warn("the listener of a watch failed on sample {}", sample.number(), failure);
+    } else {
+      LOG.debug("the listener of a watch failed on sample {}: {}", sample.number(), failure);
+    }
   }
 
   /**
@@ -137,6 +149,16 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   /** Returns the number of samples dropped for slow listeners and subscribers. */
   public long droppedSamples() {
     return dropped.get();
+  }
+
+  /** Returns how often a listener has thrown an exception. */
+  public long listenerFailures() {
+    return listenerFailures.get();
+  }
+
+  /** Returns the last exception of a listener; null if there was none. The first one is logged. */
+  public @Nullable Throwable listenerFailure() {
+    return listenerFailure;
   }
 
   private void run() {

@@ -127,22 +127,33 @@ class WatchTest extends RobotTest {
   }
 
   @Test
-  void aListenerThatThrowsGoesOnGettingSamples() throws Exception {
+  void aListenerThatThrowsIsReportedAndGoesOnGettingSamples() throws Exception {
     AtomicInteger calls = new AtomicInteger();
+    AssertionError thrown = new AssertionError("on purpose"); // worse than an exception
     try (Watch watch =
         client.watch(
             PERIOD,
             sample -> {
               samples.add(sample);
               if (calls.getAndIncrement() == 0) {
-                throw new AssertionError("on purpose"); // worse than an exception
+                throw thrown;
               }
             },
             "$OV_PRO")) {
       next();
       assertThat(next().number()).isEqualTo(2);
       assertThat(watch.droppedSamples()).isZero();
+      assertThat(watch.listenerFailures()).isEqualTo(1);
+      assertThat(watch.listenerFailure()).isSameAs(thrown);
     }
+  }
+
+  @Test
+  void aClosedClientStartsNoWatch() throws Exception {
+    client.close();
+
+    assertThatExceptionOfType(CrossComClosedException.class)
+        .isThrownBy(() -> client.watch(PERIOD, samples::add, "$OV_PRO"));
   }
 
   @Test

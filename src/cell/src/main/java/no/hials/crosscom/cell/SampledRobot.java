@@ -95,7 +95,7 @@ public final class SampledRobot implements Closeable {
 
   // the watch
 
-  void start(WatchConfig config) {
+  void start(WatchConfig config) throws IOException {
     Watch started = controller.client().watch(config, sample -> sampling.add(to -> came(sample)));
     started.subscribe(new End());
     watch = started;

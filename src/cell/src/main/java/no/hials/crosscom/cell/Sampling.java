@@ -175,7 +175,9 @@ public final class Sampling implements Closeable {
     Duration length = plan.length();
     long end = length == null ? Long.MAX_VALUE : length.toNanos();
     long begin = System.nanoTime();
-    robots.forEach(robot -> robot.start(config));
+    for (SampledRobot robot : robots) {
+      robot.start(config);
+    }
     boolean byUser = false;
     try {
       while (isActive() && !byUser && System.nanoTime() - begin < end) {

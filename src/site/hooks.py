@@ -1,6 +1,6 @@
 """Makes a site of the pages in docs, which are written for a code host.
 
-The pages link to files beside docs (examples, KRL programs) as they lie in the repository. The site has no
+The pages link to files outside docs (examples, KRL programs) by their place in the repository. The site has no
 such files, so each of them becomes a page of it, and the link leads there. The navigation has the pages of
 each folder in the order in which index.md links to them.
 """

@@ -12,9 +12,9 @@ class VariableNoteTest {
 
   @Test
   void readsAccessUnitMeaningAndSource() {
-    assertThat(VariableNote.of("RO [mm/deg] tool (base) or beside it (FIW RSIB)"))
+    assertThat(VariableNote.of("RO [mm/deg] tool (base) or next to it (FIW RSIB)"))
         .isEqualTo(
-            new VariableNote(Access.READ_ONLY, "mm/deg", "tool (base) or beside it", "FIW RSIB"));
+            new VariableNote(Access.READ_ONLY, "mm/deg", "tool (base) or next to it", "FIW RSIB"));
     assertThat(VariableNote.of(" RW [-] counters (NAQ) "))
         .isEqualTo(new VariableNote(Access.READ_WRITE, "", "counters", "NAQ"));
     assertThat(VariableNote.of("RO [-] ()"))

@@ -6,42 +6,29 @@ import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
- * The configuration of a {@link Watch}. Immutable; created by {@link #create}.
- *
- * @param names the variables to read, in this order; at least one
- * @param period from the beginning of one reading to the beginning of the next; at least 1 ms,
- *     default 100 ms
- * @param changesOnly whether samples without a changed value are left out; default false
- * @param deadBand a REAL counts as changed if it differs by more than this, in its own unit; 0 or
- *     more, default 0
- * @param bufferSize the number of samples that may wait for a slow listener before further samples
- *     are dropped; 1 to 65536, default 256
+ * The options of a {@link Watch}. Immutable; created by {@link #create}. The {@link Builder}
+ * describes the options.
  */
-public record WatchConfig(
-    List<String> names, Duration period, boolean changesOnly, double deadBand, int bufferSize) {
+public final class WatchConfig {
+  private final List<String> names;
+  private final Duration period;
+  private final boolean changesOnly;
+  private final double deadBand;
+  private final int bufferSize;
 
-  /** Checks every field. */
-  public WatchConfig {
-    names = List.copyOf(Objects.requireNonNull(names, "names"));
-    Objects.requireNonNull(period, "period");
-    if (names.isEmpty()) {
-      throw new IllegalArgumentException("name at least one variable to watch");
-    }
-    if (period.compareTo(Duration.ofMillis(1)) < 0 || period.compareTo(Duration.ofDays(1)) > 0) {
-      throw new IllegalArgumentException("period must be 1 ms to 1 day, is " + period);
-    }
-    if (!(deadBand >= 0) || Double.isInfinite(deadBand)) {
-      throw new IllegalArgumentException("dead band must be 0 or more, is " + deadBand);
-    }
-    if (bufferSize < 1 || bufferSize > 65_536) {
-      throw new IllegalArgumentException("buffer size must be 1 to 65536, is " + bufferSize);
-    }
+  private WatchConfig(List<String> names, Builder builder) {
+    this.names = List.copyOf(Objects.requireNonNull(names, "names"));
+    period = builder.period;
+    changesOnly = builder.changesOnly;
+    deadBand = builder.deadBand;
+    bufferSize = builder.bufferSize;
+    check(!names.isEmpty(), "name at least one variable to watch");
   }
 
   /**
    * Creates a configuration.
    *
-   * @param names the variables to read
+   * @param names the variables to read, in this order; at least one
    * @param settings sets the options that differ from their defaults
    * @return the configuration
    * @throws IllegalArgumentException if a value is out of its range
@@ -49,14 +36,41 @@ public record WatchConfig(
   public static WatchConfig create(List<String> names, Consumer<Builder> settings) {
     Builder builder = new Builder();
     Objects.requireNonNull(settings, "settings").accept(builder);
-    return new WatchConfig(
-        names, builder.period, builder.changesOnly, builder.deadBand, builder.bufferSize);
+    return new WatchConfig(names, builder);
   }
 
-  /**
-   * Sets the options. Each method returns this builder; the component of the same name describes
-   * its option.
-   */
+  private static void check(boolean holds, String rule) {
+    if (!holds) {
+      throw new IllegalArgumentException(rule);
+    }
+  }
+
+  /** Returns the variables to read, in this order. */
+  public List<String> names() {
+    return names;
+  }
+
+  /** Returns the time from the beginning of one reading to the beginning of the next. */
+  public Duration period() {
+    return period;
+  }
+
+  /** Returns whether samples without a changed value are left out. */
+  public boolean changesOnly() {
+    return changesOnly;
+  }
+
+  /** Returns the difference up to which a REAL counts as unchanged, in its own unit. */
+  public double deadBand() {
+    return deadBand;
+  }
+
+  /** Returns the number of samples that may wait for a slow listener. */
+  public int bufferSize() {
+    return bufferSize;
+  }
+
+  /** Sets the options. Each method sets one option and returns this builder. */
   public static final class Builder {
     private Duration period = Duration.ofMillis(100);
     private boolean changesOnly;
@@ -65,26 +79,41 @@ public record WatchConfig(
 
     private Builder() {}
 
-    /** Sets the period. */
+    /**
+     * Sets the time from the beginning of one reading to the beginning of the next, 1 ms to 1 day.
+     * The default is 100 ms.
+     */
     public Builder period(Duration value) {
+      Objects.requireNonNull(value, "period");
+      check(
+          value.compareTo(Duration.ofMillis(1)) >= 0 && value.compareTo(Duration.ofDays(1)) <= 0,
+          "period must be 1 ms to 1 day, is " + value);
       period = value;
       return this;
     }
 
-    /** Sets whether samples without a changed value are left out. */
+    /** Sets whether samples without a changed value are left out. The default is false. */
     public Builder changesOnly(boolean value) {
       changesOnly = value;
       return this;
     }
 
-    /** Sets the dead band. */
+    /**
+     * Sets the dead band, 0 or more: a REAL counts as changed if it differs by more than this, in
+     * its own unit. The default is 0.
+     */
     public Builder deadBand(double value) {
+      check(value >= 0 && Double.isFinite(value), "dead band must be 0 or more, is " + value);
       deadBand = value;
       return this;
     }
 
-    /** Sets the number of samples that may wait for a slow listener. */
+    /**
+     * Sets the number of samples that may wait for a slow listener before further samples are
+     * dropped, 1 to 65536. The default is 256.
+     */
     public Builder bufferSize(int value) {
+      check(value >= 1 && value <= 65_536, "buffer size must be 1 to 65536, is " + value);
       bufferSize = value;
       return this;
     }

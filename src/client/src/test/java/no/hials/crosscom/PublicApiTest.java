@@ -15,12 +15,15 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import no.hials.crosscom.c3.DiscoveryConfig;
+import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.compat.OriginalApi;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Guards what programs for JOpenShowVar 0.2.2 and 0.1 were compiled against: each signature of
@@ -44,6 +47,20 @@ class PublicApiTest {
   @Test
   void theListHasTheClassesOfBothVersions() {
     assertThat(original.types()).hasSize(26);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      classes = {
+        ClientConfig.class,
+        WatchConfig.class,
+        TransferConfig.class,
+        DiscoveryConfig.class
+      })
+  void aConfigurationIsCreatedByItsBuilderOnlySoThatItCanHaveNewOptions(Class<?> type) {
+    assertThat(type).isFinal();
+    assertThat(type.isRecord()).isFalse();
+    assertThat(type.getConstructors()).isEmpty();
   }
 
   @ParameterizedTest

@@ -1,37 +1,28 @@
 package no.hials.crosscom.c3;
 
-import java.util.Collections;
-import java.util.EnumSet;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
 import no.hials.crosscom.protocol.code.CopyFlag;
 
 /**
- * The options of an upload or download. Immutable; created by {@link #create}.
- *
- * @param overwrite whether to replace an existing file; default false
- * @param flags flags for the controller, except {@link CopyFlag#OVERWRITE}, which {@code overwrite}
- *     sets; default none
- * @param verification how to check that all bytes arrived; default {@link Verification#SIZE}
- * @param progress called with the progress; default nothing
+ * The options of an upload or download. Immutable; created by {@link #create}. The {@link Builder}
+ * describes the options.
  */
-public record TransferConfig(
-    boolean overwrite, Set<CopyFlag> flags, Verification verification, TransferProgress progress) {
-
+public final class TransferConfig {
   /** All options at their defaults. */
   public static final TransferConfig DEFAULT = create(cfg -> {});
 
-  /** Checks every field. */
-  public TransferConfig {
-    EnumSet<CopyFlag> copy = EnumSet.noneOf(CopyFlag.class);
-    copy.addAll(flags);
-    if (copy.contains(CopyFlag.OVERWRITE)) {
-      throw new IllegalArgumentException("say overwrite(true) instead of the flag OVERWRITE");
-    }
-    flags = Collections.unmodifiableSet(copy);
-    Objects.requireNonNull(verification, "verification");
-    Objects.requireNonNull(progress, "progress");
+  private final boolean overwrite;
+  private final Set<CopyFlag> flags;
+  private final Verification verification;
+  private final TransferProgress progress;
+
+  private TransferConfig(Builder builder) {
+    overwrite = builder.overwrite;
+    flags = builder.flags;
+    verification = builder.verification;
+    progress = builder.progress;
   }
 
   /**
@@ -44,14 +35,30 @@ public record TransferConfig(
   public static TransferConfig create(Consumer<Builder> settings) {
     Builder builder = new Builder();
     settings.accept(builder);
-    return new TransferConfig(
-        builder.overwrite, builder.flags, builder.verification, builder.progress);
+    return new TransferConfig(builder);
   }
 
-  /**
-   * Sets the options. Each method returns this builder; the component of the same name describes
-   * its option.
-   */
+  /** Returns whether to replace an existing file. */
+  public boolean overwrite() {
+    return overwrite;
+  }
+
+  /** Returns the flags for the controller, never {@link CopyFlag#OVERWRITE}. */
+  public Set<CopyFlag> flags() {
+    return flags;
+  }
+
+  /** Returns how to check that all bytes arrived. */
+  public Verification verification() {
+    return verification;
+  }
+
+  /** Returns the listener for the progress. */
+  public TransferProgress progress() {
+    return progress;
+  }
+
+  /** Sets the options. Each method sets one option and returns this builder. */
   public static final class Builder {
     private boolean overwrite;
     private Set<CopyFlag> flags = Set.of();
@@ -60,27 +67,37 @@ public record TransferConfig(
 
     private Builder() {}
 
-    /** Sets whether to replace an existing file. */
+    /** Sets whether to replace an existing file. The default is false. */
     public Builder overwrite(boolean value) {
       overwrite = value;
       return this;
     }
 
-    /** Sets the flags for the controller, any but {@link CopyFlag#OVERWRITE}. */
+    /**
+     * Sets the flags for the controller, any but {@link CopyFlag#OVERWRITE}, which {@link
+     * #overwrite} sets. The default is none.
+     */
     public Builder flags(CopyFlag... value) {
-      flags = Set.of(value);
+      Set<CopyFlag> copy = Set.of(value);
+      if (copy.contains(CopyFlag.OVERWRITE)) {
+        throw new IllegalArgumentException("use overwrite(true) instead of the flag OVERWRITE");
+      }
+      flags = copy;
       return this;
     }
 
-    /** Sets how to check that all bytes arrived. */
+    /** Sets how to check that all bytes arrived. The default is {@link Verification#SIZE}. */
     public Builder verification(Verification value) {
-      verification = value;
+      verification = Objects.requireNonNull(value, "verification");
       return this;
     }
 
-    /** Sets the listener for the progress, called in the thread that transfers. */
+    /**
+     * Sets the listener for the progress, called in the thread that transfers. The default does
+     * nothing.
+     */
     public Builder progress(TransferProgress value) {
-      progress = value;
+      progress = Objects.requireNonNull(value, "progress");
       return this;
     }
   }

@@ -25,7 +25,10 @@ import org.jline.utils.AttributedStringBuilder;
 import org.jline.utils.AttributedStyle;
 import org.jspecify.annotations.Nullable;
 
-/** The table of {@code watch} on a terminal: a row for each number or text, and a summary. */
+/**
+ * The table of {@code watch} on a terminal: a row for each number or text, and a summary. Rows of a
+ * robot without a connection are dim and have no age, and the first line has the reason.
+ */
 final class WatchTable {
   private static final String GAP = "  ";
 
@@ -37,13 +40,16 @@ final class WatchTable {
   private static final AttributedStyle PLAIN = AttributedStyle.DEFAULT;
   private static final AttributedStyle TITLE = PLAIN.bold();
   private static final AttributedStyle CHANGED = PLAIN.foreground(AttributedStyle.GREEN).bold();
+  private static final AttributedStyle OLD = PLAIN.faint();
   private static final AttributedStyle BAD = PLAIN.foreground(AttributedStyle.RED);
 
   private final List<SampledRobot> robots;
-  private final Map<SampledRobot, String> losses = new HashMap<>();
+  private final Map<SampledRobot, ConnectionEvent> losses = new HashMap<>();
 
   /** The rows of each variable of each robot, in the order in which they were asked for. */
   private final Map<String, Map<String, Row>> variables = new LinkedHashMap<>();
+
+  private final Map<String, SampledRobot> owners = new HashMap<>();
 
   // columns that became narrower would jump
   private int nameWidth = "NAME".length();
@@ -100,10 +106,10 @@ final class WatchTable {
   WatchTable(List<SampledRobot> robots) {
     this.robots = robots;
     for (SampledRobot robot : robots) {
-      robot
-          .first()
-          .keySet()
-          .forEach(name -> variables.put(robot.qualified(name), new LinkedHashMap<>()));
+      for (String name : robot.first().keySet()) {
+        variables.put(robot.qualified(name), new LinkedHashMap<>());
+        owners.put(robot.qualified(name), robot);
+      }
     }
   }
 
@@ -152,7 +158,7 @@ final class WatchTable {
 
   /** Called when a connection is lost or restored. */
   void connectionChanged(SampledRobot robot, ConnectionEvent event) {
-    losses.put(robot, Printable.of(SampledRobot.text(event)));
+    losses.put(robot, event);
   }
 
   /** Returns all lines as they are now, however wide, without colours. */
@@ -194,6 +200,14 @@ final class WatchTable {
       }
     }
     List<AttributedString> lines = new ArrayList<>();
+    for (SampledRobot robot : robots) {
+      ConnectionEvent loss = lossOf(robot);
+      if (loss != null) {
+        String since = "not connected since " + TimeText.instant(loss.time()) + ": ";
+        String text = robot.label() + since + SampledRobot.text(loss);
+        lines.add(new AttributedString(Printable.of(text), BAD));
+      }
+    }
     lines.add(
         new AttributedString(
             left("NAME", nameWidth)
@@ -204,8 +218,27 @@ final class WatchTable {
                 + GAP
                 + right("AGE", AGE_WIDTH),
             TITLE));
-    rows.forEach(row -> lines.add(line(row, now)));
+    variables.forEach(
+        (name, part) -> {
+          SampledRobot owner = owners.get(name);
+          boolean isOld = owner != null && lossOf(owner) != null;
+          part.values().forEach(row -> lines.add(isOld ? oldLine(row) : line(row, now)));
+        });
     return lines;
+  }
+
+  /** Returns the event if the connection is lost now. */
+  private @Nullable ConnectionEvent lossOf(SampledRobot robot) {
+    return robot.isLost() ? losses.get(robot) : null;
+  }
+
+  /** Returns a row whose value was read before the connection was lost. */
+  private AttributedString oldLine(Row row) {
+    String value = row.failed ? row.text : right(row.text, valueWidth);
+    String change = right(row.failed ? "" : row.change, changeWidth);
+    return new AttributedString(
+        left(row.name, nameWidth) + GAP + value + GAP + change + GAP + right("lost", AGE_WIDTH),
+        OLD);
   }
 
   private AttributedString line(Row row, Instant now) {
@@ -240,10 +273,6 @@ final class WatchTable {
     lines.add(AttributedString.EMPTY);
     for (SampledRobot robot : robots) {
       lines.add(new AttributedString(robot.label() + robot.summary()));
-      String loss = losses.get(robot);
-      if (robot.isLost() && loss != null) {
-        lines.add(new AttributedString(robot.label() + loss, BAD));
-      }
     }
     return lines;
   }

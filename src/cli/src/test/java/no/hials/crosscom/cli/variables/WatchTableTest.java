@@ -21,6 +21,7 @@ import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jline.utils.AttributedString;
+import org.jline.utils.AttributedStyle;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -141,22 +142,56 @@ class WatchTableTest {
     assertThat(lines(80, 1)).hasSize(1);
   }
 
+  private void add(ConnectionEvent.ConnectionChange change, Instant time) {
+    ConnectionEvent event = new ConnectionEvent(change, time, null);
+    robot.count(event);
+    table.connectionChanged(robot, event);
+  }
+
   @Test
-  void saysThatTheConnectionIsLostUntilItIsThereAgain() {
+  void marksEachRowAndSaysSinceWhenWhileTheConnectionIsLost() {
     add("5", "{X 1.5}");
-    Instant now = Instant.now();
-    ConnectionEvent lost = new ConnectionEvent(ConnectionEvent.ConnectionChange.LOST, now, null);
-    robot.count(lost);
-    table.connectionChanged(robot, lost);
+    add(ConnectionEvent.ConnectionChange.LOST, Instant.parse("2026-01-02T03:04:05Z"));
 
-    assertThat(table.text()).last().isEqualTo("the connection is lost");
+    assertThat(table.text())
+        .satisfiesExactly(
+            line ->
+                assertThat(line)
+                    .startsWith("not connected since 2026-01-02T")
+                    .endsWith(": the connection is lost"),
+            line -> assertThat(line).startsWith("NAME "),
+            line -> assertThat(line).matches("MYINT +5 +lost"),
+            line -> assertThat(line).matches("MYFRAME.X +1.50000 +lost"),
+            line -> assertThat(line).isEmpty(),
+            line -> assertThat(line).startsWith("1 sample"));
+    assertThat(table.lines(80, 24, true).subList(2, 4))
+        .allMatch(line -> line.styleAt(0).equals(AttributedStyle.DEFAULT.faint()));
 
-    ConnectionEvent again =
-        new ConnectionEvent(ConnectionEvent.ConnectionChange.RECONNECTED, now, null);
-    robot.count(again);
-    table.connectionChanged(robot, again);
+    add(ConnectionEvent.ConnectionChange.RECONNECTED, Instant.now());
+    add("6", "{X 1.5}");
 
+    assertThat(table.text().get(1)).matches("MYINT +6 +\\+1 +\\d\\.\\d s");
     assertThat(table.text()).last().asString().endsWith("reconnects 1");
+  }
+
+  @Test
+  void marksOnlyTheRowsOfTheRobotWhoseConnectionIsLost() throws IOException {
+    Robot target =
+        new Robot("cell1", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY);
+    try (SampledRobot unnamed = robot;
+        SampledRobot named = new SampledRobot(target, Robots::open, sampling())) {
+      named.readFirst(List.of("MYINT"));
+      table = new WatchTable(List.of(unnamed, named));
+      add("5", "{X 1.5}");
+      robot = named;
+      add("5", "{X 1.5}");
+      add(ConnectionEvent.ConnectionChange.LOST, Instant.now());
+
+      assertThat(table.text())
+          .anyMatch(line -> line.startsWith("cell1: not connected since "))
+          .anyMatch(line -> line.matches("cell1:MYINT .* lost"))
+          .anyMatch(line -> line.matches("MYINT .* s"));
+    }
   }
 
   @Test

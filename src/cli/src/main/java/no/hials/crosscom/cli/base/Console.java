@@ -27,6 +27,7 @@ public final class Console implements WritePermission.Confirmation {
   private final Map<String, String> environment;
   private final Reader in;
   private final @Nullable Prompt questions;
+  private final org.jline.terminal.@Nullable Terminal terminal;
 
   /** Asks a person, who is there. */
   @FunctionalInterface
@@ -55,17 +56,37 @@ public final class Console implements WritePermission.Confirmation {
       Map<String, String> environment,
       Reader in,
       @Nullable Prompt questions) {
+    this(out, err, environment, in, questions, null);
+  }
+
+  private Console(
+      Writer out,
+      Writer err,
+      Map<String, String> environment,
+      Reader in,
+      @Nullable Prompt questions,
+      org.jline.terminal.@Nullable Terminal terminal) {
     this.environment = Map.copyOf(environment);
     this.data = out;
     this.out = new PrintWriter(out, true);
     this.err = new PrintWriter(err, true);
     this.in = in;
     this.questions = questions;
+    this.terminal = terminal;
   }
 
-  /** Returns the same console whose questions are asked in another way, as by a line editor. */
-  public Console asking(Prompt other) {
-    return new Console(data, err, environment, in, other);
+  /**
+   * Returns the same console on a terminal that is open already, as that of a line editor.
+   *
+   * @param prompt asks the questions there
+   */
+  public Console on(org.jline.terminal.Terminal open, Prompt prompt) {
+    return new Console(data, err, environment, in, prompt, open);
+  }
+
+  /** Returns the terminal that is open already; null if no terminal is open. */
+  org.jline.terminal.@Nullable Terminal terminal() {
+    return terminal;
   }
 
   /**

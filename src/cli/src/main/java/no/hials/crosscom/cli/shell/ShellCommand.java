@@ -101,7 +101,7 @@ public final class ShellCommand extends ControllerCommand {
   private ExitCode converse(RobotConnection controller, ShellSymbols symbols) throws IOException {
     symbols.preload();
     try (ShellTerminal terminal = terminal(symbols)) {
-      Console asking = console().asking(terminal::ask);
+      Console asking = terminal.console(console());
       ShellSession session = session(asking, controller, symbols);
       ShellPrompt prompt =
           new ShellPrompt(

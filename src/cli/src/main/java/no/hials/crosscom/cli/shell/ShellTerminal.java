@@ -114,8 +114,13 @@ final class ShellTerminal implements Closeable {
     return read(reader, text, "");
   }
 
+  /** Returns a console whose questions and screens are on this terminal. */
+  Console console(Console other) {
+    return other.on(terminal, this::ask);
+  }
+
   /** Returns an answer that is typed after the question, null for none. */
-  @Nullable String ask(String question) {
+  private @Nullable String ask(String question) {
     try {
       while (terminal.reader().read(1) >= 0) {
         // was typed before

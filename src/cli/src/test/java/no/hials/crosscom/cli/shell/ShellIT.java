@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.cli.base.Cli;
@@ -86,6 +87,20 @@ class ShellIT {
       shell.until(PROMPT).type(PseudoTerminal.CTRL_D).finish();
     }
     assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void watchIsATableThatTheKeyQOrCtrlCEnds() throws Exception {
+    String enter = "\u001b[?1049h";
+    String leave = "\u001b[?1049l";
+    try (PseudoTerminal shell = shell(Map.of())) {
+      for (String end : List.of("q", PseudoTerminal.CTRL_C)) {
+        shell.until(PROMPT).type("watch MYINT\r").until(enter).until("MYINT");
+        shell.type(end).until(leave).until(" sample");
+      }
+      shell.until(PROMPT).type("$OV_PRO\r").until("$OV_PRO = 100");
+      shell.until(PROMPT).type(PseudoTerminal.CTRL_D).finish();
+    }
   }
 
   @Test

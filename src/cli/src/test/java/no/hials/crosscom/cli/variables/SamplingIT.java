@@ -22,6 +22,10 @@ import org.junit.jupiter.api.io.TempDir;
 /** Runs {@code watch} and {@code record} from the jar, on a terminal and without one. */
 @Timeout(120)
 class SamplingIT {
+  private static final String CTRL_Z = "\u001a";
+  private static final String ENTER = "\u001b[?1049h";
+  private static final String LEAVE = "\u001b[?1049l";
+
   @TempDir private Path dir;
   @KukaController private MockServer server;
 
@@ -57,6 +61,33 @@ class SamplingIT {
     assertThat(shown)
         .contains("\u001b[?1049h", "NAME ")
         .doesNotContainPattern("\u001b\\[[0-9;]*[13][0-9]?m");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void watchLeavesTheScreenOnCtrlZAndShowsItAgainAfterFg() throws Exception {
+    String shell =
+        "stty rows 24 cols 80; export WATCH=\"%s\" PS1='READY> ';"
+            + " exec bash --norc --noprofile --noediting -i";
+    try (PseudoTerminal terminal =
+        PseudoTerminal.start(Map.of(), shell, Cli.argsOn(server, "watch", "MYINT"))) {
+      terminal.until("READY> ").type("eval \"$WATCH\"\r").until(ENTER).until("MYINT");
+      terminal.type(CTRL_Z).until(LEAVE).until("Stopped").until("READY> ");
+      terminal.type("fg\r").until(ENTER).until("MYINT");
+      terminal.type("q").until(LEAVE).until("MYINT").until("READY> ");
+      terminal.type("exit\r").finish();
+    }
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void watchGoesOnAfterCtrlZIfNoShellCouldContinueIt() throws Exception {
+    try (PseudoTerminal terminal =
+        PseudoTerminal.start(
+            Map.of(), "stty rows 24 cols 80; exec %s", Cli.argsOn(server, "watch", "MYINT"))) {
+      terminal.until(ENTER).until("MYINT").type(CTRL_Z).until(LEAVE).until(ENTER).until("MYINT");
+      terminal.type("q").finish();
+    }
   }
 
   @Test

@@ -5,11 +5,11 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** What a trial has found. Safe for use by several threads. */
+/** The findings of a trial. Safe for use by several threads. */
 final class Findings {
   private static final int PRINTED = 20;
 
-  /** What must not happen. */
+  /** The kinds of findings. */
   enum Defect {
     WRONG_VALUE("wrong values"),
     REPEATED_WRITE("writes sent twice"),

@@ -27,7 +27,7 @@ final class MutatingProxy implements Closeable {
   private final AtomicReference<@Nullable Order> order = new AtomicReference<>();
   private volatile @Nullable Socket client;
 
-  /** What to change: the next exchange of a type. */
+  /** A change of the next exchange of a type. */
   private record Order(Mutation mutation, MessageType type, SplittableRandom random) {}
 
   /**

@@ -152,7 +152,9 @@ class ProfilesTest {
 
   @Test
   void takesThePortAfterAnAddressOfIpv6() throws Exception {
-    InetAddress loopback = InetAddress.getByName("::1");
+    byte[] address = new byte[16];
+    address[15] = 1;
+    InetAddress loopback = InetAddress.getByAddress(address);
     assumeThatCode(() -> new ServerSocket(0, 1, loopback).close()).doesNotThrowAnyException();
     try (MockServer six = MockServer.start(cfg -> cfg.bindAddress(loopback))) {
       assertThat(run("read", "MYINT", "--host", "[::1]:" + six.port()).lines())

@@ -27,8 +27,8 @@ import picocli.CommandLine.Help.TextTable;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
 /**
- * The commands by what they are for, in the order of the help. A command is added in two places
- * here: its name to a group, and to {@link #make}.
+ * The groups of commands, in the order of the help. A new command is added in two places: to its
+ * group and to {@link #make}.
  */
 enum Commands {
   VARIABLES("Variables:", "read", "write", "vars", "shell", "run"),

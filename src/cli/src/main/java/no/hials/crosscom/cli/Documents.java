@@ -14,7 +14,7 @@ import picocli.CommandLine.Model.CommandSpec;
 
 /**
  * Writes the files of the distribution that are generated from the commands: completion, manual
- * pages and the build's id. The build runs it; the jar is without it.
+ * pages and the build's id. The build runs it; it is not in the jar.
  */
 final class Documents {
   private static final int ID_BYTES = 8;

@@ -24,7 +24,7 @@ final class HelpText {
   /**
    * A piece of text.
    *
-   * @param literal whether its line ends and blanks are to be kept
+   * @param literal whether to keep its line ends and blanks
    * @param lines its lines; one if it is not literal
    */
   record Block(boolean literal, List<String> lines) {}
@@ -53,7 +53,7 @@ final class HelpText {
   static String synopsis(CommandSpec command) {
     UsageMessageSpec usage = command.usageMessage();
     int width = usage.width();
-    // else a line may end inside of a label, as FILE.dat
+    // otherwise a line may end within a label, such as FILE.dat
     usage.width(SYNOPSIS_WIDTH);
     Help help = new Help(command, Help.defaultColorScheme(Help.Ansi.OFF));
     String synopsis = help.synopsis(0).replaceAll("\\s+", " ").strip();

@@ -184,9 +184,9 @@ public final class Main {
   }
 
   /**
-   * Creates a writer that, unlike System.out, says when it cannot write.
+   * Creates a writer that, unlike System.out, throws an exception when it cannot write.
    *
-   * @param encoding as of {@link Console#charset}
+   * @param encoding see {@link Console#charset}
    */
   private static Writer writer(FileDescriptor to, String encoding) {
     return new OutputStreamWriter(new FileOutputStream(to), Console.charset(encoding));

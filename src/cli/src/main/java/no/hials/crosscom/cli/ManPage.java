@@ -22,7 +22,7 @@ final class ManPage {
     ManPage page = new ManPage();
     UsageMessageSpec usage = command.usageMessage();
     page.macro("TH", name(command), "1", "", "jopenshowvar " + version, "JOpenShowVar");
-    // no hyphens, and no blanks between words for an even margin: names stay as they are
+    // no hyphenation and no justified lines, so that names stay as they are
     page.macro("nh");
     page.macro("ad", "l");
     page.section("NAME");

@@ -15,8 +15,8 @@ import no.hials.crosscom.cell.WritePermission;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a command prints: data to one stream, messages to another. Both are flushed line by line,
- * so that their lines come in order where both end up on one terminal.
+ * The output of a command: data to one stream, messages to another. Both are flushed line by line,
+ * so that their lines are in order if both go to the same terminal.
  */
 public final class Console implements WritePermission.Confirmation {
   private static final String PROGRAM = "jopenshowvar";
@@ -29,7 +29,7 @@ public final class Console implements WritePermission.Confirmation {
   private final @Nullable Prompt questions;
   private final org.jline.terminal.@Nullable Terminal terminal;
 
-  /** Asks a person, who is there. */
+  /** Asks a person; only used if there is one. */
   @FunctionalInterface
   public interface Prompt {
     /** Returns the typed line; null at the end of the input. */
@@ -39,7 +39,7 @@ public final class Console implements WritePermission.Confirmation {
   /**
    * Creates a console.
    *
-   * @param environment the environment variables that the program heeds
+   * @param environment the environment variables
    */
   public Console(Writer out, Writer err, Map<String, String> environment) {
     this(out, err, environment, new InputStreamReader(System.in, charset("stdin.encoding")), null);
@@ -48,7 +48,7 @@ public final class Console implements WritePermission.Confirmation {
   /**
    * Creates a console that has another stdin.
    *
-   * @param questions asks the user, not on the terminal itself; null to do it there
+   * @param questions asks the user; null to ask on the terminal
    */
   public Console(
       Writer out,
@@ -76,15 +76,15 @@ public final class Console implements WritePermission.Confirmation {
   }
 
   /**
-   * Returns the same console on a terminal that is open already, as that of a line editor.
+   * Returns this console on an open terminal, such as that of a line editor.
    *
-   * @param prompt asks the questions there
+   * @param prompt asks the user there
    */
   public Console on(org.jline.terminal.Terminal open, Prompt prompt) {
     return new Console(data, err, environment, in, prompt, open);
   }
 
-  /** Returns the terminal that is open already; null if no terminal is open. */
+  /** Returns the open terminal; null if none is open. */
   org.jline.terminal.@Nullable Terminal terminal() {
     return terminal;
   }
@@ -92,13 +92,13 @@ public final class Console implements WritePermission.Confirmation {
   /**
    * Returns the charset of one of the streams of the process.
    *
-   * @param encoding the property that names it, since JDK 19 and for stdin since JDK 25; before,
-   *     its name began with {@code sun.}, and it was there for a terminal only
+   * @param encoding the property that names it, since JDK 19 and for stdin since JDK 25; before
+   *     that its name began with {@code sun.}, and it was set only for a terminal
    */
   public static Charset charset(String encoding) {
     String name = System.getProperty("sun." + encoding, System.getProperty("native.encoding"));
     Charset charset = Charset.forName(System.getProperty(encoding, name));
-    // that is the locale C, a default and not a choice; the controller has characters of ISO 8859-1
+    // the user did not choose the locale C; the controller has characters of ISO 8859-1
     return charset.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : charset;
   }
 

@@ -34,7 +34,7 @@ public abstract class ConsoleCommand implements Callable<Integer> {
   @Spec
   private CommandSpec spec;
 
-  // not picocli's own, which would come after the options of subclasses
+  // not picocli's own options, which would come after those of subclasses
   @Option(
       names = {"-h", "--help"},
       usageHelp = true,

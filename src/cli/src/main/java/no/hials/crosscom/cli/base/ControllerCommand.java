@@ -16,7 +16,7 @@ import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** A command that talks to a controller, and the options that say to which. */
+/** A command that talks to a controller, and the options that choose the controller. */
 public abstract class ControllerCommand extends ConsoleCommand {
   private static final Pattern ROBOT = Pattern.compile("@(\\w[\\w.-]*)?");
 
@@ -83,8 +83,8 @@ public abstract class ControllerCommand extends ConsoleCommand {
 
   /**
    * Returns the controllers that the user chose, at least one: by these options, else by the
-   * environment, else the default robot of the configuration file. The file is read for a robot of
-   * it only.
+   * environment, else the default robot of the configuration file. The file is read only if one of
+   * its robots is needed.
    *
    * @throws FileException if the configuration file has an error, or lacks the robot
    */
@@ -164,7 +164,7 @@ public abstract class ControllerCommand extends ConsoleCommand {
     return result;
   }
 
-  /** Returns the server that a simulated controller has if the user does not say. */
+  /** Returns the server of a simulated controller if the user does not choose one. */
   protected ServerType simulated() {
     return ServerType.KUKAVARPROXY;
   }

@@ -72,19 +72,19 @@ public final class Converters {
     public SimulationClock convert(String text) {
       try {
         SimulationClock clock = SimulationClock.parse(text);
-        // a test steps it; here it would stand still for ever
+        // a stepped clock is for tests; here nothing would step it
         if (!(clock instanceof SimulationClock.Stepped)) {
           return clock;
         }
       } catch (IllegalArgumentException e) {
-        // said below
+        // reported below
       }
       throw new TypeConversionException(
           "must be real, max, or a factor of more than 0 and at most 10000, is " + text);
     }
   }
 
-  /** The seed of what happens by chance. */
+  /** The seed of random events. */
   public static final class Seed implements ITypeConverter<Long> {
     @Override
     public Long convert(String text) {

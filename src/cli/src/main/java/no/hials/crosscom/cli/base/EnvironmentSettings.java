@@ -13,14 +13,14 @@ import org.jspecify.annotations.Nullable;
  * @param host {@code JOPENSHOWVAR_HOST}, the controller if no option names one
  * @param port the port there, of {@code JOPENSHOWVAR_HOST} or {@code JOPENSHOWVAR_PORT}
  * @param timeout {@code JOPENSHOWVAR_TIMEOUT}
- * @param readOnly {@code JOPENSHOWVAR_READ_ONLY}, for whatever controller
+ * @param readOnly {@code JOPENSHOWVAR_READ_ONLY}, for all controllers
  */
 record EnvironmentSettings(
     @Nullable String host, int port, @Nullable Duration timeout, boolean readOnly) {
   private static final String HOST = "JOPENSHOWVAR_HOST";
   private static final String PORT = "JOPENSHOWVAR_PORT";
 
-  /** Reads it for a command, whose wrong usage a wrong value is. */
+  /** Reads the settings for a command; an invalid value is wrong usage of the command. */
   static EnvironmentSettings of(ConsoleCommand command) {
     HostAndPort host = converted(command, HOST, HostAndPort::parse);
     Integer port = converted(command, PORT, SettingText::port);

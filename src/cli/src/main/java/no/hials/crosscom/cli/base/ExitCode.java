@@ -28,7 +28,7 @@ public enum ExitCode {
   INTERNAL_ERROR(70),
   /** As EX_IOERR of sysexits.h. */
   OUTPUT_LOST(74),
-  /** As shells say that SIGINT ended a process. */
+  /** The code with which shells report that SIGINT ended a process. */
   STOPPED(130);
 
   /** The exit codes of all exceptions of the client, and of those of the commands. */
@@ -61,7 +61,7 @@ public enum ExitCode {
     return code;
   }
 
-  /** Returns the one with a code, which one of them has. */
+  /** Returns the constant of a code; there must be one. */
   public static ExitCode of(int code) {
     return Arrays.stream(values()).filter(each -> each.code == code).findFirst().orElseThrow();
   }

@@ -2,7 +2,7 @@ package no.hials.crosscom.cli.base;
 
 import java.io.PrintWriter;
 
-/** A line of a terminal that changes in place, where a person looks on. */
+/** A line of a terminal that changes in place. */
 public final class LiveLine implements AutoCloseable {
   private static final long PERIOD_NANOS = 250_000_000;
 
@@ -20,10 +20,10 @@ public final class LiveLine implements AutoCloseable {
   private long next = System.nanoTime();
 
   /**
-   * Creates a line that is not there yet.
+   * Creates a line that is not shown yet.
    *
-   * @param terminal where it will be
-   * @param shown whether it is to be there at all
+   * @param terminal the terminal
+   * @param shown whether to show the line at all
    */
   public LiveLine(PrintWriter terminal, boolean shown) {
     this.terminal = terminal;
@@ -41,8 +41,8 @@ public final class LiveLine implements AutoCloseable {
 
   /** Shows another text. */
   public void show(String text) {
-    // the rest of the line is cleared after the text, or the line would flicker; then back to its
-    // beginning, where the terminal shows Ctrl-C
+    // clear only what follows the text, or the line would flicker; then return to its beginning,
+    // where the terminal shows Ctrl-C
     write(NO_WRAP + text + CLEAR_REST + WRAP + "\r");
     isThere = true;
   }

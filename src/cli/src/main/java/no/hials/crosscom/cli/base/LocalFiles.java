@@ -16,14 +16,14 @@ import org.jspecify.annotations.Nullable;
 public final class LocalFiles {
   private LocalFiles() {}
 
-  /** Creates a path of an argument, or says that it can be none. */
+  /** Converts an argument to a path; reports wrong usage if it is not one. */
   public static Path path(ConsoleCommand command, String text) {
     try {
       if (!text.isBlank()) {
         return Path.of(text);
       }
     } catch (InvalidPathException e) {
-      // said below
+      // reported below
     }
     throw command.wrongUsage("'" + Printable.of(text) + "' cannot be a file's name here");
   }
@@ -44,7 +44,7 @@ public final class LocalFiles {
   }
 
   /**
-   * Refuses a place in a folder that is not there.
+   * Refuses a file in a folder that does not exist.
    *
    * @throws OutputException if so
    */

@@ -17,8 +17,8 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 
 /**
- * Configures logback, which finds it as a service: warnings and worse go to stderr, one line each.
- * Written in Java, since an XML parser would take longer to start than a read takes in all.
+ * Configures logback, which finds it as a service: warnings and errors go to stderr, one line each.
+ * Written in Java, since starting an XML parser would take longer than a whole read.
  */
 @ConfiguratorRank(ConfiguratorRank.CUSTOM_HIGH_PRIORITY)
 public final class LogConfigurator extends ContextAwareBase implements Configurator {

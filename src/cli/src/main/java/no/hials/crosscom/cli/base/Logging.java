@@ -4,7 +4,7 @@ import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Sets how much is logged; {@link LogConfigurator} says where to and how. */
+/** Sets how much is logged; {@link LogConfigurator} sets the destination and the format. */
 public final class Logging {
   private Logging() {}
 

@@ -28,7 +28,7 @@ public final class Progress implements TransferProgress, AutoCloseable {
   @Override
   public void transferred(long bytes, long total) {
     stop.check();
-    // the end is shown in any case, as checking what arrived takes as long again
+    // always show the end, since the check of the content takes as long as the transfer
     if (line.isDue() || (shown && bytes == total)) {
       line.show(text(name, bytes, total));
     }

@@ -64,7 +64,7 @@ public final class Screen implements AutoCloseable {
     this.borrowed = borrowed;
     this.colours = console.environment("NO_COLOR") == null;
     this.before = new Attributes(terminal.getAttributes());
-    // keys come at once and are not shown; in the raw mode Ctrl-C would be no signal any more
+    // keys arrive at once and are not shown; in raw mode Ctrl-C would not send a signal
     this.keys = new Attributes(before);
     keys.setLocalFlags(EnumSet.of(LocalFlag.ICANON, LocalFlag.ECHO), false);
     keys.setControlChar(ControlChar.VMIN, 0);
@@ -183,7 +183,7 @@ public final class Screen implements AutoCloseable {
     if (borrowed) {
       terminal.setAttributes(before);
     } else {
-      // it sets the attributes back, also if JLine has closed the terminal, or is about to
+      // this restores the attributes even if JLine has closed the terminal, or is about to
       terminal.close();
     }
     write(leave);

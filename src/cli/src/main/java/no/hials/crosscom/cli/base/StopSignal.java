@@ -8,17 +8,17 @@ import java.util.concurrent.TimeoutException;
 import org.jline.utils.ShutdownHooks;
 
 /**
- * Lets a command run until the user stops it, by Ctrl-C (SIGINT) or SIGTERM, and then end in its
- * own way: with what it closes, and with its own exit code.
+ * Lets a command run until the user stops it by Ctrl-C (SIGINT) or SIGTERM. The command then closes
+ * its resources and chooses the exit code.
  *
- * <p>The JVM answers these signals by shutting down, so what waits here is a shutdown hook: a
- * thread that runs then, and ends the process when the command has come to its end.
+ * <p>The JVM shuts down at these signals, so this class adds a shutdown hook, a thread that waits
+ * for the end of the command and then ends the process.
  */
 public final class StopSignal implements AutoCloseable {
   /** After this time the process ends even if the command does not. */
   private static final long MAX_SECONDS_TO_END = 10;
 
-  /** The exit code; there when the program has done everything. */
+  /** The exit code; completed when the program has done everything. */
   private static final CompletableFuture<Integer> EXIT = new CompletableFuture<>();
 
   /** Was never added, so that removing it does nothing. */
@@ -37,10 +37,9 @@ public final class StopSignal implements AutoCloseable {
     try {
       int code = EXIT.get(MAX_SECONDS_TO_END, TimeUnit.SECONDS);
       if (code != ExitCode.STOPPED.code()) {
-        // JLine's own hook gives terminals back, at the same time as this: it must not be cut off
+        // JLine's own hook, which runs at the same time, restores terminals: let it finish
         ShutdownHooks.runTasks();
-        // the exit code of a shutdown is set already, 128 + the signal; this is the only way to
-        // another
+        // a shutdown by a signal has the exit code 128 + the signal; only halt can change it
         Runtime.getRuntime().halt(code);
       }
     } catch (InterruptedException | ExecutionException | TimeoutException e) {
@@ -48,7 +47,7 @@ public final class StopSignal implements AutoCloseable {
     }
   }
 
-  /** Waits for a signal, or for an interrupt of this thread, which stays set. */
+  /** Waits for a signal or an interrupt of this thread, and keeps the interrupt flag set. */
   public void await() {
     try {
       stopped.await();
@@ -57,7 +56,7 @@ public final class StopSignal implements AutoCloseable {
     }
   }
 
-  /** Returns whether a signal came. */
+  /** Returns whether a signal arrived. */
   public boolean isStopped() {
     return stopped.getCount() == 0 || isShuttingDown();
   }
@@ -75,9 +74,10 @@ public final class StopSignal implements AutoCloseable {
   }
 
   /**
-   * Ends an operation that cannot end by itself.
+   * Throws an exception if the user has stopped the command, for operations that cannot end early.
    *
-   * @throws StoppedException if a signal came, or an interrupt of this thread, which stays set
+   * @throws StoppedException if a signal arrived or this thread was interrupted; the interrupt flag
+   *     stays set
    */
   public void check() {
     if (isStopped() || Thread.currentThread().isInterrupted()) {

@@ -37,7 +37,7 @@ public final class Table {
   /**
    * Adds a row.
    *
-   * @param cells one a column; an empty one is shown as {@link #NOTHING}
+   * @param cells one per column; an empty cell is shown as {@link #NOTHING}
    */
   public Table add(String... cells) {
     rows.add(
@@ -63,7 +63,7 @@ public final class Table {
       String[] cells = new String[columns];
       for (int i = 0; i < columns; i++) {
         String cell = row.get(i);
-        // numbers below each other, with their title; the last column has no edge to be at
+        // numbers are right-aligned, and so is their title; the last column has no right edge
         boolean right = i < columns - 1 && rows.size() > 1 && isNumeric(i);
         cells[i] = right ? " ".repeat(widths[i] - cell.length()) + cell : cell;
       }

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
-/** Knows whether a person looks on. */
+/** Checks whether a person uses the terminal of this process. */
 public final class Terminal {
   private static final Path OWN_STATE = Path.of("/proc/self/stat");
   private static final Path OWN_STDERR = Path.of("/proc/self/fd/2");
@@ -15,8 +15,8 @@ public final class Terminal {
   private Terminal() {}
 
   /**
-   * Returns whether stdin and stdout are a terminal, one that can clear a line. Where {@code TERM}
-   * is not set, as on Windows, that is not known of it, and assumed not to be so.
+   * Returns whether stdin and stdout are a terminal that can clear a line. Returns false if {@code
+   * TERM} is not set, as on Windows, because it is then unknown whether the terminal can.
    */
   public static boolean isInteractive() {
     String kind = System.getenv("TERM");
@@ -31,7 +31,7 @@ public final class Terminal {
       return false;
     }
     try {
-      // since JDK 22 there is a console without a terminal, too, and this method to tell them apart
+      // since JDK 22 a console may have no terminal; the method isTerminal exists since then, too
       return (Boolean) Console.class.getMethod("isTerminal").invoke(console);
     } catch (NoSuchMethodException e) {
       return true;
@@ -62,7 +62,7 @@ public final class Terminal {
         System.in.readNBytes(typed);
       }
     } catch (IOException e) {
-      // the terminal is gone; who reads the answer finds that out
+      // the terminal is gone, and reading the answer will fail
     }
   }
 

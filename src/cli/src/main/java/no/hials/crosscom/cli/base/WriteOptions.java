@@ -26,9 +26,9 @@ public final class WriteOptions {
     return yes;
   }
 
-  /** Returns the settings of a connection on which one thing is changed. */
+  /** Returns the settings of a connection for one change. */
   public Consumer<ClientConfig.Builder> connection() {
-    // a server closes an idle connection, and the user may answer late
+    // the server may close the idle connection before the user answers
     return yes ? Robot.ONE_SHOT : cfg -> cfg.reconnect(false);
   }
 

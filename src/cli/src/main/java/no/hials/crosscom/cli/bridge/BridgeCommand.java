@@ -62,7 +62,7 @@ public abstract class BridgeCommand extends ControllerCommand {
     return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
-  /** Checks that a text can be a name, or is wrong usage. */
+  /** Checks that a text can be a name; otherwise it is wrong usage. */
   final String checked(String label, String text) {
     if (text.isBlank()) {
       throw wrongUsage(label + " must not be blank");

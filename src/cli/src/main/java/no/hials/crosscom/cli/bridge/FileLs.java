@@ -140,7 +140,7 @@ final class FileLs extends FileSubcommand {
     return entries;
   }
 
-  /** Returns the properties; null if it is there no more. */
+  /** Returns the properties; null if the item no longer exists. */
   private static @Nullable FileInfo properties(ControllerFiles files, String path)
       throws IOException {
     try {

@@ -80,8 +80,8 @@ final class FilePut extends FileSubcommand {
   /**
    * A file to be uploaded.
    *
-   * @param local where it is
-   * @param dataListOf the program that it goes with; null if it was named itself
+   * @param local its path on this computer
+   * @param dataListOf the program of this data list; null if the user named the file
    */
   private record Source(Path local, @Nullable Path dataListOf) {}
 
@@ -90,7 +90,7 @@ final class FilePut extends FileSubcommand {
    *
    * @param local the file
    * @param name the name on the controller
-   * @param there whether the name exists already
+   * @param there whether the name already exists
    */
   private record Job(Path local, String name, boolean there) {}
 
@@ -133,7 +133,7 @@ final class FilePut extends FileSubcommand {
       Path file = LocalFiles.path(this, argument);
       LocalFiles.checkReadable(file);
       Path list = withDat && RemoteName.isProgram(argument) ? LocalFiles.dataListOf(file) : null;
-      // a program is loaded with its data list, which so has to be there before
+      // a program is loaded together with its data list, so upload the data list first
       if (list != null) {
         sources.add(new Source(list, file));
       }
@@ -175,7 +175,7 @@ final class FilePut extends FileSubcommand {
     return jobs;
   }
 
-  // doing it
+  // the upload
 
   private void upload(ControllerFiles files, Job job, StopSignal stop) throws IOException {
     try (Progress progress = progress(job.name(), stop)) {

@@ -69,7 +69,7 @@ final class FileRm extends FileSubcommand {
     return ExitCode.DONE;
   }
 
-  /** Returns the names that are those of folders, which are refused unless they are meant. */
+  /** Returns the names that are folders; refuses them without {@code --recursive}. */
   private Set<String> folders(ControllerFiles files) throws IOException {
     Set<String> folders = new LinkedHashSet<>();
     for (String name : names) {

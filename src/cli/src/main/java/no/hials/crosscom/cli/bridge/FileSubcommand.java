@@ -35,7 +35,7 @@ abstract class FileSubcommand extends BridgeCommand {
   private static final DateTimeFormatter TIME =
       DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss", Locale.ROOT);
 
-  /** Does the work; what the controller refuses is reported by the caller. */
+  /** Does the work; the caller reports refusals of the controller. */
   abstract ExitCode work() throws IOException;
 
   @Override
@@ -48,8 +48,8 @@ abstract class FileSubcommand extends BridgeCommand {
   }
 
   /**
-   * Refuses a transfer from or to nowhere; here, since picocli takes no option between parameters
-   * that it is to count.
+   * Refuses a transfer without a source or target. Checked here, because picocli cannot count
+   * parameters with options between them.
    *
    * @param names the names of the arguments
    */
@@ -149,7 +149,7 @@ abstract class FileSubcommand extends BridgeCommand {
     return names;
   }
 
-  /** Returns whether a name means a folder: by its form, or because there is one. */
+  /** Returns whether a name is a folder, by its form or because the folder exists. */
   static boolean isFolder(ControllerFiles files, String name) throws IOException {
     if (RemoteName.isFolder(name)) {
       return true;
@@ -164,7 +164,7 @@ abstract class FileSubcommand extends BridgeCommand {
     }
   }
 
-  // how things are printed
+  // printing
 
   /** Returns a code such as {@code virtual directory}. */
   static <E extends Enum<E> & WireCode> String words(Code<E> code) {

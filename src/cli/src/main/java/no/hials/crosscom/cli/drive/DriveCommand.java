@@ -287,7 +287,7 @@ public final class DriveCommand extends ControllerCommand {
     }
   }
 
-  /** Returns the mode at the start; another one later is to end it. */
+  /** Returns the mode at the start; a later change ends the loop. */
   private static OperatingMode mode(RobotConnection controller) throws IOException {
     String mode = controller.client().readText("$MODE_OP").strip();
     for (OperatingMode known : OperatingMode.values()) {

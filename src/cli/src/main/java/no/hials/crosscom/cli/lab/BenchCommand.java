@@ -67,7 +67,7 @@ import picocli.CommandLine.Parameters;
       "  jopenshowvar bench --write MYINT --write MYPOS --mock"
     })
 public final class BenchCommand extends ControllerCommand {
-  /** Each type once; every controller has them. */
+  /** One variable of each type; every controller has them. */
   private static final List<String> USUAL =
       List.of(
           "$OV_PRO",
@@ -86,7 +86,7 @@ public final class BenchCommand extends ControllerCommand {
   private static final int PANEL_HEIGHT = 190;
   private static final int MAX_HEIGHT = 4000;
 
-  /** How long the server may measure by itself for a variable. */
+  /** The maximum time of the server's own measurement of a variable. */
   private static final Duration SERVER_TIME = Duration.ofMillis(500);
 
   @Parameters(
@@ -254,7 +254,7 @@ public final class BenchCommand extends ControllerCommand {
           Bench bench = new Bench(plan, controller.client().getConfig())) {
         result = bench.run(stop::isStopped);
       }
-      // the measurements are written in any case
+      // the measurements are always written
       boolean interrupted = Thread.interrupted();
       try {
         report(controller, plan, result, new BenchReport(plan, result, serverMillis));
@@ -317,7 +317,7 @@ public final class BenchCommand extends ControllerCommand {
 
   // what C3 Bridge measures
 
-  /** Returns the mean time of a read on the server itself; nothing where it does not measure. */
+  /** Returns the mean time of a read on the server itself; empty if it does not measure. */
   private Map<String, Double> serverMillis(CrossComClient client, List<BenchAccess> accesses)
       throws IOException {
     if (client.getServer().type() != ServerType.C3_BRIDGE) {
@@ -337,7 +337,7 @@ public final class BenchCommand extends ControllerCommand {
   }
 
   private static double serverMillis(CrossComClient client, String name) throws IOException {
-    // the server answers when it has done all, which must not take too long
+    // the server answers after the last read, which must not take too long
     Duration limit = client.getConfig().requestTimeout().dividedBy(4);
     Duration time = limit.compareTo(SERVER_TIME) < 0 ? limit : SERVER_TIME;
     long begin = System.nanoTime();

@@ -38,8 +38,8 @@ final class BenchReport {
   /**
    * Creates a report.
    *
-   * @param serverMillis how long a read takes the server itself in the mean, by the variable's
-   *     name; empty if it does not say
+   * @param serverMillis the mean time of a read on the server itself, by the variable's name; empty
+   *     if the server does not measure it
    */
   BenchReport(Bench.BenchPlan plan, Bench.Result result, Map<String, Double> serverMillis) {
     this.plan = plan;
@@ -49,7 +49,7 @@ final class BenchReport {
 
   // the table
 
-  /** Prints a line for each access, and what holds for all of them. */
+  /** Prints a line for each access, and the totals. */
   void printTable(Console console) {
     Table table = Table.withTitles(titles());
     for (int i = 0; i < plan.accesses().size(); i++) {
@@ -114,12 +114,12 @@ final class BenchReport {
     return result.tallies().stream().mapToLong(tally -> tally.times().getTotalCount()).sum();
   }
 
-  /** Returns the number of answered accesses a second, of all clients. */
+  /** Returns the number of answered accesses per second of all clients. */
   private double rate() {
     return accesses() / Math.max(1e-9, result.duration().toNanos() / 1e9);
   }
 
-  /** Returns a line for each access that failed, by what went wrong. */
+  /** Returns a line for each access that failed, with its failures by kind. */
   List<String> failures() {
     List<String> lines = new ArrayList<>();
     for (int i = 0; i < plan.accesses().size(); i++) {
@@ -202,14 +202,14 @@ final class BenchReport {
         title, new Axis("access time", "ms"), new Axis("accesses", ""), Panel.Scale.FREE, series);
   }
 
-  /** Creates an upright line; only its name if it is beyond the axis. */
+  /** Creates a vertical line; only its name if it is beyond the axis. */
   private static Series upright(String name, Bins bins, double at, long height) {
     double x = at < bins.start(bins.count) ? at : Double.NaN;
     return Series.of(
         name, Series.Style.GUIDE, new double[] {x, x}, new double[] {0, 1.05 * height});
   }
 
-  /** The bins of a histogram in ms: as many as {@code count}, and one for what is beyond them. */
+  /** The bins of a histogram in ms: {@code count} bins, and one for all longer times. */
   private record Bins(double first, double width, int count) {
     double start(int bin) {
       return first + bin * width;

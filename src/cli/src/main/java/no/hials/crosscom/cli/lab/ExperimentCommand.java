@@ -259,7 +259,7 @@ public final class ExperimentCommand extends ConsoleCommand {
       console().failure(experiment.name() + ": ", e, isVerbose());
       return ExitCode.REFUSED;
     }
-    // all files before anything is printed, which ends it if nobody reads that any more
+    // write all files first: printing ends the command if stdout is closed
     List<Path> files = csv ? writeCsv(experiment, outcome) : new ArrayList<>();
     files.add(pictureOf(experiment));
     picture.write(
@@ -355,7 +355,7 @@ public final class ExperimentCommand extends ConsoleCommand {
                   + " increments cut");
     }
     if (!stopped && outcome.runs().stream().allMatch(run -> run.end().isPlanned())) {
-      // else they are those of a part, perhaps of a single cycle
+      // otherwise they are only of a part, perhaps of a single cycle
       outcome.figures().forEach(figure -> console().print(line(figure)));
     }
   }

@@ -28,9 +28,9 @@ final class PictureOptions {
   private Chart.@Nullable Size size;
 
   /**
-   * Refuses a file that is no picture, or already exists.
+   * Refuses a file that is not a picture or already exists.
    *
-   * @param overwrite whether the user wants it written over
+   * @param overwrite whether to overwrite an existing file
    */
   static void check(ConsoleCommand command, Path file, boolean overwrite) throws FileException {
     String name = file.toString().toLowerCase(Locale.ROOT);
@@ -43,7 +43,7 @@ final class PictureOptions {
   /**
    * Draws a chart.
    *
-   * @param usual the size if the user did not say
+   * @param usual the size if the user chose none
    */
   void write(ConsoleCommand command, Chart chart, Path file, Chart.Size usual)
       throws FileException {

@@ -106,7 +106,7 @@ public final class PlotCommand extends ConsoleCommand {
     if (xy != null && (xyz || !names.isEmpty())) {
       throw wrongUsage("--xy goes neither with NAME nor with --xyz");
     }
-    Path target = out == null ? besides(file) : out;
+    Path target = out == null ? pictureNextTo(file) : out;
     PictureOptions.check(this, target, yes);
     PlotData data = PlotData.read(file);
     Chart chart = chart(data);
@@ -116,7 +116,7 @@ public final class PlotCommand extends ConsoleCommand {
     return ExitCode.DONE;
   }
 
-  private static Path besides(Path csv) {
+  private static Path pictureNextTo(Path csv) {
     String name = String.valueOf(csv.getFileName());
     String stem =
         name.toLowerCase(Locale.ROOT).endsWith(".csv")
@@ -186,7 +186,7 @@ public final class PlotCommand extends ConsoleCommand {
     return chosen;
   }
 
-  /** Returns whether a field or element says nothing: status, turn, an external axis not there. */
+  /** Returns whether to leave out a field or element: status, turn, or a missing external axis. */
   private static boolean isIdle(PlotData.Column column) {
     String name = column.name().toUpperCase(Locale.ROOT);
     if (name.matches(".*\\.[ST]")) {
@@ -205,7 +205,7 @@ public final class PlotCommand extends ConsoleCommand {
     return List.copyOf(chosen);
   }
 
-  /** Returns the column of a name, or those of a structure or array. */
+  /** Returns the column of a name, or the columns of a structure or array. */
   private List<PlotData.Column> columns(PlotData data, String name) {
     List<PlotData.Column> exact = data.find(name).map(List::of).orElse(List.of());
     String stem = name.endsWith("[]") ? name.substring(0, name.length() - 2) : name;

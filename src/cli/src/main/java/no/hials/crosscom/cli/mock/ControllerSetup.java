@@ -17,7 +17,7 @@ import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.ProgramControl;
 
 /**
- * The preparations of the operator at the pendant before the robot runs.
+ * The operator's preparations at the pendant before the robot runs.
  *
  * @param configs data lists
  * @param programs modules, of which the first of each interpreter is selected
@@ -59,7 +59,7 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
     for (Path file : configs) {
       lines.add("loaded " + load(controller, file) + " from " + file);
     }
-    // selected when all are there, since one may call another
+    // selected after all are loaded, since one may call another
     Optional<Module> submit = Optional.empty();
     Optional<Module> robot = Optional.empty();
     for (Path file : programs) {
@@ -88,7 +88,7 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
   /**
    * Puts the programs and their data lists into the tree, so that clients see them.
    *
-   * @throws FileException if the tree has another one of the name
+   * @throws FileException if the tree has another file of that name
    */
   void addPrograms(FileTree files) throws FileException {
     for (Path program : programs) {
@@ -141,7 +141,7 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
     }
   }
 
-  /** Starts the programs; a robot that may not be started stands, as a message will say. */
+  /** Starts the programs; if the robot cannot be started, it stands still, with a message. */
   private List<String> start(Controller controller, boolean submit, boolean robot) {
     if (submit) {
       controller.submit().start();
@@ -152,7 +152,7 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
       }
       return List.of();
     } catch (IllegalStateException e) {
-      // the submit program runs already, and may have stopped with a message
+      // the submit program already runs, or may have stopped with a message
       return List.of("not started: " + e.getMessage());
     }
   }

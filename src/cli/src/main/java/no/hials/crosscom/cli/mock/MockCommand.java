@@ -207,8 +207,7 @@ public final class MockCommand extends ConsoleCommand {
       console().print("listening on " + shown(server.host()) + ":" + server.port());
       printDiscovery(server);
       lines.forEach(console()::print);
-      // what is logged would come into the line, and a job in the background would write into what
-      // its user types
+      // log messages would break the line, and a background job would overwrite what the user types
       boolean line = !isVerbose() && Terminal.isInteractive();
       try (StatusLine status =
           new StatusLine(console(), server, () -> line && Terminal.isForeground())) {
@@ -258,7 +257,7 @@ public final class MockCommand extends ConsoleCommand {
 
   // the server
 
-  /** Sets which server it is, where it answers who looks for it, and its files. */
+  /** Sets the type of the server, its ports for discovery, and its files. */
   private Consumer<MockServerConfig.Builder> with() throws FileException {
     boolean bridge = serverType == ServerType.C3_BRIDGE;
     Optional<FileTree> tree = tree();
@@ -293,7 +292,7 @@ public final class MockCommand extends ConsoleCommand {
     }
   }
 
-  /** Prints where the server answers who looks for it, or why it does not. */
+  /** Prints the ports on which the server answers discovery, or why it does not. */
   private void printDiscovery(MockServer server) {
     printPort("discovery", server.host(), server.discoveryPort(), DISCOVERY_PORT);
     if (serverType == ServerType.C3_BRIDGE) {

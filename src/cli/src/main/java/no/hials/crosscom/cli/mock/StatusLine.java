@@ -16,8 +16,8 @@ import no.hials.crosscom.simulator.Message;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shows what a simulated controller does: its messages line by line on stderr, and on a terminal a
- * last line that changes in place. The last line goes to stdout, which is then a terminal.
+ * Shows the state of a simulated controller: its messages line by line on stderr, and on a terminal
+ * a last line that changes in place. The last line goes to stdout, which is then a terminal.
  */
 final class StatusLine implements AutoCloseable {
   private static final long PERIOD_MILLIS = 250;
@@ -40,7 +40,7 @@ final class StatusLine implements AutoCloseable {
   /**
    * Creates a status line that shows nothing yet.
    *
-   * @param isShown whether there is a line that changes now, or messages only
+   * @param isShown whether to show the line; otherwise only the messages
    */
   StatusLine(Console console, MockServer server, BooleanSupplier isShown) {
     this.console = console;
@@ -67,7 +67,7 @@ final class StatusLine implements AutoCloseable {
 
   private void showMessages() {
     List<Message> messages = server.controller().messages();
-    // the controller keeps the last ones only, so this may find nothing: then all are new
+    // the controller keeps only the last messages; if the shown ones are gone, all are new
     int from = lastShown == null ? 0 : messages.lastIndexOf(lastShown) + 1;
     List<Message> fresh = messages.subList(from, messages.size());
     if (fresh.isEmpty()) {

@@ -114,9 +114,7 @@ public final class ShellCommand extends ControllerCommand {
     }
   }
 
-  /**
-   * Runs a line, or several that were pasted at once up to the first that fails; false for exit.
-   */
+  /** Runs a line, or several pasted lines up to the first that fails; returns false for exit. */
   private boolean runTyped(String text, Console asking, ShellSession session, ShellPrompt prompt) {
     for (String typed : text.lines().toList()) {
       try {

@@ -75,8 +75,8 @@ final class ShellCommands {
   /**
    * Runs a command.
    *
-   * @param writeOptions those of the shell, which hold for the command
-   * @return how it ended
+   * @param writeOptions the options of the shell, which apply to the command
+   * @return its exit code
    * @throws ShellSyntaxException if it names another controller
    */
   ExitCode run(

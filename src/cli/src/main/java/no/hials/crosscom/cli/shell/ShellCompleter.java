@@ -18,7 +18,7 @@ import picocli.CommandLine.Model.OptionSpec;
 
 /** Completes lines of the shell language. */
 final class ShellCompleter implements Completer {
-  /** How the list of candidates looks, by JLine's names for its parts. */
+  /** The style of the list of candidates, by JLine's names for its parts. */
   static final Map<String, String> COLOURED =
       Map.of(
           LineReader.COMPLETION_STYLE_STARTING, "fg:cyan",
@@ -118,7 +118,7 @@ final class ShellCompleter implements Completer {
     return ConsoleCommand.firstSentence(command.getCommandSpec().usageMessage().description());
   }
 
-  /** Returns the paths that a path which was begun may become. */
+  /** Returns the paths that begin with this text. */
   private List<Candidate> names(String begun) {
     int dot = begun.lastIndexOf('.');
     int bracket = begun.lastIndexOf('[');
@@ -198,7 +198,7 @@ final class ShellCompleter implements Completer {
    * Creates a candidate.
    *
    * @param complete whether a blank follows it
-   * @param sort its place in the list, where that is not the alphabet's
+   * @param sort its place in the list, if not alphabetical
    */
   private static Candidate candidate(String value, String description, boolean complete, int sort) {
     return new Candidate(

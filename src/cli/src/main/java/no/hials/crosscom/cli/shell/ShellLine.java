@@ -16,7 +16,7 @@ import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import picocli.CommandLine.TypeConversionException;
 
-/** One line of the shell language, understood; the same for typed lines, pipes and files. */
+/** A parsed line of the shell language; the same for typed lines, pipes and files. */
 sealed interface ShellLine {
 
   /** The words of the language itself, with their syntax and effect. */
@@ -65,7 +65,7 @@ sealed interface ShellLine {
    * Writes a variable.
    *
    * @param name its name
-   * @param value the value's text as it was typed, which is a KRL value
+   * @param value the value as it was typed, a KRL value
    */
   record Write(String name, String value) implements ShellLine {
     @Override
@@ -83,7 +83,7 @@ sealed interface ShellLine {
   /**
    * Waits.
    *
-   * @param time how long
+   * @param time the duration
    */
   record Wait(Duration time) implements ShellLine {
     @Override
@@ -147,7 +147,7 @@ sealed interface ShellLine {
   }
 
   /**
-   * Understands a line.
+   * Parses a line.
    *
    * @param commands the names of the commands of the command line
    * @throws ShellSyntaxException if the line is not in the language
@@ -175,7 +175,7 @@ sealed interface ShellLine {
     };
   }
 
-  /** Returns a command in lower case, and of two names for a command the one in {@link #OWN}. */
+  /** Returns a command in lower case; if it has two names, the name in {@link #OWN}. */
   static String canonical(String word) {
     String lower = word.toLowerCase(Locale.ROOT);
     return switch (lower) {

@@ -6,18 +6,18 @@ import org.jline.reader.CompletingParsedLine;
 import org.jline.reader.Parser;
 
 /**
- * Splits a line that is being typed for the completion: at blanks and equals signs, which stand
- * alone. A line with a mistake is split, too.
+ * Splits a line for its completion while it is typed: at blanks and equals signs, each of which is
+ * a word. A line with a mistake is split, too.
  */
 final class ShellParser implements Parser {
   /**
    * A line in words.
    *
-   * @param line all of it
-   * @param cursor where the cursor is in it
+   * @param line the whole line
+   * @param cursor the index of the cursor in the line
    * @param words its words
-   * @param wordIndex which of them the cursor is in
-   * @param wordCursor where the cursor is in that word
+   * @param wordIndex the index of the word with the cursor
+   * @param wordCursor the index of the cursor in that word
    */
   record Words(String line, int cursor, List<String> words, int wordIndex, int wordCursor)
       implements CompletingParsedLine {

@@ -23,7 +23,7 @@ final class ShellPrompt {
     name = readOnly ? robot + " (read-only)" : robot;
   }
 
-  /** Notes how a line ended: after one that failed, the next line is the first to connect again. */
+  /** Notes how a line ended: if the connection was lost, the next line connects again. */
   void ended(ExitCode code) {
     connected = code != ExitCode.LOST && code != ExitCode.NOT_CONNECTED;
   }

@@ -41,7 +41,7 @@ final class ShellSession {
     try {
       return line.run(this);
     } catch (IllegalArgumentException e) {
-      // a name or a text that cannot be sent
+      // the name or the text cannot be sent
       throw new ShellSyntaxException(String.valueOf(e.getMessage()));
     }
   }

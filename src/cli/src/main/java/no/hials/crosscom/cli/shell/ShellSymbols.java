@@ -28,17 +28,17 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The names that a shell knows: from the table of system variables, from the data lists on a
- * controller with C3 Bridge, and those that were used. Each is looked for when it is first needed,
- * the data lists in a daemon thread of their own.
+ * controller with C3 Bridge, and those that were used. Each source is read when it is first needed,
+ * the data lists in a separate daemon thread.
  */
 final class ShellSymbols {
   private static final String ROOT = "KRC:\\R1";
   private static final int MAX_DEPTH = 6;
 
-  /** More than that is left out: a list that nobody waits for is of no use. */
+  /** The maximum number of files; more would take longer than a user waits. */
   private static final int MAX_FILES = 300;
 
-  /** How long a person waits for names before there is an answer without them. */
+  /** How long to wait for names from the controller before answering without them. */
   private static final long MAX_SECONDS_TO_WAIT = 2;
 
   private final RobotConnection controller;
@@ -55,7 +55,7 @@ final class ShellSymbols {
     used.add(name.toUpperCase(Locale.ROOT));
   }
 
-  /** Returns the names that were used, the first one first. */
+  /** Returns the names that were used, the earliest first. */
   synchronized List<String> used() {
     return List.copyOf(used);
   }
@@ -95,8 +95,8 @@ final class ShellSymbols {
   }
 
   /**
-   * Returns all names; without those of the controller if they take too long, which are there the
-   * next time then.
+   * Returns all names. Names of the controller that take too long are missing, and available at a
+   * later call.
    */
   Catalogue everything() {
     try {
@@ -127,7 +127,7 @@ final class ShellSymbols {
         });
   }
 
-  /** Returns the data lists on the controller, as many as could be had. */
+  /** Returns the data lists on the controller that could be read. */
   private Map<String, DataList> dataLists() {
     Map<String, DataList> lists = new LinkedHashMap<>();
     try {
@@ -135,7 +135,7 @@ final class ShellSymbols {
         collect(controller.client().files(), ROOT, 0, lists);
       }
     } catch (IOException e) {
-      // the names are a help only; whatever is wrong shows when the next line is run
+      // the names only help to type; the next line reports what is wrong
     }
     return lists;
   }

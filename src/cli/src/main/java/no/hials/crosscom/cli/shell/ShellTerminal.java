@@ -20,8 +20,8 @@ import org.jline.utils.Signals;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The terminal of a shell: edits lines, keeps them, and completes them. Ctrl-C takes back a line
- * that is being typed, and interrupts the thread that made this while a line is run.
+ * The terminal of a shell: edits and completes lines, and keeps a history. Ctrl-C discards a line
+ * that is being typed; while a line runs, it interrupts the thread that created this object.
  */
 final class ShellTerminal implements Closeable {
   private static final int MAX_HISTORY = 2000;
@@ -36,16 +36,16 @@ final class ShellTerminal implements Closeable {
 
   ShellTerminal(Console console, ShellCompleter completer) throws IOException {
     coloured = console.environment("NO_COLOR") == null;
-    // else JLine makes a signal of a Ctrl-C that is typed into a line as well, and where that is
-    // quicker than the key, the key takes back the line after it
+    // otherwise JLine also turns a Ctrl-C in a typed line into a signal; if the signal comes before
+    // the key, the key discards the next line
     System.setProperty(TerminalBuilder.PROP_SOFTWARE_SIGNALS, "false");
     terminal =
         TerminalBuilder.builder()
             .system(true)
-            // the native library is quicker, and stty is there where it cannot be loaded
+            // the native library is faster; stty works where it cannot be loaded
             .providers("jni,exec")
             .dumb(true)
-            // JLine would let a Ctrl-C end this process before the terminal is given back
+            // with JLine's handler, Ctrl-C would end this process before the terminal is restored
             .nativeSignals(false)
             .build();
     Thread runner = Thread.currentThread();
@@ -93,7 +93,7 @@ final class ShellTerminal implements Closeable {
       if (old) {
         Files.readString(file);
       }
-      // JLine makes it, for the user only
+      // JLine creates the file, readable by the user only
       if (!Files.isWritable(old ? file : file.getParent())) {
         throw new AccessDeniedException(file.toString());
       }
@@ -123,7 +123,7 @@ final class ShellTerminal implements Closeable {
   private @Nullable String ask(String question) {
     try {
       while (terminal.reader().read(1) >= 0) {
-        // was typed before
+        // typed before the question
       }
     } catch (IOException e) {
       return null;

@@ -6,10 +6,10 @@ import java.util.regex.Pattern;
 
 /**
  * Splits a line of the shell language into words: at blanks and at the first {@code =}, but not
- * inside of double quotes and brackets. Quotes stay, since they belong to the values.
+ * within double quotes and brackets. Quotes are kept, since they belong to the values.
  */
 final class ShellWords {
-  /** A name, an index in brackets, fields behind dots; {@code @} as in {@code @PROXY_TYPE}. */
+  /** A name, an index in brackets, fields after dots; {@code @} as in {@code @PROXY_TYPE}. */
   private static final Pattern NAME = Pattern.compile("[$@A-Za-z_][\\w$]*(\\[[^\\]]*]|[\\w$.])*");
 
   private final String line;

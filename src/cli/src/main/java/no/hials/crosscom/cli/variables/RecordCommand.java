@@ -150,7 +150,7 @@ public final class RecordCommand extends SamplingCommand {
         .collect(Collectors.joining("; ", "recorded" + to + ": ", ""));
   }
 
-  /** Writes the samples and shows how it goes. */
+  /** Writes the samples and shows the progress. */
   private final class Recorder implements Sampling.Listener {
     private final Sampling sampling;
     private final Recording recording;

@@ -89,7 +89,7 @@ abstract class SamplingCommand extends ControllerCommand {
     return sampling.run(changesOnly, stop::isStopped, listener) ? ExitCode.LOST : ExitCode.DONE;
   }
 
-  /** Checks the rules that picocli does not. */
+  /** Checks the rules that picocli does not check. */
   private void check() {
     checkNames(names);
     if (period.compareTo(MAX_PERIOD) > 0) {

@@ -134,7 +134,7 @@ public final class VarsCommand extends ConsoleCommand {
     }
   }
 
-  /** Has nothing to list: if the errors do not say why, this does. */
+  /** Returns no rows, or throws an exception if the errors do not explain why. */
   private List<DeclarationRows.Row> noDataList(Path file, ParseResult result) throws FileException {
     if (result.errors().isEmpty()) {
       throw new FileException(file + " is a program, and not a data list");

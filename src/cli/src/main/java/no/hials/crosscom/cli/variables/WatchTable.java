@@ -34,7 +34,7 @@ final class WatchTable {
 
   private static final int AGE_WIDTH = "9999.9 s".length();
 
-  /** For how long a change is marked. */
+  /** How long a change is marked. */
   private static final Duration FRESH = Duration.ofSeconds(1);
 
   private static final AttributedStyle PLAIN = AttributedStyle.DEFAULT;
@@ -46,7 +46,7 @@ final class WatchTable {
   private final List<SampledRobot> robots;
   private final Map<SampledRobot, ConnectionEvent> losses = new HashMap<>();
 
-  /** The rows of each variable of each robot, in the order in which they were asked for. */
+  /** The rows of each variable of each robot, in the order of the command line. */
   private final Map<String, Map<String, Row>> variables = new LinkedHashMap<>();
 
   private final Map<String, SampledRobot> owners = new HashMap<>();
@@ -86,7 +86,7 @@ final class WatchTable {
 
     private static String change(@Nullable KrlValue before, String textBefore, KrlValue now) {
       if (before != null && isNumber(before) && isNumber(now)) {
-        // of the controller's digits, since those of a float would show its rounding
+        // from the controller's digits, since the digits of a float would show its rounding
         BigDecimal change = new BigDecimal(now.print()).subtract(new BigDecimal(before.print()));
         return (change.signum() > 0 ? "+" : "") + change.toPlainString();
       }

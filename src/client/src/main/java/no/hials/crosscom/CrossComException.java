@@ -2,6 +2,7 @@ package no.hials.crosscom;
 
 import java.io.IOException;
 import java.util.OptionalInt;
+import no.hials.crosscom.protocol.value.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,9 +28,10 @@ public abstract sealed class CrossComException extends IOException
 
   CrossComException(String message, @Nullable Throwable cause, boolean outcomeUnknown) {
     super(
-        outcomeUnknown
-            ? message + "; the outcome is unknown: the controller may or may not have done it"
-            : message,
+        PrintableText.of(message)
+            + (outcomeUnknown
+                ? "; the outcome is unknown: the controller may or may not have done it"
+                : ""),
         cause);
     this.outcomeUnknown = outcomeUnknown;
   }

@@ -18,6 +18,7 @@ import java.util.Map;
 import no.hials.crosscom.internal.Versions;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Version;
+import no.hials.crosscom.protocol.value.PrintableText;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -220,7 +221,9 @@ public final class Discovery {
       }
       String text =
           new String(buffer.array(), 0, buffer.position(), StandardCharsets.ISO_8859_1).strip();
-      LOG.debug("{} answered {}", from, text);
+      if (LOG.isDebugEnabled()) {
+        LOG.debug("{} answered {}", from, PrintableText.of(text));
+      }
       InetAddress address = from.getAddress();
       if (found.size() == MAX_FOUND && !found.containsKey(address)) {
         continue;

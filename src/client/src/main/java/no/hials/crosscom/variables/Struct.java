@@ -11,6 +11,7 @@ import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.protocol.value.KrlVisitor;
+import no.hials.crosscom.protocol.value.PrintableText;
 
 /** Holds an aggregate. Its nodes are of the raw type, as in the original. */
 @SuppressWarnings("rawtypes")
@@ -39,7 +40,8 @@ public class Struct extends Variable<List<StructNode>> {
     if (KrlValue.parse(value) instanceof KrlStruct struct) {
       return nodes(struct);
     }
-    throw new IllegalArgumentException("expected an aggregate in braces, found: " + value);
+    throw new IllegalArgumentException(
+        "expected an aggregate in braces, found: " + PrintableText.of(value));
   }
 
   static List<StructNode> nodes(KrlStruct struct) {

@@ -9,6 +9,7 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.protocol.value.PrintableText;
 
 /**
  * Holds a value returned by {@link no.hials.crosscom.CrossComClient#sendRequest}.
@@ -157,6 +158,6 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
       return new Struct(id, name, Struct.nodes(struct), time);
     }
     throw new NumberFormatException(
-        name + " must be an INT, REAL, BOOL, ENUM or aggregate, is " + text);
+        name + " must be an INT, REAL, BOOL, ENUM or aggregate, is " + PrintableText.of(text));
   }
 }

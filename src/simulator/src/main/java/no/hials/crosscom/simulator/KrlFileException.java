@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator;
 import java.util.List;
 import java.util.stream.Collectors;
 import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.protocol.value.PrintableText;
 
 /** Thrown if a data list or a program has errors; nothing has been loaded. */
 public final class KrlFileException extends Exception {
@@ -25,7 +26,10 @@ public final class KrlFileException extends Exception {
 
   private static String message(List<KrlError> errors) {
     String shown =
-        errors.stream().limit(SHOWN).map(KrlError::toString).collect(Collectors.joining("\n"));
+        errors.stream()
+            .limit(SHOWN)
+            .map(error -> PrintableText.of(error.toString()))
+            .collect(Collectors.joining("\n"));
     int rest = errors.size() - SHOWN;
     return rest > 0 ? shown + "\nand " + rest + " more" : shown;
   }

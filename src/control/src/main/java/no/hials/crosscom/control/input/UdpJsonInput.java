@@ -12,6 +12,7 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
+import no.hials.crosscom.protocol.value.PrintableText;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -101,7 +102,10 @@ public final class UdpJsonInput implements InputDevice {
         latest = parse(packet.getData(), packet.getLength());
       } catch (IOException | IllegalArgumentException e) {
         refused.incrementAndGet();
-        LOG.debug("a datagram from {} is refused: {}", packet.getAddress(), e.getMessage());
+        LOG.debug(
+            "a datagram from {} is refused: {}",
+            packet.getAddress(),
+            PrintableText.of(String.valueOf(e.getMessage())));
       }
     }
   }

@@ -25,14 +25,15 @@ public final class KrlSyntaxException extends IllegalArgumentException {
    */
   public KrlSyntaxException(CharSequence text, int position, String expected, String found) {
     super(
-        "expected "
-            + expected
-            + " at position "
-            + position
-            + ", found "
-            + found
-            + ", in: "
-            + excerpt(text, position));
+        PrintableText.of(
+            "expected "
+                + expected
+                + " at position "
+                + position
+                + ", found "
+                + found
+                + ", in: "
+                + excerpt(text, position)));
     this.text = text.toString();
     this.position = position;
     this.expected = expected;

@@ -1,0 +1,51 @@
+package no.hials.crosscom.protocol.value;
+
+import java.util.Locale;
+
+/**
+ * Makes text from outside safe for a line of a terminal or log: values, names, messages of servers.
+ *
+ * <p>Control characters (C0, DEL, C1), line and paragraph separators, and the characters that
+ * change the direction of text become escapes such as {@code \x1B} and {@code \u005Cu202E}. So the
+ * text can neither end the line nor change what the terminal shows. A backslash stays as it is.
+ */
+public final class PrintableText {
+  private PrintableText() {}
+
+  /**
+   * Escapes the characters that are not safe.
+   *
+   * @param text any text
+   * @return the text on one line
+   */
+  public static String of(String text) {
+    int i = 0;
+    while (i < text.length() && isSafe(text.charAt(i))) {
+      i++;
+    }
+    if (i == text.length()) {
+      return text;
+    }
+    StringBuilder line = new StringBuilder(text.length() + 16).append(text, 0, i);
+    for (; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (isSafe(c)) {
+        line.append(c);
+      } else {
+        line.append(String.format(Locale.ROOT, c <= 0xFF ? "\\x%02X" : "\\u%04X", (int) c));
+      }
+    }
+    return line.toString();
+  }
+
+  private static boolean isSafe(char c) {
+    return switch (c) {
+      case '\u2028', '\u2029' -> false;
+      // marks, embeddings, overrides and isolates of the bidirectional algorithm
+      case '\u061C', '\u200E', '\u200F' -> false;
+      case '\u202A', '\u202B', '\u202C', '\u202D', '\u202E' -> false;
+      case '\u2066', '\u2067', '\u2068', '\u2069' -> false;
+      default -> !Character.isISOControl(c);
+    };
+  }
+}

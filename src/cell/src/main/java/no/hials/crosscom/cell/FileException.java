@@ -2,17 +2,36 @@ package no.hials.crosscom.cell;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 
 /** Thrown when a file named in the arguments or the environment cannot be used. */
 public final class FileException extends IOException {
   private static final long serialVersionUID = 1L;
 
+  private final transient List<String> details;
+
   public FileException(String message) {
     super(message);
+    details = List.of();
   }
 
   public FileException(String message, Throwable cause) {
+    this(message, List.of(), cause);
+  }
+
+  /**
+   * Creates an exception with a list of errors.
+   *
+   * @param details the errors in the file
+   */
+  public FileException(String message, List<String> details, Throwable cause) {
     super(message, cause);
+    this.details = List.copyOf(details);
+  }
+
+  /** Returns the errors in the file, each for a line of its own after the message. */
+  public List<String> details() {
+    return details;
   }
 
   /**

@@ -23,7 +23,7 @@ import no.hials.crosscom.protocol.value.KrlVisitor;
  * {"name":"$OV_PRO","type":"INT","value":100}</code>. The help of {@code read} describes it.
  */
 public final class JsonLine {
-  // escaped text does not depend on the charset of stdout
+  // escaped text does not depend on the charset of stdout, and is safe on a terminal
   private static final JsonFactory FACTORY =
       JsonFactory.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
 
@@ -108,7 +108,8 @@ public final class JsonLine {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    return text.toString();
+    // Jackson does not escape DEL
+    return text.toString().replace("\u007F", "\\u007F");
   }
 
   private static String type(KrlValue value, boolean whole) {

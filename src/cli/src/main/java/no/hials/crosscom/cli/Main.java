@@ -176,7 +176,7 @@ public final class Main {
   private static ExitCode internalError(Console console, Throwable e, boolean verbose) {
     console.error("internal error: " + e);
     if (verbose) {
-      e.printStackTrace(console.err());
+      console.trace(e);
     } else {
       console.hint("--verbose prints the stack trace");
     }

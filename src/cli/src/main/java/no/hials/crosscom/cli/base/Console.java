@@ -8,10 +8,11 @@ import java.io.Writer;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
+import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.OutputException;
-import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.WritePermission;
+import no.hials.crosscom.protocol.value.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -131,7 +132,7 @@ public final class Console implements WritePermission.Confirmation {
   /** Asks a question; only y and yes are a yes, and only if they are typed after it. */
   @Override
   public boolean confirm(String question) {
-    String answer = answer(Printable.of(question) + " [y/N] ");
+    String answer = answer(PrintableText.of(question) + " [y/N] ");
     return answer != null && answer.strip().matches("(?i)y(es)?");
   }
 
@@ -150,16 +151,16 @@ public final class Console implements WritePermission.Confirmation {
   }
 
   /**
-   * Prints a line of data.
+   * Prints a line of data, with the characters escaped that are not safe on a terminal.
    *
    * @throws OutputException if it cannot be written, for example to a closed pipe
    */
   public void print(String line) {
-    write(line + System.lineSeparator());
+    write(PrintableText.of(line) + System.lineSeparator());
   }
 
   /**
-   * Prints data that has its own line ends.
+   * Prints data that has its own line ends, exactly as it is.
    *
    * @throws OutputException as {@link #print}
    */
@@ -172,9 +173,9 @@ public final class Console implements WritePermission.Confirmation {
     }
   }
 
-  /** Prints a message after the program's name. */
+  /** Prints a message, which becomes one line, after the program's name. */
   public void error(String message) {
-    err.println(PROGRAM + ": " + Printable.message(message));
+    err.println(PROGRAM + ": " + PrintableText.of(message));
   }
 
   /** Prints the message of an exception, and its origin if requested. */
@@ -189,13 +190,22 @@ public final class Console implements WritePermission.Confirmation {
    */
   public void failure(String label, Throwable e, boolean verbose) {
     error(label + e.getMessage());
-    if (verbose) {
-      e.printStackTrace(err);
+    if (e instanceof FileException file) {
+      file.details().forEach(this::hint);
     }
+    if (verbose) {
+      trace(e);
+    }
+  }
+
+  /** Prints a stack trace. */
+  public void trace(Throwable e) {
+    err.print(StackTrace.of(e));
+    err.flush();
   }
 
   /** Prints a line that helps with the message before it. */
   public void hint(String line) {
-    err.println(Printable.message(line));
+    err.println(PrintableText.of(line));
   }
 }

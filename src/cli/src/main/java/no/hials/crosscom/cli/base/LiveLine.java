@@ -1,6 +1,7 @@
 package no.hials.crosscom.cli.base;
 
 import java.io.PrintWriter;
+import no.hials.crosscom.protocol.value.PrintableText;
 
 /** A line of a terminal that changes in place. */
 public final class LiveLine implements AutoCloseable {
@@ -39,11 +40,11 @@ public final class LiveLine implements AutoCloseable {
     return true;
   }
 
-  /** Shows another text. */
+  /** Shows another text, with the characters escaped that are not safe on a terminal. */
   public void show(String text) {
     // clear only what follows the text, or the line would flicker; then return to its beginning,
     // where the terminal shows Ctrl-C
-    write(NO_WRAP + text + CLEAR_REST + WRAP + "\r");
+    write(NO_WRAP + PrintableText.of(text) + CLEAR_REST + WRAP + "\r");
     isThere = true;
   }
 

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.OutputException;
-import no.hials.crosscom.cell.Printable;
 import org.jspecify.annotations.Nullable;
 
 /** The files of this computer that commands read and write. */
@@ -25,7 +24,7 @@ public final class LocalFiles {
     } catch (InvalidPathException e) {
       // reported below
     }
-    throw command.wrongUsage("'" + Printable.of(text) + "' cannot be a file's name here");
+    throw command.wrongUsage("'" + text + "' cannot be a file's name here");
   }
 
   public static String name(Path file) {

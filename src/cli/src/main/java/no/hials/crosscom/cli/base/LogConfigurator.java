@@ -6,7 +6,7 @@ import ch.qos.logback.classic.LoggerContext;
 import ch.qos.logback.classic.spi.Configurator;
 import ch.qos.logback.classic.spi.ConfiguratorRank;
 import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.classic.spi.ThrowableProxyUtil;
+import ch.qos.logback.classic.spi.ThrowableProxy;
 import ch.qos.logback.core.ConsoleAppender;
 import ch.qos.logback.core.LayoutBase;
 import ch.qos.logback.core.encoder.LayoutWrappingEncoder;
@@ -15,6 +15,7 @@ import ch.qos.logback.core.status.NopStatusListener;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import no.hials.crosscom.protocol.value.PrintableText;
 
 /**
  * Configures logback, which finds it as a service: warnings and errors go to stderr, one line each.
@@ -53,7 +54,9 @@ public final class LogConfigurator extends ContextAwareBase implements Configura
     return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
   }
 
-  /** Prints {@code 12:30:59.123 DEBUG Connection: message}. */
+  /**
+   * Prints {@code 12:30:59.123 DEBUG Connection: message}. Text from outside cannot begin a line.
+   */
   private static final class Lines extends LayoutBase<ILoggingEvent> {
     private static final String OWN_PACKAGE = "no.hials.crosscom.";
 
@@ -67,9 +70,11 @@ public final class LogConfigurator extends ContextAwareBase implements Configura
       time.formatTo(Instant.ofEpochMilli(event.getTimeStamp()), line);
       line.append(' ').append(event.getLevel()).append(' ');
       line.append(logger.startsWith(OWN_PACKAGE) ? logger.substring(OWN_PACKAGE.length()) : logger);
-      line.append(": ").append(event.getFormattedMessage()).append(System.lineSeparator());
-      if (event.getThrowableProxy() != null) {
-        line.append(ThrowableProxyUtil.asString(event.getThrowableProxy()));
+      line.append(": ")
+          .append(PrintableText.of(event.getFormattedMessage()))
+          .append(System.lineSeparator());
+      if (event.getThrowableProxy() instanceof ThrowableProxy thrown) {
+        line.append(StackTrace.of(thrown.getThrowable()));
       }
       return line.toString();
     }

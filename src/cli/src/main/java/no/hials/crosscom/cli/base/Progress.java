@@ -2,7 +2,6 @@ package no.hials.crosscom.cli.base;
 
 import java.util.Locale;
 import no.hials.crosscom.c3.TransferProgress;
-import no.hials.crosscom.cell.Printable;
 
 /** Shows how far a transfer has come, on a line that changes in place. */
 public final class Progress implements TransferProgress, AutoCloseable {
@@ -19,7 +18,7 @@ public final class Progress implements TransferProgress, AutoCloseable {
    * @param stop ends the transfer without a trace
    */
   public Progress(Console console, String name, boolean shown, StopSignal stop) {
-    this.name = Printable.of(name);
+    this.name = name;
     this.shown = shown;
     this.line = new LiveLine(console.err(), shown);
     this.stop = stop;

@@ -3,7 +3,7 @@ package no.hials.crosscom.cli.base;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.protocol.value.PrintableText;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Help.Column;
@@ -41,7 +41,9 @@ public final class Table {
    */
   public Table add(String... cells) {
     rows.add(
-        Arrays.stream(cells).map(cell -> cell.isEmpty() ? NOTHING : Printable.of(cell)).toList());
+        Arrays.stream(cells)
+            .map(cell -> cell.isEmpty() ? NOTHING : PrintableText.of(cell))
+            .toList());
     return this;
   }
 

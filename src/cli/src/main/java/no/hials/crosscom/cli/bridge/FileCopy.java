@@ -3,7 +3,6 @@ package no.hials.crosscom.cli.bridge;
 import java.io.IOException;
 import java.util.List;
 import no.hials.crosscom.c3.ControllerFiles;
-import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.RemoteName;
@@ -73,7 +72,7 @@ final class FileCopy extends FileSubcommand {
           .permission(console())
           .check(controller, what, there ? List.of(name + " already exists") : List.of());
       copy.send(files, source, name, there ? new CopyFlag[] {CopyFlag.OVERWRITE} : new CopyFlag[0]);
-      String line = Printable.of(source) + " -> " + Printable.of(name);
+      String line = source + " -> " + name;
       print(line, "command", command, "source", source, "name", name);
     }
     return ExitCode.DONE;

@@ -7,7 +7,6 @@ import java.util.Set;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.cell.NotSentException;
-import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.WriteOptions;
@@ -63,7 +62,7 @@ final class FileRm extends FileSubcommand {
           return code;
         }
         String name = names.get(i);
-        print("deleted " + Printable.of(name), "command", "rm", "name", name);
+        print("deleted " + name, "command", "rm", "name", name);
       }
     }
     return ExitCode.DONE;

@@ -116,8 +116,8 @@ abstract class FileSubcommand extends BridgeCommand {
   final void print(String command, Path local, String remote) throws IOException {
     long size = Files.size(local);
     boolean up = command.equals("put");
-    String from = up ? local.toString() : Printable.of(remote);
-    String to = up ? Printable.of(remote) : local.toString();
+    String from = up ? local.toString() : remote;
+    String to = up ? remote : local.toString();
     console()
         .print(
             isJson()

@@ -3,7 +3,6 @@ package no.hials.crosscom.cli.bridge;
 import java.io.IOException;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComException;
-import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -42,7 +41,7 @@ record ProgramStatus(Interpreter interpreter, @Nullable String program, @Nullabl
   /** Prints a line such as {@code robot: ACTUATOR #P_ACTIVE}, or an object of JSON. */
   void print(BridgeCommand command, String verb) {
     String who = interpreter == Interpreter.ROBOT ? "robot" : "submit";
-    String name = program == null ? "program unknown" : Printable.of(program.strip());
+    String name = program == null ? "program unknown" : program.strip();
     command.print(
         who
             + ": "

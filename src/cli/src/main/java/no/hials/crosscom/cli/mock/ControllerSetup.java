@@ -127,7 +127,7 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
     try {
       return controller.load(file);
     } catch (KrlFileException e) {
-      throw new FileException("cannot load " + file + ":\n" + e.getMessage(), e);
+      throw withErrors("cannot load " + file + ":", e);
     } catch (IOException e) {
       throw FileException.cannot("read", file, e);
     }
@@ -137,8 +137,12 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
     try {
       interpreter.select(module.name());
     } catch (KrlFileException e) {
-      throw new FileException(module.file() + " cannot be selected:\n" + e.getMessage(), e);
+      throw withErrors(module.file() + " cannot be selected:", e);
     }
+  }
+
+  private static FileException withErrors(String message, KrlFileException e) {
+    return new FileException(message, String.valueOf(e.getMessage()).lines().toList(), e);
   }
 
   /** Starts the programs; if the robot cannot be started, it stands still, with a message. */

@@ -74,7 +74,7 @@ final class StatusLine implements AutoCloseable {
       return;
     }
     line.clear();
-    fresh.forEach(message -> console.err().println(message));
+    fresh.forEach(message -> console.hint(message.toString()));
     lastShown = fresh.get(fresh.size() - 1);
   }
 

@@ -1,10 +1,10 @@
 package no.hials.crosscom.cli.shell;
 
 import java.io.IOException;
-import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.protocol.value.PrintableText;
 
 /** The text before a typed line: the robot, whether it is read-only, and its mode unless T1. */
 final class ShellPrompt {
@@ -39,7 +39,7 @@ final class ShellPrompt {
     }
     try {
       String mode = controller.client().readText(MODE);
-      return mode.equalsIgnoreCase(SAFE_MODE) ? "" : Printable.of(mode);
+      return mode.equalsIgnoreCase(SAFE_MODE) ? "" : PrintableText.of(mode);
     } catch (IOException e) {
       return "";
     }

@@ -5,7 +5,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.cell.CatalogueEntry;
-import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -60,17 +59,14 @@ final class ShellSession {
     try {
       return run(line);
     } catch (IOException e) {
-      console.error(place + e.getMessage());
-      if (verbose) {
-        e.printStackTrace(console.err());
-      }
+      console.failure(place, e, verbose);
       return e instanceof ShellSyntaxException ? ExitCode.USAGE : ExitCode.of(e);
     }
   }
 
   void read(List<String> names) throws IOException {
     for (String name : names) {
-      console.print(name + " = " + Printable.of(controller.client().readText(name)));
+      console.print(name + " = " + controller.client().readText(name));
       symbols.used(name);
     }
   }

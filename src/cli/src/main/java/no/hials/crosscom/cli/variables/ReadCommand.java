@@ -13,7 +13,6 @@ import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComValueException;
 import no.hials.crosscom.cell.JsonLine;
-import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.Console;
@@ -32,8 +31,8 @@ import picocli.CommandLine.Parameters;
       "",
       "If a variable cannot be read, the remaining ones are still read; the exit code is the"
           + " highest of all failures. A lost connection ends the command. VALUE is the text from"
-          + " the controller, with control characters printed as \\x0A, so that each variable has"
-          + " one line.",
+          + " the controller. Control characters are printed as \\x1B, and characters that change"
+          + " the direction of text as \\u202E, to a file or pipe as well; --raw prints them.",
       "",
       "Several robots (@NAME @NAME) are read at the same time and printed in the order given."
           + " Each line begins with the robot's name: cell1: $OV_PRO = 100. If a robot fails, the"
@@ -68,9 +67,18 @@ public final class ReadCommand extends ControllerCommand {
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")
   private boolean json;
 
+  @Option(
+      names = "--raw",
+      order = 5,
+      description = "Print the text of the controller without escapes; not for a terminal.")
+  private boolean raw;
+
   @Override
   public ExitCode run() throws IOException {
     checkNames(names);
+    if (raw && json) {
+      throw wrongUsage("--raw and --json exclude each other");
+    }
     List<Robot> targets = targets();
     return targets.size() == 1 ? readAll(targets.get(0)) : readFromEach(targets);
   }
@@ -93,8 +101,9 @@ public final class ReadCommand extends ControllerCommand {
       ExitCode result = ExitCode.DONE;
       for (CompletableFuture<Printed> one : printed) {
         Printed lines = one.join();
-        lines.out.toString().lines().forEach(console()::print);
-        lines.err.toString().lines().forEach(console()::hint);
+        console().write(lines.out.toString());
+        console().err().print(lines.err);
+        console().err().flush();
         result = result.orWorse(lines.result);
       }
       return result;
@@ -143,7 +152,7 @@ public final class ReadCommand extends ControllerCommand {
       ExitCode result = ExitCode.DONE;
       for (int i = 0; i < names.size(); i++) {
         try {
-          console.print(read(client, names.get(i)));
+          print(names.get(i), client.readText(names.get(i)));
         } catch (CrossComException e) {
           console.failure(label, e, isVerbose());
           result = result.orWorse(ExitCode.of(e));
@@ -164,9 +173,13 @@ public final class ReadCommand extends ControllerCommand {
       return result;
     }
 
-    private String read(CrossComClient client, String name) throws IOException {
-      String text = client.readText(name);
-      return json ? JsonLine.of(robot, name, text) : label + name + " = " + Printable.of(text);
+    private void print(String name, String text) {
+      String line = json ? JsonLine.of(robot, name, text) : label + name + " = " + text;
+      if (raw) {
+        console.write(line + System.lineSeparator());
+      } else {
+        console.print(line);
+      }
     }
   }
 

@@ -7,7 +7,6 @@ import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Sample.Reading;
-import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.SampleJson;
 import no.hials.crosscom.cell.SampledRobot;
 import no.hials.crosscom.cell.Sampling;
@@ -113,7 +112,7 @@ public final class WatchCommand extends SamplingCommand {
         KrlValue value = entry.getValue().value();
         CrossComException failure = entry.getValue().failure();
         if (value != null && (changed || !changes)) {
-          console().print(time + " " + robot.qualified(name) + " = " + Printable.of(value.print()));
+          console().print(time + " " + robot.qualified(name) + " = " + value.print());
         } else if (failure != null && changed) {
           console().error(robot.label() + failure.getMessage());
         }

@@ -14,12 +14,12 @@ import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Sample.Reading;
 import no.hials.crosscom.cell.Leaf;
-import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.SampledRobot;
 import no.hials.crosscom.cell.TimeText;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.protocol.value.PrintableText;
 import org.jline.utils.AttributedString;
 import org.jline.utils.AttributedStringBuilder;
 import org.jline.utils.AttributedStyle;
@@ -66,7 +66,7 @@ final class WatchTable {
     Instant since;
 
     Row(String name, @Nullable KrlValue value, String text, Instant since) {
-      this.name = name;
+      this.name = PrintableText.of(name);
       this.failed = value == null;
       this.value = value;
       this.text = text;
@@ -80,7 +80,7 @@ final class WatchTable {
       }
       change = change(value, text, now);
       value = now;
-      text = Printable.of(leaf.text());
+      text = PrintableText.of(leaf.text());
       since = time;
     }
 
@@ -134,7 +134,7 @@ final class WatchTable {
     CrossComException failure = reading.failure();
     KrlValue value = reading.value();
     if (failure != null) {
-      String text = Printable.of(String.valueOf(failure.getMessage()));
+      String text = PrintableText.of(String.valueOf(failure.getMessage()));
       Row row = before.get(name);
       rows.put(
           name,
@@ -146,7 +146,7 @@ final class WatchTable {
       for (Leaf leaf : Leaf.of(name, value)) {
         Row row = before.get(leaf.name());
         if (row == null || row.failed) {
-          row = new Row(leaf.name(), leaf.value(), Printable.of(leaf.text()), time);
+          row = new Row(leaf.name(), leaf.value(), PrintableText.of(leaf.text()), time);
         } else {
           row.set(leaf, time);
         }
@@ -205,7 +205,7 @@ final class WatchTable {
       if (loss != null) {
         String since = "not connected since " + TimeText.instant(loss.time()) + ": ";
         String text = robot.label() + since + SampledRobot.text(loss);
-        lines.add(new AttributedString(Printable.of(text), BAD));
+        lines.add(new AttributedString(PrintableText.of(text), BAD));
       }
     }
     lines.add(

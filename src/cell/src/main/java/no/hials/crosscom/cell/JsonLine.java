@@ -20,7 +20,8 @@ import no.hials.crosscom.protocol.value.KrlVisitor;
 
 /**
  * Prints a variable as one line of JSON, such as <code>
- * {"name":"$OV_PRO","type":"INT","value":100}</code>. The help of {@code read} describes it.
+ * {"name":"$OV_PRO","type":"INT","value":100,"text":"100"}</code>. The help of {@code read}
+ * describes it.
  */
 public final class JsonLine {
   // escaped text does not depend on the charset of stdout, and is safe on a terminal
@@ -34,11 +35,6 @@ public final class JsonLine {
   /** Prints the text of a variable, as {@link #of(String, String, String)} without a robot. */
   public static String of(String name, String text) {
     return of("", name, text);
-  }
-
-  /** Prints a variable, as {@link #of(String, String, KrlValue)} without a robot. */
-  public static String of(String name, KrlValue value) {
-    return of("", name, value);
   }
 
   /**
@@ -59,13 +55,19 @@ public final class JsonLine {
           json -> {
             json.writeStringField("type", "UNKNOWN");
             json.writeStringField("value", text);
+            json.writeStringField("text", text);
           });
     }
-    return of(robot, name, value);
+    return of(robot, name, value, text);
   }
 
-  /** Prints a variable; {@code robot} is left out if it is empty. */
-  public static String of(String robot, String name, KrlValue value) {
+  /**
+   * Prints a variable.
+   *
+   * @param robot the robot of the variable; left out if empty
+   * @param text the text of the value
+   */
+  public static String of(String robot, String name, KrlValue value, String text) {
     boolean whole = Leaf.isWholeArray(name);
     KrlValue shown = whole && Leaf.isElement(value) ? new KrlArray(List.of(value)) : value;
     return line(
@@ -78,6 +80,7 @@ public final class JsonLine {
           }
           json.writeFieldName("value");
           write(json, shown);
+          json.writeStringField("text", text);
         });
   }
 
@@ -167,8 +170,8 @@ public final class JsonLine {
 
     @Override
     public JsonFields visit(KrlReal number) {
-      // keeps the controller's digits, which a double would lose
-      return json -> json.writeNumber(number.print());
+      // of the controller's digits; a float would be printed with fewer
+      return json -> json.writeNumber(Double.parseDouble(number.print()));
     }
 
     @Override

@@ -2,28 +2,40 @@ package no.hials.crosscom.cell;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import no.hials.crosscom.protocol.value.KrlValue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class JsonLineTest {
 
+  /** Returns the line with apostrophes for quotes, and without the text. */
   private static String json(String name, String krl) {
-    return JsonLine.of(name, KrlValue.parse(krl)).replace('"', '\'');
+    String line = JsonLine.of(name, krl);
+    return line.substring(0, line.indexOf(",\"text\":")).replace('"', '\'') + "}";
   }
 
   @ParameterizedTest
   @CsvSource({
-    "45.0000,45.0000",
-    "2.48660E+06,2.48660E+06",
+    "3.50000,3.5",
+    "45.0000,45.0",
+    "0.0,0.0",
+    "2.48660E+06,2486600.0",
+    "3.40282E+38,3.40282E38",
     "1794.12939,1794.12939",
-    "-4.48259061E-06,-4.48259061E-06",
-    ".5,0.500000",
-    "1.,1.00000"
+    "-4.48259061E-06,-4.48259061E-6",
+    ".5,0.5",
+    "1.,1.0"
   })
-  void keepsTheDigitsOfARealAndMakesThemJson(String krl, String json) {
+  void printsARealAsTheNumberThatTheControllerPrinted(String krl, String json) {
     assertThat(json("R", krl)).isEqualTo("{'name':'R','type':'REAL','value':" + json + "}");
+  }
+
+  @Test
+  void hasTheTextOfTheControllerBesideTheValue() {
+    assertThat(JsonLine.of("R", "{X 3.50000, B TRUE}"))
+        .endsWith("\"value\":{\"X\":3.5,\"B\":true},\"text\":\"{X 3.50000, B TRUE}\"}");
+    assertThat(JsonLine.of("PING", "PONG {"))
+        .endsWith("\"type\":\"UNKNOWN\",\"value\":\"PONG {\",\"text\":\"PONG {\"}");
   }
 
   @ParameterizedTest
@@ -40,7 +52,7 @@ class JsonLineTest {
                 "{TOOL: LOAD {LOAD: M 65.0000, CM {FRAME: X 180.000}}, NAME[] \"a, {b}\", C \"x\","
                     + " MODE #T1, ON TRUE, V[] 1 2 3}"))
         .isEqualTo(
-            "{'name':'S','type':'STRUC','struc':'TOOL','value':{'LOAD':{'M':65.0000,'CM':{'X':180.000}},'NAME[]':'a,"
+            "{'name':'S','type':'STRUC','struc':'TOOL','value':{'LOAD':{'M':65.0,'CM':{'X':180.0}},'NAME[]':'a,"
                 + " {b}','C':'x','MODE':'#T1','ON':true,'V[]':[1,2,3]}}");
   }
 

@@ -226,10 +226,10 @@ class ProfilesTest {
 
     assertThat(run("read", "--json", "@cell1", "@cell2", "MYINT").lines())
         .containsExactly(
-            "{\"robot\":\"cell1\",\"name\":\"MYINT\",\"type\":\"INT\",\"value\":1}",
-            "{\"robot\":\"cell2\",\"name\":\"MYINT\",\"type\":\"INT\",\"value\":2}");
+            "{\"robot\":\"cell1\",\"name\":\"MYINT\",\"type\":\"INT\",\"value\":1,\"text\":\"1\"}",
+            "{\"robot\":\"cell2\",\"name\":\"MYINT\",\"type\":\"INT\",\"value\":2,\"text\":\"2\"}");
     assertThat(run("read", "--json", "@cell1", "MYINT").lines())
-        .containsExactly("{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":1}");
+        .containsExactly("{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":1,\"text\":\"1\"}");
   }
 
   @Test

@@ -38,8 +38,8 @@ import picocli.CommandLine.Parameters;
           + " Each line begins with the robot's name: cell1: $OV_PRO = 100. If a robot fails, the"
           + " others are still printed.",
       "",
-      "JSON: one object per line (JSON Lines) with name, type and value; with several robots"
-          + " also robot. The type is INT, REAL, BOOL, CHAR, CHAR[], ENUM or STRUC; for a whole"
+      "JSON: one object per line (JSON Lines) with name, type, value and text, which is the text"
+          + " from the controller; with several robots also robot. The type is INT, REAL, BOOL, CHAR, CHAR[], ENUM or STRUC; for a whole"
           + " array the type of its elements with []. The value of INT and REAL is a number, of"
           + " BOOL true or false, of an array an array, of STRUC an object with the initialised"
           + " fields, of other types a string. An ENUM begins with #. For STRUC, struc is the"

@@ -77,7 +77,7 @@ public final class WriteCommand extends ControllerCommand {
       throw wrongUsage("VALUE is blank; an empty text is '\"\"'");
     }
     KrlValue parsed = parse();
-    String line = json ? JsonLine.of(name, parsed) : name + " = " + value;
+    String line = json ? JsonLine.of("", name, parsed, value) : name + " = " + value;
     try (RobotConnection controller = open(writeOptions, "write " + name)) {
       controller.client().checkText(name, value);
       checkPermission(controller);

@@ -161,8 +161,25 @@ class ReadCommandTest {
   void printsTypedJson(String name, String rest) {
     Cli.Result result = Cli.runOn(server, "read", "--json", name);
 
-    String expected = "{'name':'" + name + "','type':" + rest.replace(", `", ",`") + "}";
-    result.succeeds().containsExactly(expected.replace('\'', '"').replace('`', '"'));
+    String expected = "{'name':'" + name + "','type':" + rest.replace(", `", ",`") + ",'text':";
+    result
+        .succeeds()
+        .singleElement()
+        .asString()
+        .startsWith(expected.replace('\'', '"').replace('`', '"'));
+  }
+
+  @Test
+  void printsNumbersInJsonWithTheTextOfTheControllerBesideThem() {
+    server.variables().set("MYREAL", "3.5");
+    server.variables().set("MYFRAME", "{X -2.5}");
+
+    assertThat(Cli.runOn(server, "read", "--json", "MYREAL", "MYFRAME").lines())
+        .containsExactly(
+            "{\"name\":\"MYREAL\",\"type\":\"REAL\",\"value\":3.5,\"text\":\"3.50000\"}",
+            "{\"name\":\"MYFRAME\",\"type\":\"STRUC\",\"struc\":\"FRAME\",\"value\":{\"X\":-2.5,"
+                + "\"Y\":0.0,\"Z\":0.0,\"A\":0.0,\"B\":0.0,\"C\":0.0},\"text\":\"{FRAME: X"
+                + " -2.50000, Y 0.0, Z 0.0, A 0.0, B 0.0, C 0.0}\"}");
   }
 
   @Test
@@ -171,8 +188,8 @@ class ReadCommandTest {
 
     assertThat(result.lines())
         .containsExactly(
-            "{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":0}",
-            "{\"name\":\"MYBOOL\",\"type\":\"BOOL\",\"value\":false}");
+            "{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":0,\"text\":\"0\"}",
+            "{\"name\":\"MYBOOL\",\"type\":\"BOOL\",\"value\":false,\"text\":\"FALSE\"}");
     assertThat(result.code()).isEqualTo(1);
   }
 
@@ -185,9 +202,10 @@ class ReadCommandTest {
     assertThat(result.code()).isZero();
     assertThat(result.out().lines())
         .containsExactly(
-            "{\"name\":\"MYPOS\",\"type\":\"UNKNOWN\",\"value\":\"?? \\\"what\\\"\"}",
-            "{\"name\":\"PING\",\"type\":\"UNKNOWN\",\"value\":\"PONG\"}",
-            "{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":0}");
+            "{\"name\":\"MYPOS\",\"type\":\"UNKNOWN\",\"value\":\"?? \\\"what\\\"\","
+                + "\"text\":\"?? \\\"what\\\"\"}",
+            "{\"name\":\"PING\",\"type\":\"UNKNOWN\",\"value\":\"PONG\",\"text\":\"PONG\"}",
+            "{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":0,\"text\":\"0\"}");
   }
 
   @Test

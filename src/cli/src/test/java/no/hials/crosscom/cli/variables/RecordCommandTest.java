@@ -271,7 +271,7 @@ class RecordCommandTest {
         .asString()
         .matches(
             "\\{\"time\":\"\\S+Z\",\"seconds\":0.000000,\"access_ms\":\\d+\\.\\d{3},\"missed\":0,"
-                + "\"failed\":0,\"values\":\\{\"MYFRAME\":\\{\"X\":1.50000,\"Y\":0.0,.*}},"
+                + "\"failed\":0,\"values\":\\{\"MYFRAME\":\\{\"X\":1.5,\"Y\":0.0,.*}},"
                 + "\"errors\":\\{\"MYINT\":\"the controller refused.*\"},"
                 + "\"changed\":\\[\"MYINT\",\"MYFRAME\"]}");
   }

@@ -207,7 +207,8 @@ class WriteCommandTest {
   void printsTypedJsonOfWhatItSent() {
     assertThat(Cli.runOn(server, "write", "--json", "MYFRAME", "{X 1.0,Y -2}").lines())
         .containsExactly(
-            "{\"name\":\"MYFRAME\",\"type\":\"STRUC\",\"struc\":null,\"value\":{\"X\":1.00000,\"Y\":-2}}");
+            "{\"name\":\"MYFRAME\",\"type\":\"STRUC\",\"struc\":null,\"value\":{\"X\":1.0,\"Y\":-2},"
+                + "\"text\":\"{X 1.0,Y -2}\"}");
   }
 
   @Test

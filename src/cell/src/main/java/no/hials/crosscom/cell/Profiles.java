@@ -24,6 +24,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
   /** The environment variable that names another file. */
   static final String FILE_VARIABLE = "JOPENSHOWVAR_CONFIG";
 
+  private static final String BYTE_ORDER_MARK = "\uFEFF";
   private static final String DEFAULT = "default";
   private static final String ROBOTS = "robots";
 
@@ -60,7 +61,10 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
       Function<String, @Nullable String> environment, ServerType simulated) throws FileException {
     Path file = path(environment);
     try {
-      return of(TomlTable.parse(file, Files.readString(file)), file, simulated);
+      String text = Files.readString(file);
+      // as Windows editors write it
+      String content = text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text;
+      return of(TomlTable.parse(file, content), file, simulated);
     } catch (NoSuchFileException e) {
       if (environment.apply(FILE_VARIABLE) == null) {
         return null;

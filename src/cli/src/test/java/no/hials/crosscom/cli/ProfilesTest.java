@@ -111,6 +111,13 @@ class ProfilesTest {
   }
 
   @Test
+  void takesAFileThatBeginsWithAByteOrderMark() throws IOException {
+    config("\uFEFF" + robot("cell1", one));
+
+    assertThat(run("read", "@cell1", "MYINT").lines()).containsExactly("MYINT = 1");
+  }
+
+  @Test
   void readsFromTheDefaultRobotIfNoneIsNamed() throws IOException {
     config("default = \"cell2\"", robot("cell1", one), robot("cell2", two));
 

@@ -28,6 +28,7 @@ public final class CsvRecording implements Recording {
   private final RecordingOutput output;
   private final List<SampledRobot> robots;
   private final boolean severalRobots;
+  private final boolean raw;
 
   /** The columns of values and their indices in a row. */
   private final Map<String, Integer> columns = new LinkedHashMap<>();
@@ -54,10 +55,12 @@ public final class CsvRecording implements Recording {
    * Creates a recording with the columns of the first reading of the robots.
    *
    * @param robots the robots, which must have been read once
+   * @param raw whether to write texts exactly, see {@link CsvText}
    */
-  public CsvRecording(RecordingOutput output, List<SampledRobot> robots) {
+  public CsvRecording(RecordingOutput output, List<SampledRobot> robots, boolean raw) {
     this.output = output;
     this.robots = robots;
+    this.raw = raw;
     this.severalRobots = robots.size() > 1;
     int column = severalRobots ? 3 : 2;
     for (SampledRobot robot : robots) {
@@ -189,7 +192,7 @@ public final class CsvRecording implements Recording {
 
   private void write(List<String> fields) {
     try {
-      csv.writeRecord(fields).flush();
+      csv.writeRecord(raw ? fields : fields.stream().map(CsvText::guarded).toList()).flush();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -93,7 +93,7 @@ public final class RecordedData {
       if (records.isEmpty()) {
         throw new IllegalArgumentException("it is empty");
       }
-      header = records.get(0).getFields();
+      header = records.get(0).getFields().stream().map(CsvText::exact).toList();
       int columns = header.size();
       if (columns < 4
           || !header.get(0).equals(TIME)
@@ -181,7 +181,7 @@ public final class RecordedData {
       for (int i = 0; i < seconds.length; i++) {
         CsvRecord row = own.get(i);
         seconds[i] = seconds(row);
-        String text = row.getField(column);
+        String text = CsvText.exact(row.getField(column));
         texts.add(text);
         values[i] = number(text);
         numeric &= text.isEmpty() || !Double.isNaN(values[i]);

@@ -54,7 +54,8 @@ class OutsideTextTest {
         "read",
         "read -v",
         "watch --count 1",
-        "watch --changes --count 1"
+        "watch --changes --count 1",
+        "record --count 1 --out -"
       })
   void escapesValues(String command) {
     setUnsafe();

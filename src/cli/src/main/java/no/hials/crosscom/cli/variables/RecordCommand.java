@@ -59,7 +59,9 @@ import picocli.CommandLine.Option;
       "  access_ms   duration of the reading of all variables",
       "  status      empty, or notes separated by ;",
       "The columns are set at the start. A field that is not initialised at the start has no"
-          + " column; a field that is not initialised later is empty.",
+          + " column; a field that is not initialised later is empty. Control characters are"
+          + " written as \\x1B. A text that a spreadsheet would take for a formula, as it begins"
+          + " with = + - @, tab or CR, has an apostrophe before it.",
       "",
       "Notes in the status column:",
       "  missed N           N periods before this row were skipped",
@@ -97,6 +99,12 @@ public final class RecordCommand extends SamplingCommand {
   private @Nullable String format;
 
   @Option(
+      names = "--raw",
+      description =
+          "Write texts to CSV exactly, without escapes and without an apostrophe before formulas.")
+  private boolean raw;
+
+  @Option(
       names = {"-y", "--yes"},
       order = 5,
       description = "Overwrite FILE.")
@@ -105,6 +113,9 @@ public final class RecordCommand extends SamplingCommand {
   @Override
   public ExitCode run() throws IOException {
     boolean jsonLines = isJsonLines();
+    if (raw && jsonLines) {
+      throw wrongUsage("--raw goes with csv; JSON has the exact texts");
+    }
     if (!out.equals(STDOUT)) {
       LocalFiles.checkNew(LocalFiles.path(this, out), yes);
     }
@@ -139,7 +150,7 @@ public final class RecordCommand extends SamplingCommand {
   private Recording open(boolean jsonLines, Sampling sampling) {
     Recording.RecordingOutput sink =
         out.equals(STDOUT) ? new StdoutSink(console()) : FileSink.open(out, yes);
-    return jsonLines ? new JsonRecording(sink) : new CsvRecording(sink, sampling.robots());
+    return jsonLines ? new JsonRecording(sink) : new CsvRecording(sink, sampling.robots(), raw);
   }
 
   /** Returns a summary of each robot. */

@@ -89,6 +89,14 @@ class PlotCommandTest {
   }
 
   @Test
+  void takesCellsThatAreGuardedAgainstBeingFormulas() throws IOException {
+    Files.writeString(csv, "time,'-force\n0,'-1.5\n1,-2\n");
+
+    plot().succeeds().containsExactly("wrote " + svg);
+    assertThat(Pictures.texts(svg).lines().skip(1)).containsExactly("-force over time; -force");
+  }
+
+  @Test
   void drawsOneColumnOverAnother() throws IOException {
     Cli.Result result = plot("--xy", "$POS_ACT.X,$POS_ACT.Y", "--title", "From above");
 

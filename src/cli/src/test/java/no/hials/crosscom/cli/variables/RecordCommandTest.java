@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class RecordCommandTest {
   @TempDir private Path dir;
@@ -124,6 +125,45 @@ class RecordCommandTest {
     record("--count", "1", "MYSTRING[]");
 
     assertThat(Files.readString(file, StandardCharsets.UTF_8)).contains(",\"a,b\u00FC\",");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"=cmd|'/c calc'!A0", "@SUM(A1)", "+1+1", " -2+3", "\t=1", "'=1", "-"})
+  void guardsATextThatASpreadsheetWouldTakeForAFormula(String text) throws IOException {
+    String name = "MYSTRING[]";
+    server.fault(
+        request -> name.equals(request.name()), Fault.answer('"' + text + '"', Tail.SUCCESS));
+    Path raw = dir.resolve("raw.csv");
+
+    record("--count", "1", name);
+    Cli.runOn(server, "record", name, "--count", "1", "--raw", "--out", raw.toString());
+
+    String escaped = text.replace("\t", "\\x09");
+    assertThat(Files.readString(file)).contains(",'" + escaped + ",");
+    assertThat(RecordedData.read(file).series().get(0).texts()).containsExactly(escaped);
+    assertThat(Files.readString(raw)).contains("," + text + ",");
+  }
+
+  @Test
+  void writesNumbersWithoutAGuard() throws IOException {
+    server.enqueue(value("-3.5"), value("-3.5"), value("1E5"), value("-1E-07"));
+
+    record("--count", "3", "MYREAL");
+
+    assertThat(rows())
+        .extracting(row -> row.get(2))
+        .containsExactly("-3.50000", "100000.0", "-1.00000E-07");
+  }
+
+  @Test
+  void escapesControlCharacters() throws IOException {
+    String name = "MYSTRING[]";
+    server.fault(
+        request -> name.equals(request.name()), Fault.answer("\"a\0\u001B[2J\"", Tail.SUCCESS));
+
+    record("--count", "1", name);
+
+    assertThat(Files.readString(file)).contains(",a\\x00\\x1B[2J,");
   }
 
   @Test
@@ -284,6 +324,10 @@ class RecordCommandTest {
   }
 
   private Cli.Result recordTwo(MockServer other) throws IOException {
+    return recordTwo(other, "--count", "2");
+  }
+
+  private Cli.Result recordTwo(MockServer other, String... options) throws IOException {
     Path profiles = dir.resolve("config.toml");
     List<String> lines = new ArrayList<>();
     for (MockServer one : List.of(server, other)) {
@@ -292,16 +336,10 @@ class RecordCommandTest {
       lines.add("port = " + one.port());
     }
     Files.write(profiles, lines);
+    String[] args = {"record", "@cell1", "@cell2", "MYINT", "--out", file.toString()};
     return Cli.runIn(
         Map.of("JOPENSHOWVAR_CONFIG", profiles.toString()),
-        "record",
-        "@cell1",
-        "@cell2",
-        "MYINT",
-        "--count",
-        "2",
-        "--out",
-        file.toString());
+        Stream.concat(Stream.of(args), Stream.of(options)).toArray(String[]::new));
   }
 
   @Test
@@ -360,6 +398,7 @@ class RecordCommandTest {
         "MYINT --mock                             | missing required option: '--out=FILE'",
         "--out a.csv --mock                       | missing required parameter: 'NAME'",
         "MYINT --out - --mock --format xml        | --format must be csv or jsonl, is xml",
+        "MYINT --out a.jsonl --mock --raw         | --raw goes with csv",
         "MYINT --out - --mock --count 0           | --count must be 1 or more, is 0",
         "MYINT --out - --mock --period 25m --for 0| must be 1ms to",
         "MYINT --out - --mock --period 1441m      | --period must be at most a day, is 24 h"

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
+import java.util.stream.Stream;
 
 /**
  * Replays recorded input from CSV text.
@@ -16,7 +17,8 @@ import java.util.function.LongSupplier;
  * <p>The first line names the columns, separated by commas: {@code time} in s, increasing; {@code
  * axis1}, {@code axis2} and so on, -1 to 1; {@code button1} and so on, 0 or 1; {@code dead_man}, 0
  * or 1. Axes, buttons and the dead-man are optional, but nothing moves without the dead-man. Empty
- * lines and lines that start with {@code #} are skipped.
+ * lines and lines that start with {@code #} are skipped. A cell may have an apostrophe before it,
+ * as cells have that a spreadsheet would take for a formula.
  *
  * <p>The time starts with the first {@link #read}. Each line is valid until the next line, and its
  * age is the time since it, so the robot stands still in a gap and after the last line. The time
@@ -76,7 +78,8 @@ public final class CsvReplay implements InputDevice {
       if (line.isBlank() || line.startsWith("#")) {
         continue;
       }
-      List<String> cells = List.of(line.strip().split("\\s*,\\s*", -1));
+      List<String> cells =
+          Stream.of(line.strip().split("\\s*,\\s*", -1)).map(CsvReplay::withoutGuard).toList();
       try {
         if (columns == null) {
           columns = columns(cells);
@@ -91,6 +94,11 @@ public final class CsvReplay implements InputDevice {
       throw new IOException(name + ": expected a line of names and a line of values, found none");
     }
     return new CsvReplay(List.copyOf(rows), clock);
+  }
+
+  /** Removes the apostrophe that programs write before a cell, so that it is no formula. */
+  private static String withoutGuard(String cell) {
+    return cell.startsWith("'") ? cell.substring(1) : cell;
   }
 
   private static List<String> columns(List<String> cells) {

@@ -97,6 +97,13 @@ class InputTest {
     assertThat(replay.read()).isEqualTo(new Input(List.of(), List.of(), true, 5));
   }
 
+  @Test
+  void anApostropheBeforeACellIsPassedOver() throws IOException {
+    CsvReplay replay = Replays.of("time,axis1,dead_man\n0,'-0.5,1\n", () -> 5);
+
+    assertThat(replay.read()).isEqualTo(new Input(List.of(-0.5), List.of(), true, 5));
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = ';',

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.locks.ReentrantLock;
+import no.hials.crosscom.cell.CsvText;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.TimeText;
 
@@ -34,7 +35,7 @@ public final class BenchCsv implements Bench.BenchListener, AutoCloseable {
           TimeText.seconds(Duration.ofNanos(nanos)),
           Integer.toString(client),
           access.verb(),
-          access.name(),
+          CsvText.guarded(access.name()),
           failure.isEmpty() ? TimeText.millis(Duration.ofNanos(took)) : "",
           failure);
     } catch (UncheckedIOException e) {

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import no.hials.crosscom.cell.CsvFile;
+import no.hials.crosscom.cell.CsvText;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.RecordedData;
 import no.hials.crosscom.cell.Units;
@@ -180,7 +181,7 @@ public final class PlotData {
     if (rows.size() < 2) {
       throw new IllegalArgumentException("it must have a line of names and lines of numbers");
     }
-    List<String> header = rows.get(0).getFields();
+    List<String> header = rows.get(0).getFields().stream().map(CsvText::exact).toList();
     if (!Double.isNaN(number(header.get(0)))) {
       throw new IllegalArgumentException(
           "the first line must name the columns, begins with " + header.get(0));
@@ -233,7 +234,7 @@ public final class PlotData {
   }
 
   private static List<String> texts(List<CsvRecord> rows, int column) {
-    return rows.stream().map(row -> row.getField(column)).toList();
+    return rows.stream().map(row -> CsvText.exact(row.getField(column))).toList();
   }
 
   private static Column column(String name, String unit, double[] x, List<String> texts) {

@@ -1,0 +1,37 @@
+package no.hials.crosscom.cell;
+
+import java.util.regex.Pattern;
+import no.hials.crosscom.protocol.value.PrintableText;
+
+/**
+ * The texts in cells of CSV files. A spreadsheet takes a cell that begins with {@code =}, {@code
+ * +}, {@code -}, {@code @}, tab or CR for a formula, which may run a program; an apostrophe before
+ * it makes it a text.
+ */
+public final class CsvText {
+  private static final Pattern NUMBER =
+      Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+
+  /** The beginning of a formula, also full-width, after control characters were escaped. */
+  private static final String FORMULA =
+      "[\\s\\u00A0]*([=+@\\-\\uFF1D\\uFF0B\\uFF20\\uFF0D]|\\\\x0[9D])";
+
+  /** A text with apostrophes before a formula gets one more, so that {@link #exact} is exact. */
+  private static final Pattern UNSAFE = Pattern.compile("'*" + FORMULA);
+
+  private static final Pattern GUARDED = Pattern.compile("'+" + FORMULA);
+
+  private CsvText() {}
+
+  /** Escapes control characters, and guards a text that is no number against being a formula. */
+  public static String guarded(String text) {
+    String cell = PrintableText.of(text);
+    boolean unsafe = UNSAFE.matcher(cell).lookingAt() && !NUMBER.matcher(cell).matches();
+    return unsafe ? "'" + cell : cell;
+  }
+
+  /** Returns the text of a cell without the apostrophe that guards it. */
+  public static String exact(String cell) {
+    return GUARDED.matcher(cell).lookingAt() ? cell.substring(1) : cell;
+  }
+}

@@ -2,13 +2,13 @@ package no.hials.crosscom.cli.variables;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.time.Instant;
-import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import no.hials.crosscom.ConnectionEvent;
@@ -61,13 +61,15 @@ import picocli.CommandLine.Option;
       "The columns are set at the start. A field that is not initialised at the start has no"
           + " column; a field that is not initialised later is empty. Control characters are"
           + " written as \\x1B. A text that a spreadsheet would take for a formula, as it begins"
-          + " with = + - @, tab or CR, has an apostrophe before it.",
+          + " with = + - @, tab or CR, has an apostrophe before it. Only one command can record to"
+          + " a file.",
       "",
       "Notes in the status column:",
       "  missed N           N periods before this row were skipped",
       "  gap N; REASON      a row without values, for N failed readings before the",
       "                     next row of the robot; its time is when the",
-      "                     connection was lost",
+      "                     connection was lost, or that of the row before it:",
+      "                     gap N since TIME; REASON",
       "  dropped N          N samples before this row were lost, because the disk is",
       "                     too slow",
       "  no column for NAME a field that was not initialised at the start",
@@ -214,22 +216,48 @@ public final class RecordCommand extends SamplingCommand {
     }
   }
 
-  /** Writes to a file without a buffer, so that written data survives the end of this process. */
-  private record FileSink(String name, OutputStream file) implements Recording.RecordingOutput {
+  /**
+   * Writes to a file without a buffer, so that written data survives the end of this process.
+   *
+   * @param lock keeps other commands from recording to the file; not used for writing, since an
+   *     interrupt would close it
+   */
+  private record FileSink(String name, FileChannel lock, OutputStream file)
+      implements Recording.RecordingOutput {
     static FileSink open(String name, boolean overwrite) {
       Path path = Path.of(name);
       boolean replaces = overwrite || (Files.exists(path) && !Files.isRegularFile(path));
-      List<OpenOption> how =
-          replaces
-              ? List.of(
-                  StandardOpenOption.WRITE,
-                  StandardOpenOption.CREATE,
-                  StandardOpenOption.TRUNCATE_EXISTING)
-              : List.of(StandardOpenOption.WRITE, StandardOpenOption.CREATE_NEW);
       try {
-        return new FileSink(name, Files.newOutputStream(path, how.toArray(OpenOption[]::new)));
+        FileChannel lock =
+            FileChannel.open(
+                path,
+                StandardOpenOption.WRITE,
+                replaces ? StandardOpenOption.CREATE : StandardOpenOption.CREATE_NEW);
+        try {
+          if (Files.isRegularFile(path)) {
+            lock(lock);
+            lock.truncate(0);
+          }
+          return new FileSink(name, lock, Files.newOutputStream(path, StandardOpenOption.WRITE));
+        } catch (IOException e) {
+          lock.close();
+          throw e;
+        }
       } catch (IOException e) {
         throw new OutputException(name, e);
+      }
+    }
+
+    private static void lock(FileChannel file) throws IOException {
+      boolean locked;
+      try {
+        // a byte after all data: on Windows, others could not read the locked bytes
+        locked = file.tryLock(Long.MAX_VALUE - 1, 1, false) != null;
+      } catch (OverlappingFileLockException e) {
+        locked = false;
+      }
+      if (!locked) {
+        throw new IOException("another command is recording to it");
       }
     }
 
@@ -244,7 +272,9 @@ public final class RecordCommand extends SamplingCommand {
 
     @Override
     public void close() throws IOException {
-      file.close();
+      try (lock) {
+        file.close();
+      }
     }
   }
 }

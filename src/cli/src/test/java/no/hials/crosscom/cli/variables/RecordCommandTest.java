@@ -13,6 +13,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.Stream;
@@ -164,6 +165,49 @@ class RecordCommandTest {
     record("--count", "1", name);
 
     assertThat(Files.readString(file)).contains(",a\\x00\\x1B[2J,");
+  }
+
+  @Test
+  void refusesAFileThatAnotherCommandRecordsTo() throws Exception {
+    CountDownLatch thirdRequest = new CountDownLatch(1);
+    server.fault(request -> request.number() == 3, Fault.hold(thirdRequest));
+    CompletableFuture<Cli.Result> first =
+        CompletableFuture.supplyAsync(() -> record("--count", "2", "MYINT"));
+    while (server.requestCount() < 3) {
+      Thread.onSpinWait();
+    }
+
+    record("--count", "1", "--yes", "MYREAL")
+        .failsInLines(74)
+        .containsExactly(
+            "jopenshowvar: could not write " + file + ": another command is recording to it");
+
+    thirdRequest.countDown();
+    assertThat(first.join().code()).isZero();
+    assertThat(rows()).hasSize(2);
+    assertThat(record("--count", "1", "--yes", "MYREAL").code()).isZero();
+  }
+
+  @Test
+  void writesTheRowsOfALostRobotInTheOrderOfTheirTimes() throws IOException {
+    try (MockServer other = MockServer.start()) {
+      other.faults(
+          request ->
+              request.number() > 2 && server.requestCount() < 20
+                  ? Optional.of(Fault.closeBefore())
+                  : Optional.empty());
+
+      Cli.Result result = recordTwo(other, "--period", "20ms", "--count", "60");
+
+      assertThat(result.code()).as(result.err()).isZero();
+    }
+    assertThat(rows()).extracting(row -> row.get(0)).isSorted();
+    assertThat(rows()).extracting(row -> Double.valueOf(row.get(1))).isSorted();
+    assertThat(rows())
+        .filteredOn(row -> row.get(6).startsWith("gap "))
+        .isNotEmpty()
+        .allMatch(row -> row.get(2).equals("cell2"))
+        .anyMatch(row -> row.get(6).matches("gap \\d+ since 20.*Z; .*MYINT.*"));
   }
 
   @Test

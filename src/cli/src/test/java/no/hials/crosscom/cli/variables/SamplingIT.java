@@ -150,6 +150,21 @@ class SamplingIT {
     assertThat(rows).isEqualTo((int) server.requestCount() - 1);
   }
 
+  @Test
+  void recordRefusesAFileThatAnotherProcessRecordsTo() throws Exception {
+    Path file = dir.resolve("a.csv");
+    Process process = recording(file);
+    try {
+      Cli.runOn(server, "record", "MYINT", "--count", "1", "--yes", "--out", file.toString())
+          .failsInALine(74)
+          .isEqualTo(
+              "jopenshowvar: could not write " + file + ": another command is recording to it");
+    } finally {
+      process.destroyForcibly().waitFor();
+    }
+    assertThat(RecordedData.read(file).series().get(0).size()).isPositive();
+  }
+
   private static long rows(Path csv) throws IOException {
     // the first line has names
     return Files.readString(csv).lines().count() - 1;

@@ -34,6 +34,10 @@ public final class CsvRecording implements Recording {
   private final Map<String, Integer> columns = new LinkedHashMap<>();
 
   private final Map<SampledRobot, Past> pasts = new HashMap<>();
+
+  /** The time of the last row; rows of several robots are in the order of their times. */
+  private Instant latest = Instant.MIN;
+
   private final StringWriter row = new StringWriter();
   private final CsvWriter csv = CsvWriter.builder().build(row);
 
@@ -122,6 +126,7 @@ public final class CsvRecording implements Recording {
 
   /** Creates a row without values. */
   private String[] cells(SampledRobot robot, Instant time, Duration since) {
+    latest = time;
     String[] cells = new String[columns.size() + (severalRobots ? 5 : 4)];
     Arrays.fill(cells, "");
     cells[0] = TimeText.instant(time);
@@ -165,8 +170,14 @@ public final class CsvRecording implements Recording {
       SampledRobot robot, long failed, Instant from, Duration sinceNow, Instant now) {
     ConnectionEvent lost = past(robot).lost;
     CrossComException cause = lost == null ? null : lost.cause();
-    String[] cells = cells(robot, from, sinceNow.minus(Duration.between(from, now)));
-    cells[cells.length - 1] = "gap " + failed + (cause == null ? "" : "; " + cause.getMessage());
+    boolean late = from.isBefore(latest);
+    Instant time = late ? latest : from;
+    String[] cells = cells(robot, time, sinceNow.minus(Duration.between(time, now)));
+    cells[cells.length - 1] =
+        "gap "
+            + failed
+            + (late ? " since " + TimeText.instant(from) : "")
+            + (cause == null ? "" : "; " + cause.getMessage());
     write(Arrays.asList(cells));
   }
 

@@ -39,6 +39,10 @@ public final class Sampling implements Closeable {
   private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>();
   private final List<SampledRobot> robots = new ArrayList<>();
   private @Nullable Instant start;
+
+  /** The time of the last sample that the listener has received. */
+  private Instant latest = Instant.EPOCH;
+
   private boolean changesOnly;
 
   /** The samples and connection events that earlier samples of other robots may precede. */
@@ -158,7 +162,9 @@ public final class Sampling implements Closeable {
 
   /**
    * Reads until the user stops it or a limit is reached. The listener receives the samples of all
-   * robots in the order of their times; a sample waits at most 1 s for earlier ones.
+   * robots in the order of their times; a sample waits at most 1 s for earlier ones. If a reading
+   * ends after the listener has received a later one, because the answer was slow or the robot had
+   * to be connected again, its sample has the time of that one and the duration from there.
    *
    * @param changesOnly whether the listener gets only samples in which something changed, each one
    *     immediately, since the other robots may have no changes
@@ -254,19 +260,37 @@ public final class Sampling implements Closeable {
     if (robot.hasEnough()) {
       return;
     }
+    Sample inOrder = changesOnly ? sample : inOrder(sample);
     if (start == null) {
-      start = sample.time();
+      start = inOrder.time();
     }
     Duration length = plan.length();
-    if (length != null && since(sample.time()).compareTo(length) >= 0) {
+    if (length != null && since(inOrder.time()).compareTo(length) >= 0) {
       robot.stopWithEnough();
       return;
     }
-    robot.count(sample);
-    listener.sampled(robot, sample);
+    robot.count(inOrder);
+    listener.sampled(robot, inOrder);
     if (robot.samples() >= plan.count()) {
       robot.stopWithEnough();
     }
+  }
+
+  private Sample inOrder(Sample sample) {
+    Duration late = Duration.between(sample.time(), latest);
+    if (late.isNegative() || late.isZero()) {
+      latest = sample.time();
+      return sample;
+    }
+    Duration rest = sample.duration().minus(late);
+    return new Sample(
+        sample.number(),
+        latest,
+        rest.isNegative() ? Duration.ZERO : rest,
+        sample.readings(),
+        sample.changed(),
+        sample.missedPeriods(),
+        sample.failedPolls());
   }
 
   @Override

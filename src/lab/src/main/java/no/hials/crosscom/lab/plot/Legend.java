@@ -4,7 +4,10 @@ import java.awt.Graphics2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The title of a panel and below it the names of its series, wrapped to the width of the panel. */
+/**
+ * The title of a panel, below it the names of its series, wrapped to the width of the panel, and
+ * the number of values that are not shown.
+ */
 final class Legend {
   private static final int LINE_HEIGHT = 20;
   private static final int BASELINE = 14;
@@ -19,6 +22,7 @@ final class Legend {
   private final Panel panel;
   private final int width;
   private final List<Entry> entries = new ArrayList<>();
+  private final String leftOut;
   private final int lines;
 
   Legend(Panel panel, int width) {
@@ -43,7 +47,8 @@ final class Legend {
         any = true;
       }
     }
-    this.lines = any ? line + 1 : line;
+    this.leftOut = Typeface.fit(panel.leftOut(), Typeface.TEXT, width - INDENT);
+    this.lines = (any ? line + 1 : line) + (leftOut.isEmpty() ? 0 : 1);
   }
 
   /** Returns the look of each series of a panel. */
@@ -70,5 +75,7 @@ final class Legend {
       SeriesPainter.paintSample(entry.style, entry.look, g, entry.x, y + BASELINE - 4.5, SAMPLE);
       Typeface.draw(g, entry.name, Typeface.TEXT, Look.INK, entry.x + SAMPLE + SPACE, y + BASELINE);
     }
+    double bottom = (lines - 1) * (double) LINE_HEIGHT + BASELINE;
+    Typeface.draw(g, leftOut, Typeface.TEXT, Look.INK, INDENT, bottom);
   }
 }

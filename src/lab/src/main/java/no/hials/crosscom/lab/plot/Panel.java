@@ -36,7 +36,10 @@ public record Panel(
 
   /** Keeps copies of the lists. */
   public Panel {
-    series = List.copyOf(series);
+    series =
+        scale == Scale.FREE
+            ? List.copyOf(series)
+            : series.stream().map(Series::withOneScale).toList();
     labels = List.copyOf(labels);
   }
 
@@ -52,6 +55,11 @@ public record Panel(
    */
   public static Panel of(String title, Axis x, Axis y, Scale scale, List<Series> series) {
     return new Panel(title, x, y, series, List.of(), scale);
+  }
+
+  /** Returns a text about the values that are not shown; empty if there are none. */
+  String leftOut() {
+    return Series.leftOut(series);
   }
 
   Range xRange() {

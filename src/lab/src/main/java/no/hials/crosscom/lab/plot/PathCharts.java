@@ -83,7 +83,7 @@ public final class PathCharts {
     List<double[]> starts = new ArrayList<>();
     List<double[]> ends = new ArrayList<>();
     for (Flat flat : flats) {
-      Series line = Series.of("", Series.Style.LINE, flat.u, flat.v);
+      Series line = Series.of("", Series.Style.LINE, flat.u, flat.v).withOneScale();
       int first = 0;
       int last = line.size() - 1;
       while (first < last && line.isGap(first)) {
@@ -144,7 +144,7 @@ public final class PathCharts {
     Range range =
         values
             .flatMapToDouble(Arrays::stream)
-            .filter(Double::isFinite)
+            .filter(Series::isShown)
             .mapToObj(v -> new Range(v, v))
             .reduce(Range.EMPTY, Range::with);
     return range.padded(0);

@@ -26,9 +26,9 @@ public final class PlotData {
   /** A column's name with its unit, as {@code force [N]}. */
   private static final Pattern NAME_AND_UNIT = Pattern.compile("(.+?) ?\\[([^\\]\\d][^\\]]*)\\]");
 
-  /** The texts that mean a missing number. */
-  private static final Pattern GAP =
-      Pattern.compile("\\s*|[+-]?(nan|inf|infinity)", Pattern.CASE_INSENSITIVE);
+  /** The texts that mean that there is no finite number. */
+  private static final Pattern NOT_FINITE =
+      Pattern.compile("[+-]?(nan|inf|infinity)", Pattern.CASE_INSENSITIVE);
 
   private static final DateTimeFormatter TIME =
       DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss 'UTC'", Locale.ROOT)
@@ -81,7 +81,7 @@ public final class PlotData {
       return x.clone();
     }
 
-    /** Returns the numbers; NaN in a gap. TRUE is 1, FALSE 0. */
+    /** Returns the numbers; NaN in a gap, infinite for NaN. TRUE is 1, FALSE 0. */
     public double[] y() {
       return y.clone();
     }
@@ -92,7 +92,7 @@ public final class PlotData {
     }
 
     public boolean hasNumbers() {
-      return Arrays.stream(y).anyMatch(value -> !Double.isNaN(value));
+      return Arrays.stream(y).anyMatch(Double::isFinite);
     }
 
     /** Returns the first text that is not a number, TRUE or FALSE; empty without one. */
@@ -191,7 +191,7 @@ public final class PlotData {
     body.forEach(row -> CsvFile.checkFields(row, header.size()));
     double[] x = numbers(texts(body, 0));
     for (int i = 0; i < x.length; i++) {
-      if (Double.isNaN(x[i])) {
+      if (!Double.isFinite(x[i])) {
         throw new IllegalArgumentException(
             "line "
                 + body.get(i).getStartingLineNumber()
@@ -242,7 +242,7 @@ public final class PlotData {
     boolean truth = texts.stream().anyMatch(text -> text.matches("(?i)TRUE|FALSE"));
     String other =
         texts.stream()
-            .filter(text -> Double.isNaN(number(text)) && !GAP.matcher(text).matches())
+            .filter(text -> Double.isNaN(number(text)) && !text.isBlank())
             .findFirst()
             .orElse("");
     return new Column(name, truth ? "TRUE is 1" : unit, x, y, other, false);
@@ -259,7 +259,11 @@ public final class PlotData {
       return 0;
     }
     try {
-      return GAP.matcher(text).matches() ? Double.NaN : Double.parseDouble(text);
+      return text.isBlank()
+          ? Double.NaN
+          : NOT_FINITE.matcher(text).matches()
+              ? Double.POSITIVE_INFINITY
+              : Double.parseDouble(text);
     } catch (NumberFormatException e) {
       return Double.NaN;
     }

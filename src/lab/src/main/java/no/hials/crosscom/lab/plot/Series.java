@@ -1,5 +1,11 @@
 package no.hials.crosscom.lab.plot;
 
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import no.hials.crosscom.cell.Printable;
+
 /** Points that belong together, and how they are drawn. Immutable. */
 public final class Series {
   /** How a series is drawn. */
@@ -14,12 +20,20 @@ public final class Series {
     GUIDE
   }
 
+  /** The largest number that is drawn. XChart does not end for numbers beyond a long. */
+  private static final double MAX = 1e15;
+
+  /** The same for x, which may be nanoseconds since 1970, unless both axes have one scale. */
+  private static final double MAX_X = 2e18;
+
   private final String name;
   private final Style style;
   private final double[] x;
   private final double[] y;
 
-  private Series(String name, Style style, double[] x, double[] y) {
+  private final double maxX;
+
+  private Series(String name, Style style, double[] x, double[] y, double maxX) {
     if (x.length != y.length) {
       throw new IllegalArgumentException(
           "a series must have as many x as y, has " + x.length + " and " + y.length);
@@ -28,6 +42,7 @@ public final class Series {
     this.style = style;
     this.x = x.clone();
     this.y = y.clone();
+    this.maxX = maxX;
   }
 
   /**
@@ -36,11 +51,12 @@ public final class Series {
    * @param name its name in the legend; empty to leave it out of the legend
    * @param style how it is drawn
    * @param x the x coordinates of its points
-   * @param y the y coordinates, as many; the line has a gap where x or y is NaN
+   * @param y the y coordinates, as many; the line has a gap where x or y is NaN. Numbers that are
+   *     infinite, or too large for an axis, are gaps as well; the picture has their count.
    * @return the series
    */
   public static Series of(String name, Style style, double[] x, double[] y) {
-    return new Series(name, style, x, y);
+    return new Series(name, style, x, y, MAX_X);
   }
 
   /**
@@ -61,7 +77,12 @@ public final class Series {
       y[2 * i] = i == 0 ? 0 : counts[i - 1];
       y[2 * i + 1] = i == counts.length ? 0 : counts[i];
     }
-    return new Series(name, Style.AREA, x, y);
+    return new Series(name, Style.AREA, x, y, MAX_X);
+  }
+
+  /** Returns the series for axes of one scale. */
+  Series withOneScale() {
+    return new Series(name, style, x, y, MAX);
   }
 
   public String name() {
@@ -85,7 +106,40 @@ public final class Series {
   }
 
   boolean isGap(int i) {
-    return !Double.isFinite(x[i]) || !Double.isFinite(y[i]);
+    return !(Math.abs(x[i]) <= maxX && isShown(y[i]));
+  }
+
+  static boolean isShown(double y) {
+    return Math.abs(y) <= MAX;
+  }
+
+  /** Returns a text about the points that cannot be shown; empty if there are none. */
+  static String leftOut(List<Series> all) {
+    List<Series> data = all.stream().filter(series -> series.style != Style.GUIDE).toList();
+    Map<String, Long> counts = new TreeMap<>();
+    for (Series one : data) {
+      for (int i = 0; i < one.size(); i++) {
+        if (one.isGap(i) && !Double.isNaN(one.x[i]) && !Double.isNaN(one.y[i])) {
+          counts.merge(one.reason(i), 1L, Long::sum);
+        }
+      }
+    }
+    return counts.entrySet().stream()
+        .map(
+            count ->
+                Printable.count(count.getValue(), "value")
+                    + " "
+                    + count.getKey()
+                    + (count.getValue() == 1 ? " is" : " are")
+                    + " not shown")
+        .collect(Collectors.joining(", "));
+  }
+
+  private String reason(int i) {
+    if (Double.isInfinite(x[i]) || Double.isInfinite(y[i])) {
+      return "without a finite number";
+    }
+    return isShown(y[i]) && maxX == MAX_X ? "with x beyond 2e18" : "beyond 1e15";
   }
 
   /** Returns the range of x, without gaps. */

@@ -86,6 +86,10 @@ final class SvgWriter {
             .filter(name -> !name.isEmpty())
             .collect(Collectors.joining(", "));
     String axes = panel.y().label() + " over " + panel.x().label();
-    return title + axes + (names.isEmpty() ? "" : "; " + names);
+    String leftOut = panel.leftOut();
+    return title
+        + axes
+        + (names.isEmpty() ? "" : "; " + names)
+        + (leftOut.isEmpty() ? "" : "; " + leftOut);
   }
 }

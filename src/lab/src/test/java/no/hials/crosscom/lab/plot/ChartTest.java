@@ -13,7 +13,12 @@ import java.util.List;
 import java.util.Map;
 import no.hials.crosscom.lab.plot.Series.Style;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
@@ -110,6 +115,78 @@ class ChartTest {
     chart(line("nothing", Double.NaN, Double.NaN)).write(file, SIZE);
 
     assertThat(Pictures.png(file).getWidth()).isEqualTo(400);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "1e30    | 1 value beyond 1e15 is not shown",
+        "-3.4e38 | 1 value beyond 1e15 is not shown",
+        "1e300   | 1 value beyond 1e15 is not shown",
+        "Infinity| 1 value without a finite number is not shown"
+      })
+  @Timeout(value = 60, threadMode = ThreadMode.SEPARATE_THREAD)
+  void leavesOutWhatIsTooLargeForAnAxisAndSaysSo(double value, String text) throws IOException {
+    Path file = folder.resolve("a.svg");
+
+    chart(line("a", 1, value, 2)).write(file, SIZE);
+
+    assertThat(Pictures.texts(file)).endsWith("; a; " + text);
+    assertThat(drawnTexts(Pictures.svg(file))).containsExactly("Title & more", "a", text);
+    assertThat(Pictures.texts(file)).doesNotContain("NaN");
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  @Timeout(value = 60, threadMode = ThreadMode.SEPARATE_THREAD)
+  void drawsTheLargestNumbersThatItShows(Panel.Scale scale) throws IOException {
+    Path file = folder.resolve("a.svg");
+    double max = scale == Panel.Scale.FREE ? 2e18 : 1e15;
+    double[] x = {-max, max};
+    double[] y = {-1e15, 1e15};
+    Series series = Series.of("a", Series.Style.LINE, x, y);
+    Axis axis = new Axis("v", "");
+
+    Chart.stacked("", List.of(Panel.of("", axis, axis, scale, List.of(series)))).write(file, SIZE);
+
+    assertThat(Pictures.texts(file)).doesNotContain("not shown");
+  }
+
+  @Test
+  @Timeout(value = 60, threadMode = ThreadMode.SEPARATE_THREAD)
+  void leavesOutPointsOfAPathThatAreTooLarge() throws IOException {
+    Path file = folder.resolve("a.svg");
+    double[] x = {1, 2, 1e30, 3};
+    double[] y = {1, 2, 3, 4};
+
+    PathCharts.space("", "mm", List.of(Track.of("p", x, y, y)))
+        .write(file, new Chart.Size(800, 800));
+
+    assertThat(Pictures.texts(file))
+        .contains(
+            "from above: Y [mm] over X [mm]; p, start, end; 1 value beyond 1e15 is not shown");
+  }
+
+  @Test
+  void replacesAPictureByOneThatIsComplete() throws IOException {
+    Path file = Files.writeString(folder.resolve("a.svg"), "old");
+    Path other = Files.createLink(folder.resolve("link"), file);
+
+    chart(line("a", 1, 2)).write(file, SIZE);
+
+    assertThat(other).as("the old file, which was not written to").hasContent("old");
+    assertThat(Pictures.texts(file)).endsWith("; a");
+    assertThat(folder.toFile().list()).containsExactlyInAnyOrder("a.svg", "link");
+  }
+
+  @Test
+  void leavesNoPartOfAPictureThatCannotBeWritten() {
+    Path tooLong = folder.resolve("a".repeat(300) + ".svg");
+
+    assertThatThrownBy(() -> chart(line("a", 1, 2)).write(tooLong, SIZE))
+        .isInstanceOf(IOException.class);
+    assertThat(folder).isEmptyDirectory();
   }
 
   @Test

@@ -1,8 +1,12 @@
 package no.hials.crosscom.lab.plot;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
+import java.util.UUID;
 
 /**
  * A chart: panels under a title.
@@ -36,7 +40,8 @@ public record Chart(String title, List<Panel> panels, int columns) {
   }
 
   /**
-   * Writes the chart to a file and replaces an existing file.
+   * Writes the chart to a file and replaces an existing file. The picture is complete or not there:
+   * it is written to a temporary file next to the file, which is then renamed.
    *
    * @param file the file; the end of its name decides between PNG and SVG
    * @param size the size of the picture
@@ -45,7 +50,24 @@ public record Chart(String title, List<Panel> panels, int columns) {
    * @throws IOException if the file cannot be written
    */
   public void write(Path file, Size size) throws IOException {
-    Format.of(file).write(this, file, size);
+    byte[] picture = Format.of(file).draw(this, size);
+    if (Files.exists(file) && !Files.isRegularFile(file)) {
+      Files.write(file, picture); // to a device or a pipe
+      return;
+    }
+    Path target = Files.exists(file) ? file.toRealPath() : file;
+    Path part = target.resolveSibling("plot-" + UUID.randomUUID() + ".part");
+    try {
+      part.toFile().deleteOnExit();
+    } catch (IllegalStateException e) {
+      // the program is ending after Ctrl-C, and waits for this picture
+    }
+    try {
+      Files.write(part, picture, StandardOpenOption.CREATE_NEW);
+      Files.move(part, target, StandardCopyOption.ATOMIC_MOVE);
+    } finally {
+      Files.deleteIfExists(part);
+    }
   }
 
   /**

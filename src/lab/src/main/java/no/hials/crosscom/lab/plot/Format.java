@@ -2,9 +2,8 @@ package no.hials.crosscom.lab.plot;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import javax.imageio.ImageIO;
@@ -15,7 +14,7 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 enum Format {
   PNG {
     @Override
-    void write(Chart chart, Path file, Chart.Size size) throws IOException {
+    byte[] draw(Chart chart, Chart.Size size) throws IOException {
       BufferedImage image = image(size);
       Graphics2D g = image.createGraphics();
       try {
@@ -23,18 +22,19 @@ enum Format {
       } finally {
         g.dispose();
       }
+      ByteArrayOutputStream bytes = new ByteArrayOutputStream();
       // ImageIO's own stream has a shutdown hook, which cannot be added after Ctrl-C
-      try (OutputStream out = Files.newOutputStream(file);
-          ImageOutputStream memory = new MemoryCacheImageOutputStream(out)) {
+      try (ImageOutputStream memory = new MemoryCacheImageOutputStream(bytes)) {
         ImageIO.write(image, "png", memory);
       }
+      return bytes.toByteArray();
     }
   },
 
   SVG {
     @Override
-    void write(Chart chart, Path file, Chart.Size size) throws IOException {
-      SvgWriter.write(chart, file, size);
+    byte[] draw(Chart chart, Chart.Size size) throws IOException {
+      return SvgWriter.draw(chart, size);
     }
   };
 
@@ -45,8 +45,8 @@ enum Format {
     }
   }
 
-  /** Draws a chart and writes it to a file. */
-  abstract void write(Chart chart, Path file, Chart.Size size) throws IOException;
+  /** Draws a chart, and returns the bytes of the file. */
+  abstract byte[] draw(Chart chart, Chart.Size size) throws IOException;
 
   static Format of(Path file) {
     String name = file.toString().toLowerCase(Locale.ROOT);

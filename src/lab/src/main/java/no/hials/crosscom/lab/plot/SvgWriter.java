@@ -3,8 +3,6 @@ package no.hials.crosscom.lab.plot;
 import java.awt.Dimension;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.stream.Collectors;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
@@ -31,7 +29,7 @@ final class SvgWriter {
 
   private SvgWriter() {}
 
-  static void write(Chart chart, Path file, Chart.Size size) throws IOException {
+  static byte[] draw(Chart chart, Chart.Size size) throws IOException {
     try {
       Document document =
           DocumentBuilderFactory.newDefaultInstance()
@@ -43,12 +41,11 @@ final class SvgWriter {
       root.setAttribute("role", "img");
       describe(root, "desc", description(chart));
       describe(root, "title", chart.title());
-      // in memory first, so that a file error is not reported as a transformer error
       ByteArrayOutputStream bytes = new ByteArrayOutputStream();
       Transformer transformer = TransformerFactory.newDefaultInstance().newTransformer();
       transformer.setOutputProperty(OutputKeys.INDENT, "yes");
       transformer.transform(new DOMSource(root), new StreamResult(bytes));
-      Files.write(file, bytes.toByteArray());
+      return bytes.toByteArray();
     } catch (ParserConfigurationException | TransformerException e) {
       throw new IOException(e);
     }

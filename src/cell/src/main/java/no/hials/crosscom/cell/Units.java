@@ -1,6 +1,7 @@
 package no.hials.crosscom.cell;
 
 import java.util.Locale;
+import java.util.Set;
 
 /**
  * The units of variables, from the table of system variables or, if the table has no unit, from the
@@ -10,8 +11,8 @@ import java.util.Locale;
 public final class Units {
   private static final String DEGREES = "°";
 
-  /** The unit of positions in the table: each field has its own. */
-  private static final String OF_POSITIONS = "mm/deg";
+  /** The units of positions in the table: each field has its own. */
+  private static final Set<String> POSITIONS = Set.of("mm/deg", "deg");
 
   private final Catalogue catalogue = Catalogue.system();
 
@@ -29,7 +30,11 @@ public final class Units {
     String field = variable.substring(variable.lastIndexOf('.') + 1).toUpperCase(Locale.ROOT);
     boolean isField = variable.indexOf('.') >= 0;
     String unit = catalogue.find(base).map(CatalogueEntry::unit).orElse("");
-    if (isField && (unit.isEmpty() || unit.equals(OF_POSITIONS))) {
+    boolean nested = variable.indexOf('.') != variable.lastIndexOf('.');
+    if (nested && variable.toUpperCase(Locale.ROOT).contains(".J.")) {
+      return "kg m²";
+    }
+    if (nested || (isField && (unit.isEmpty() || POSITIONS.contains(unit)))) {
       return ofField(field);
     }
     if (field.startsWith("ORI")) {

@@ -11,6 +11,8 @@ import no.hials.crosscom.lab.plot.Pictures;
 import no.hials.crosscom.mock.MockServer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -58,6 +60,29 @@ class PlotCommandTest {
             "$POS_ACT [°] over time [s]; $POS_ACT.A",
             "$OV_PRO [%] over time [s]; $OV_PRO",
             "$PERI_RDY [TRUE is 1] over time [s]; $PERI_RDY");
+  }
+
+  @Test
+  void drawsTheFieldsOfAStructureInAPanelForEachUnit() throws IOException {
+    Files.writeString(
+        csv,
+        """
+        time,seconds,$LOAD.M,$LOAD.CM.X,$LOAD.CM.A,$LOAD.J.X,$VEL.CP,$VEL.ORI1,$H_POS.X,$H_POS.A,access_ms,status
+        2026-05-04T10:15:30.000000Z,0.0,5,100,90,1,2,200,500,45,2.1,
+        2026-05-04T10:15:30.100000Z,0.1,5,110,91,1,2,200,500,45,2.1,
+        """);
+
+    plot().succeeds().containsExactly("wrote " + svg);
+    assertThat(Pictures.texts(svg).lines().skip(1))
+        .containsExactly(
+            "$LOAD [kg] over time [s]; $LOAD.M",
+            "$LOAD [mm] over time [s]; $LOAD.CM.X",
+            "$LOAD [°] over time [s]; $LOAD.CM.A",
+            "$LOAD [kg m²] over time [s]; $LOAD.J.X",
+            "$VEL [m/s] over time [s]; $VEL.CP",
+            "$VEL [°/s] over time [s]; $VEL.ORI1",
+            "$H_POS [mm] over time [s]; $H_POS.X",
+            "$H_POS [°] over time [s]; $H_POS.A");
   }
 
   @Test
@@ -157,7 +182,7 @@ class PlotCommandTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"NaN", "nan", "inf", "-Infinity", "", " "})
+  @ValueSource(strings = {"", " "})
   void leavesAGapWhereThereIsNoNumber(String cell) throws IOException {
     Files.writeString(csv, "s,force [N]\n0,1\n1," + cell + "\n2,3\n3,4\n");
 
@@ -165,6 +190,29 @@ class PlotCommandTest {
 
     assertThat(result.err()).isEmpty();
     assertThat(Pictures.texts(svg).lines()).containsExactly("run.csv", "force [N] over s; force");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"NaN", "nan", "inf", "-Infinity", "1e999"})
+  void countsTheNumbersThatAreNotFinite(String cell) throws IOException {
+    Files.writeString(csv, "s,force [N]\n0,1\n1," + cell + "\n2,3\n3,4\n");
+
+    plot().succeeds().containsExactly("wrote " + svg);
+    assertThat(Pictures.texts(svg).lines().skip(1))
+        .containsExactly("force [N] over s; force; 1 value without a finite number is not shown");
+  }
+
+  @Test
+  @Timeout(value = 60, threadMode = ThreadMode.SEPARATE_THREAD)
+  void drawsARecordingWithTheLargestNumbersOfKrl() throws IOException {
+    String big = "2026-05-04T10:15:30.500000Z,0.5,%s,0.0,800.0,90.0,2,0.0,100,#T1,TRUE,2.1,\n";
+    Files.writeString(
+        csv, RECORDING + big.formatted("3.40282E+38") + big.formatted("-1.00000E+30"));
+
+    plot("$POS_ACT.X").succeeds().containsExactly("wrote " + svg);
+    assertThat(Pictures.texts(svg).lines().skip(1))
+        .containsExactly(
+            "$POS_ACT [mm] over time [s]; $POS_ACT.X; 2 values beyond 1e15 are not shown");
   }
 
   @Test

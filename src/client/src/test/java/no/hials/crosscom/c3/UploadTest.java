@@ -329,6 +329,13 @@ class UploadTest extends FilesRobotTest {
         .satisfies(r -> assertThat(((BeginWriteRequest) r.request()).size()).isZero());
   }
 
+  @Test
+  void aRefusedNameIsReportedAsARefusedUpload() {
+    assertThatExceptionOfType(CrossComRefusedException.class)
+        .isThrownBy(() -> files.upload(TWO_PARTS, "KRC:\\R1\\..\\..\\E.SRC"))
+        .withMessageStartingWith("the server refused the upload of KRC:\\R1\\..\\..\\E.SRC: code");
+  }
+
   // --- verification of what is stored
 
   @Test

@@ -118,12 +118,17 @@ public final class C3Files implements ControllerFiles {
 
   @Override
   public boolean exists(String name) throws IOException {
-    return exists(channel, checked(name));
+    return exists(channel, checked(name), "request for the properties of " + name);
   }
 
-  static boolean exists(MessageChannel channel, String name) throws CrossComException {
+  /**
+   * Returns whether a file exists.
+   *
+   * @param what the request for error messages
+   */
+  static boolean exists(MessageChannel channel, String name, String what) throws CrossComException {
     try {
-      askProperties(channel, name, Flags.of(FileProperty.TYPE));
+      askProperties(channel, name, Flags.of(FileProperty.TYPE), what);
       return true;
     } catch (CrossComRefusedException e) {
       if (e.getErrorCode().orElse(null) == ErrorCode.GENERAL) {
@@ -135,7 +140,13 @@ public final class C3Files implements ControllerFiles {
 
   @Override
   public FileInfo getProperties(String name) throws IOException {
-    return info(askProperties(channel, checked(name), Flags.all(FileProperty.class)).properties());
+    return info(
+        askProperties(
+                channel,
+                checked(name),
+                Flags.all(FileProperty.class),
+                "request for the properties of " + name)
+            .properties());
   }
 
   private static FileInfo info(FileProperties properties) {
@@ -155,12 +166,10 @@ public final class C3Files implements ControllerFiles {
   }
 
   private static FilePropertiesResponse askProperties(
-      MessageChannel channel, String name, Flags<FileProperty> properties)
+      MessageChannel channel, String name, Flags<FileProperty> properties, String what)
       throws CrossComException {
     return channel.ask(
-        new FilePropertiesRequest(0, properties, name),
-        FilePropertiesResponse.class,
-        "request for the properties of " + name);
+        new FilePropertiesRequest(0, properties, name), FilePropertiesResponse.class, what);
   }
 
   @Override

@@ -53,7 +53,7 @@ final class Upload extends Transfer {
     }
     // first, because otherwise the error would name the properties and not the upload
     channel.require(MessageType.WRITE_CONTENT, what);
-    if (!config.overwrite() && C3Files.exists(channel, name)) {
+    if (!config.overwrite() && C3Files.exists(channel, name, what)) {
       throw failed("the file exists on the controller, and overwrite is false");
     }
     store(content);

@@ -50,13 +50,21 @@ class ArchitectureTest {
 
   private static final int MOST_LINES = 500;
 
-  /** The client's root has the names of 0.2.2 and 16 exceptions. */
-  private static final Set<String> LARGE_PACKAGES = Set.of(ROOT);
+  /** The client's root: 11 exceptions, and the names of 0.2.2, which cannot move. */
+  private static final Map<String, Integer> LARGE_PACKAGES = Map.of(ROOT, 45);
 
   private static final JavaClasses CLASSES =
       new ClassFileImporter()
           .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
           .importPackages(ROOT);
+
+  /** Request and Response are sealed, so they name the families in the packages below them. */
+  private static final Set<String> MESSAGES =
+      Set.of(
+          ROOT + ".protocol.file",
+          ROOT + ".protocol.program",
+          ROOT + ".protocol.server",
+          ROOT + ".protocol.variable");
 
   /** The client's packages are those next to the other modules' packages. */
   private static final Set<String> CLIENT =
@@ -136,6 +144,30 @@ class ArchitectureTest {
   }
 
   @Test
+  void publicPackagesHaveNoCyclesExceptTheClientAndTheMessagesOfTheProtocol() {
+    slices().assignedFrom(publicPackages()).should().beFreeOfCycles().check(CLASSES);
+  }
+
+  /** The public packages; the packages of the protocol's messages count as one. */
+  private static SliceAssignment publicPackages() {
+    return new SliceAssignment() {
+      @Override
+      public SliceIdentifier getIdentifierOf(JavaClass type) {
+        String name = type.getPackageName();
+        if (!name.startsWith(ROOT) || isInternal(type) || module(type).equals("client")) {
+          return SliceIdentifier.ignore();
+        }
+        return SliceIdentifier.of(MESSAGES.contains(name) ? ROOT + ".protocol" : name);
+      }
+
+      @Override
+      public String getDescription() {
+        return "public packages";
+      }
+    };
+  }
+
+  @Test
   void packagesOfTheCommandLineHaveNoCycles() {
     slices().matching(ROOT + ".cli.(*)").should().beFreeOfCycles().check(CLASSES);
     noClasses()
@@ -174,9 +206,11 @@ class ArchitectureTest {
             .filter(ArchitectureTest::isTopLevel)
             .collect(groupingBy(JavaClass::getPackageName, counting()));
 
-    files.keySet().removeAll(LARGE_PACKAGES);
     assertThat(files)
-        .allSatisfy((name, count) -> assertThat(count).isLessThanOrEqualTo(MOST_FILES));
+        .allSatisfy(
+            (name, count) ->
+                assertThat(count)
+                    .isLessThanOrEqualTo(LARGE_PACKAGES.getOrDefault(name, MOST_FILES)));
   }
 
   private static boolean isTopLevel(JavaClass type) {

@@ -3,18 +3,24 @@ package no.hials.crosscom.examples;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Compares the Java snippets of the documentation with the compiled examples. */
+/** Compares the Java and KRL snippets of the documentation with the examples and programs. */
 class SnippetsTest {
-  record Snippet(Path page, int line, List<String> lines) {
+  /** The folders with the sources of each language. */
+  private static final Map<String, Path> SOURCES =
+      Map.of("java", Path.of("src"), "krl", MarkdownPages.ROOT.resolve("krl"));
+
+  record Snippet(Path page, int line, String language, List<String> lines) {
     @Override
     public String toString() {
       return MarkdownPages.ROOT.relativize(page) + ":" + line;
@@ -25,13 +31,15 @@ class SnippetsTest {
     List<Snippet> snippets = new ArrayList<>();
     for (Path page : MarkdownPages.ofTheDocumentation()) {
       List<String> open = null;
+      String language = "";
       int line = 0;
       for (String text : Files.readAllLines(page)) {
         line++;
-        if (open == null && text.strip().equals("```java")) {
+        if (open == null && SOURCES.containsKey(text.strip().replaceFirst("^```", ""))) {
           open = new ArrayList<>();
+          language = text.strip().substring(3);
         } else if (open != null && text.strip().equals("```")) {
-          snippets.add(new Snippet(page, line - open.size(), List.copyOf(open)));
+          snippets.add(new Snippet(page, line - open.size(), language, List.copyOf(open)));
           open = null;
         } else if (open != null) {
           open.add(text);
@@ -43,17 +51,17 @@ class SnippetsTest {
 
   @ParameterizedTest
   @MethodSource("snippets")
-  void everyJavaSnippetOfTheDocumentationIsALineByLineCopyOfAnExample(Snippet snippet)
+  void everySnippetOfTheDocumentationIsALineByLineCopyOfASource(Snippet snippet)
       throws IOException {
     List<String> wanted = stripped(snippet.lines());
     List<List<String>> sources = new ArrayList<>();
-    try (Stream<Path> files = Files.walk(Path.of("src"))) {
-      for (Path file : files.filter(p -> p.toString().endsWith(".java")).toList()) {
-        sources.add(stripped(Files.readAllLines(file)));
+    try (Stream<Path> files = Files.walk(SOURCES.get(snippet.language()))) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        sources.add(stripped(Files.readAllLines(file, StandardCharsets.ISO_8859_1)));
       }
     }
     assertThat(sources)
-        .as("%s must be in an example: %s", snippet, wanted)
+        .as("%s must be in a file of %s: %s", snippet, snippet.language(), wanted)
         .anyMatch(source -> Collections.indexOfSubList(source, wanted) >= 0);
   }
 

@@ -9,6 +9,8 @@ import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics;
+import no.hials.crosscom.control.StopReason;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
@@ -74,8 +76,13 @@ public final class SwingAxisOne {
               return Axes.ZERO.with(0, SPEED * Math.sin(phase));
             });
     try (ControlLoop loop = ControlLoop.start(client, config, swing)) {
-      System.out.println("swing: " + loop.await());
+      StopReason end = loop.await();
+      System.out.println("swing: " + end);
       print(loop.statistics());
+      if (end.kind() != StopKind.TIME_OVER) {
+        System.out.println("start the robot program again, then this example");
+        return;
+      }
     }
 
     Law tooFast = Law.jointVelocity(state -> Axes.ZERO.with(0, 90));

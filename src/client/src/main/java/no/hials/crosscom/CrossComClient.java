@@ -47,8 +47,9 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>A refused access or an unreadable value leaves the connection usable. After a time-out, a
  * broken connection or an invalid answer, the connection is closed, and the next call reconnects,
- * unless {@link ClientConfig#reconnect} is off. A read that was under way when the connection broke
- * is repeated once; a write never is.
+ * unless {@link ClientConfig#reconnect} is off. After a failed attempt, calls fail at once until
+ * the time of the next attempt ({@link ClientConfig#reconnectBackoff}). A read that was under way
+ * when the connection broke is repeated once; a write never is.
  *
  * <p>The client detects the type of the server when needed, and uses its features: on C3 Bridge,
  * texts beyond ISO 8859-1, messages for several variables, and {@link #programs}, {@link #motion},

@@ -38,8 +38,9 @@ import org.slf4j.LoggerFactory;
  *
  * <p>It runs the daemon thread {@code crosscom-watch-N}, and one {@code crosscom-watch-N-listener}
  * for each listener or subscriber with waiting samples. It ends when it or its client is closed;
- * subscribers then get {@code onComplete}. If it fails, for example because a name is too long to
- * be sent, they get {@code onError}.
+ * subscribers then get {@code onComplete}. A variable that cannot be read, for example because its
+ * name is too long for a request, is a failed {@link Reading} in each sample. Only an unexpected
+ * exception ends the watch with {@code onError}.
  */
 public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);

@@ -75,7 +75,7 @@ public final class TransferConfig {
 
     /**
      * Sets the flags for the controller, any but {@link CopyFlag#OVERWRITE}, which {@link
-     * #overwrite} sets. The default is none.
+     * #overwrite} sets. By default there are no flags.
      */
     public Builder flags(CopyFlag... value) {
       Set<CopyFlag> copy = Set.of(value);

@@ -31,7 +31,7 @@ class JsonLineTest {
   }
 
   @Test
-  void hasTheTextOfTheControllerBesideTheValue() {
+  void hasTheTextOfTheControllerNextToTheValue() {
     assertThat(JsonLine.of("R", "{X 3.50000, B TRUE}"))
         .endsWith("\"value\":{\"X\":3.5,\"B\":true},\"text\":\"{X 3.50000, B TRUE}\"}");
     assertThat(JsonLine.of("PING", "PONG {"))

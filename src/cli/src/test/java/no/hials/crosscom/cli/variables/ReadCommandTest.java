@@ -170,7 +170,7 @@ class ReadCommandTest {
   }
 
   @Test
-  void printsNumbersInJsonWithTheTextOfTheControllerBesideThem() {
+  void printsNumbersInJsonAndTheTextOfTheController() {
     server.variables().set("MYREAL", "3.5");
     server.variables().set("MYFRAME", "{X -2.5}");
 

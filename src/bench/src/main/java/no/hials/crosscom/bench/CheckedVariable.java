@@ -57,7 +57,7 @@ final class CheckedVariable {
     }
 
     private static double[] axes(long first) {
-      return DoubleStream.iterate(first, i -> i + 1).limit(2 * HALF).toArray();
+      return DoubleStream.iterate((double) first, i -> i + 1).limit(2 * HALF).toArray();
     }
   }
 

@@ -78,12 +78,8 @@ final class MutatingProxy implements Closeable {
     FrameReader answers = new FrameReader(server.getInputStream());
     while (true) {
       byte[] request = frame(requests);
-      Order current = order.get();
-      boolean chosen =
-          current != null
-              && request.length > Codec.HEADER_LENGTH
-              && request[Codec.HEADER_LENGTH] == current.type.code();
-      if (chosen && current.mutation == Mutation.CUT_REQUEST) {
+      Order current = orderFor(request);
+      if (current != null && current.mutation == Mutation.CUT_REQUEST) {
         order.set(null);
         server
             .getOutputStream()
@@ -92,7 +88,7 @@ final class MutatingProxy implements Closeable {
       }
       server.getOutputStream().write(request);
       byte[] answer = frame(answers);
-      if (chosen && current.mutation.fits(answer)) {
+      if (current != null && current.mutation.fits(answer)) {
         order.set(null);
         send(current, answer, from.getOutputStream());
         if (current.mutation == Mutation.CUT_ANSWER) {
@@ -102,6 +98,15 @@ final class MutatingProxy implements Closeable {
         from.getOutputStream().write(answer);
       }
     }
+  }
+
+  private @Nullable Order orderFor(byte[] request) {
+    Order current = order.get();
+    return current != null
+            && request.length > Codec.HEADER_LENGTH
+            && request[Codec.HEADER_LENGTH] == current.type.code()
+        ? current
+        : null;
   }
 
   private void send(Order current, byte[] answer, OutputStream out) throws IOException {

@@ -208,7 +208,7 @@ final class FieldMap extends HashMap<String, Double> {
     fields.replaceAll(function);
   }
 
-  /** Returns a copy that later changes do not affect. */
+  /** Returns a copy, which is no view. */
   @Override
   public Object clone() {
     return new LinkedHashMap<>(fields);

@@ -429,7 +429,7 @@ final class KrlValueTest {
                 + ", found "
                 + found
                 + ", in: "
-                + PrintableText.of(text));
+                + text);
   }
 
   @Test

@@ -24,7 +24,7 @@ class EnglishTest {
       "anew|for want of|mend|in vain|seldom|whoever|is none|takes the news|(?:end|result) to come"
           + "|what came of|alike, too|for one thread|may stand there|argument too many|it is not said"
           + "|gone after it|is waited|to be had|the leave to|is what is left|it has enough"
-          + "|as it were";
+          + "|as it were|beside|behind it|for ever|stands in|was not asked for|as of";
 
   /** May grow. First words of a doc comment. */
   private static final String FIRST_WORDS = "Gives|Hears|Says|What";

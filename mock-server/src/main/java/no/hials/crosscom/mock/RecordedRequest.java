@@ -87,7 +87,7 @@ public record RecordedRequest(
 
   /** Returns whether the request writes variables: a text, an array or several. */
   public boolean isWrite() {
-    // a kind that is missing here is taken for a write, so that no write is overlooked
+    // a type missing here counts as a write, so that no write is overlooked
     return request instanceof VariableRequest
         && !(request instanceof ReadRequest
             || request instanceof ReadArrayRequest

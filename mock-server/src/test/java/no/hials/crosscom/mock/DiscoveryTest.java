@@ -20,7 +20,7 @@ class DiscoveryTest {
   private static final String QUESTION = "WHEREAREYOU?";
   private static final String ANSWER = "KUKA|#KR6R900 C4SR FLR 230|736512";
 
-  /** Fails a test that would wait for ever. No test that passes needs it. */
+  /** Fails a test that would otherwise hang. */
   private static final int GIVE_UP_MILLIS = 20_000;
 
   private DatagramSocket asking;

@@ -167,7 +167,7 @@ final class HostileClientTest {
         RawClient other = new RawClient(server)) {
       server.faults(
           request -> {
-            throw new StackOverflowError("as of a deep request");
+            throw new StackOverflowError("thrown by a test");
           });
       client.send("00 09 00 07 00 00 04 50 49 4E 47");
       assertThat(client.receiveAll()).isEmpty();

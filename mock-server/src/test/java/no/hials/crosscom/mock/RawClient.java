@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 
 /** A socket that sends and receives raw bytes. */
 public final class RawClient implements AutoCloseable {
-  /** Fails a test that would wait for ever. No test that passes needs it. */
+  /** Fails a test that would otherwise hang. */
   private static final int GIVE_UP_MILLIS = 20_000;
 
   private static final HexFormat HEX = HexFormat.ofDelimiter(" ").withUpperCase();

@@ -50,7 +50,7 @@ final class Between implements AutoCloseable {
     changeAt = types;
   }
 
-  /** Changes the next answer to some types, and closes the connection behind it. */
+  /** Changes the next answer to some types, and closes the connection after it. */
   void lie(IntPredicate types, UnaryOperator<byte[]> change) {
     lie = change;
     lieAt = types;

@@ -287,7 +287,7 @@ class HostileBridgeTest {
       case 3 -> withLength(Arrays.copyOf(answer, HEADER + random.nextInt(answer.length - HEADER)));
       case 4 -> withLength(Arrays.copyOf(answer, answer.length + 1 + random.nextInt(9)));
       case 5 -> Arrays.copyOf(answer, random.nextInt(answer.length)); // cut
-      case 6 -> Arrays.copyOf(answer, answer.length + 1 + random.nextInt(9)); // bytes behind it
+      case 6 -> Arrays.copyOf(answer, answer.length + 1 + random.nextInt(9)); // bytes after it
       default -> withCode(answer, random);
     };
   }

@@ -47,7 +47,7 @@ abstract class RobotTest {
     return robot.requests().stream().filter(r -> !r.name().startsWith("@PROXY_")).toList();
   }
 
-  /** Makes a client that does not connect again, so that a test sees each failure. */
+  /** Creates a client that does not reconnect, so that a test sees each failure. */
   final CrossComClient client(Duration requestTimeout) throws Exception {
     return client(cfg -> cfg.requestTimeout(requestTimeout).reconnect(false));
   }

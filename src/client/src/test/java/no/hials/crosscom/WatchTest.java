@@ -210,7 +210,7 @@ class WatchTest extends RobotTest {
     }
     assertThat(got).hasSizeLessThanOrEqualTo(2);
     watch.close();
-    // completion comes behind what waits in the buffer, so it is not told before that is asked for
+    // completion follows the waiting samples, so it arrives only after they are requested
     assertThat(watch.polls()).isGreaterThanOrEqualTo(5);
     assertThat(ended.getCount()).isBetween(0L, 1L);
   }

@@ -226,38 +226,38 @@ public final class Catalogue {
    */
   public Optional<CatalogueEntry> find(String path) {
     CatalogueEntry found = null;
-    String begun = "";
+    String prefix = "";
     for (String step : path.split("\\.", -1)) {
       int bracket = step.indexOf('[');
       String name = bracket < 0 ? step : step.substring(0, bracket);
       found =
-          found == null && begun.isEmpty() ? variables.get(key(name)) : field(found, name, begun);
+          found == null && prefix.isEmpty() ? variables.get(key(name)) : field(found, name, prefix);
       if (found == null) {
         return Optional.empty();
       }
-      begun = begun.isEmpty() ? found.name() : begun + "." + found.name();
+      prefix = prefix.isEmpty() ? found.name() : prefix + "." + found.name();
       if (bracket >= 0) {
         found = element(found, step.substring(bracket));
-        begun += step.substring(bracket);
+        prefix += step.substring(bracket);
       }
     }
     return Optional.ofNullable(found);
   }
 
   private @Nullable CatalogueEntry field(
-      @Nullable CatalogueEntry struct, String name, String begun) {
+      @Nullable CatalogueEntry struct, String name, String prefix) {
     if (struct == null) {
       return null;
     }
     return fields(struct).stream()
         .filter(field -> field.name().equalsIgnoreCase(name))
-        .map(field -> inside(struct, field, begun))
+        .map(field -> inside(struct, field, prefix))
         .findFirst()
         .orElse(null);
   }
 
-  private static CatalogueEntry inside(CatalogueEntry struct, CatalogueEntry field, String begun) {
-    String meaning = "field of " + begun + (struct.meaning().isEmpty() ? "" : ": ");
+  private static CatalogueEntry inside(CatalogueEntry struct, CatalogueEntry field, String prefix) {
+    String meaning = "field of " + prefix + (struct.meaning().isEmpty() ? "" : ": ");
     return new CatalogueEntry(
         field.name(),
         field.type(),

@@ -65,7 +65,7 @@ public final class DiscoveryConfig {
     return options.timeout;
   }
 
-  /** * Returns the address of this machine to ask from; null for the default. */
+  /** Returns the address of this machine to ask from; null for the default. */
   public @Nullable InetAddress localAddress() {
     return options.localAddress;
   }

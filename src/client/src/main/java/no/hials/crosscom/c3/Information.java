@@ -23,7 +23,7 @@ public interface Information {
    * Returns version, build, clock and host of the server.
    *
    * @return the server's answer
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   BridgeInfo get() throws CrossComException;
 
@@ -32,14 +32,14 @@ public interface Information {
    * no.hials.crosscom.CrossComClient#getServer} returns them without asking again.
    *
    * @return the server's answer
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   Features features() throws CrossComException;
 
   /**
    * Confirms all messages of the controller that can be confirmed.
    *
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void confirmAll() throws CrossComException;
 
@@ -51,7 +51,7 @@ public interface Information {
    * @param iterations the number of rounds, 0 to 4294967295
    * @param names the variables, 1 to 10
    * @return the time the server took
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   BenchmarkResult benchmarkRead(long iterations, List<String> names) throws CrossComException;
 
@@ -62,8 +62,8 @@ public interface Information {
    * @param iterations the number of rounds, 0 to 4294967295
    * @param values KRL texts by the variables' names, 1 to 10
    * @return the time the server took
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails; the
-   *     outcome can be unknown
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails;
+   *     the outcome can be unknown
    */
   BenchmarkResult benchmarkWrite(long iterations, Map<String, String> values)
       throws CrossComException;

@@ -30,7 +30,7 @@ public interface Motion {
    * Moves point to point.
    *
    * @param target a FRAME, POS or E6POS, in mm and degrees
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void ptp(KRLFrame target) throws CrossComException;
 
@@ -38,7 +38,7 @@ public interface Motion {
    * Moves point to point.
    *
    * @param target an AXIS or E6AXIS, in degrees, or mm for linear axes
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void ptp(KRLAxis target) throws CrossComException;
 
@@ -46,7 +46,7 @@ public interface Motion {
    * Moves in a straight line.
    *
    * @param target a FRAME, POS or E6POS, in mm and degrees
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void lin(KRLFrame target) throws CrossComException;
 
@@ -54,7 +54,7 @@ public interface Motion {
    * Moves point to point, relative to the actual position.
    *
    * @param offset a FRAME, POS or E6POS, in mm and degrees
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void ptpRel(KRLFrame offset) throws CrossComException;
 
@@ -62,7 +62,7 @@ public interface Motion {
    * Moves point to point, relative to the actual position.
    *
    * @param offset an AXIS or E6AXIS, in degrees, or mm for linear axes
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void ptpRel(KRLAxis offset) throws CrossComException;
 
@@ -70,7 +70,7 @@ public interface Motion {
    * Moves in a straight line, relative to the actual position.
    *
    * @param offset a FRAME, POS or E6POS, in mm and degrees
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void linRel(KRLFrame offset) throws CrossComException;
 }

@@ -30,7 +30,7 @@ public interface Pendant {
    * Presses a key, and leaves it pressed.
    *
    * @param key the key
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void press(KeyAction key) throws CrossComException;
 
@@ -38,7 +38,7 @@ public interface Pendant {
    * Releases a key.
    *
    * @param key the key
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void release(KeyAction key) throws CrossComException;
 
@@ -48,9 +48,9 @@ public interface Pendant {
    *
    * @param key the key
    * @return the pressed key, to be closed
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails; if {@link
-   *     CrossComException#isOutcomeUnknown}, the key was released, or a suppressed exception says
-   *     why not
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails; if
+   *     {@link CrossComException#isOutcomeUnknown}, the key was released, or a suppressed exception
+   *     says why not
    */
   default PressedKey hold(KeyAction key) throws CrossComException {
     PressedKey pressed = new PressedKey(this, key);

@@ -26,7 +26,7 @@ public interface Programs {
    * Resets the selected program, so that a start begins at its first line.
    *
    * @param interpreter runs the program
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void reset(Interpreter interpreter) throws CrossComException;
 
@@ -34,7 +34,7 @@ public interface Programs {
    * Starts the selected program, or continues one that was stopped.
    *
    * @param interpreter runs the program
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void start(Interpreter interpreter) throws CrossComException;
 
@@ -42,7 +42,7 @@ public interface Programs {
    * Stops the running program. This is not an emergency stop: it needs a working network.
    *
    * @param interpreter runs the program
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void stop(Interpreter interpreter) throws CrossComException;
 
@@ -50,7 +50,7 @@ public interface Programs {
    * Cancels the selection of the program.
    *
    * @param interpreter runs the program
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void cancel(Interpreter interpreter) throws CrossComException;
 
@@ -58,7 +58,7 @@ public interface Programs {
    * Selects a program of the robot interpreter, without parameters and without force.
    *
    * @param name such as {@code /R1/MAIN}
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   default void select(String name) throws CrossComException {
     select(name, "", false);
@@ -70,7 +70,7 @@ public interface Programs {
    * @param name such as {@code /R1/MAIN}
    * @param parameters the program's arguments as KRL text; empty for none
    * @param force whether to select even if another program is selected (assumed)
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void select(String name, String parameters, boolean force) throws CrossComException;
 
@@ -78,7 +78,7 @@ public interface Programs {
    * Selects a program of the robot interpreter and starts it, without parameters and without force.
    *
    * @param name such as {@code /R1/MAIN}
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   default void run(String name) throws CrossComException {
     run(name, "", false);
@@ -90,7 +90,7 @@ public interface Programs {
    * @param name such as {@code /R1/MAIN}
    * @param parameters the program's arguments as KRL text; empty for none
    * @param force whether to select even if another program is selected (assumed)
-   * @throws CrossComException if the server cannot do it, refuses, or the exchange fails
+   * @throws CrossComException if the server does not support it, refuses, or the exchange fails
    */
   void run(String name, String parameters, boolean force) throws CrossComException;
 }

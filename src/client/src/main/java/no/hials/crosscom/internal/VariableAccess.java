@@ -10,10 +10,10 @@ import org.jspecify.annotations.Nullable;
 public abstract class VariableAccess {
   private static volatile @Nullable VariableAccess instance;
 
-  /** For the one implementation, in {@link KRLVariable}. */
+  /** Called by the only implementation, in {@link KRLVariable}. */
   protected VariableAccess() {}
 
-  /** Returns the one implementation, which exists as soon as a variable does. */
+  /** Returns the implementation; it exists once a variable class is loaded. */
   public static VariableAccess get() {
     return Objects.requireNonNull(instance, "no variable class is loaded");
   }

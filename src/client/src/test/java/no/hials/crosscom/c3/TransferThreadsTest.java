@@ -99,7 +99,7 @@ class TransferThreadsTest extends FilesRobotTest {
     known.countDown();
     assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> running.get().join());
     client.async(c -> c.files().exists(FILE)).get(60, TimeUnit.SECONDS);
-    files.downloadAsync(OTHER, TransferConfig.DEFAULT).get(60, TimeUnit.SECONDS); // is behind it
+    files.downloadAsync(OTHER, TransferConfig.DEFAULT).get(60, TimeUnit.SECONDS); // runs after it
     assertThat(tree.exists(FILE)).isFalse();
     assertThat(received(Step.END)).isEmpty();
   }
@@ -119,7 +119,7 @@ class TransferThreadsTest extends FilesRobotTest {
     running.set(files.downloadAsync(FILE, folder.resolve("test.src"), cancelling));
     known.countDown();
     assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> running.get().join());
-    files.downloadAsync(FILE, TransferConfig.DEFAULT).get(60, TimeUnit.SECONDS); // is behind it
+    files.downloadAsync(FILE, TransferConfig.DEFAULT).get(60, TimeUnit.SECONDS); // runs after it
     assertThat(folder).isEmptyDirectory();
   }
 
@@ -155,7 +155,7 @@ class TransferThreadsTest extends FilesRobotTest {
     assertThat(second.cancel(true)).isTrue();
     released.countDown();
     first.get(60, TimeUnit.SECONDS);
-    files.downloadAsync(FILE, TransferConfig.DEFAULT).get(60, TimeUnit.SECONDS); // is behind both
+    files.downloadAsync(FILE, TransferConfig.DEFAULT).get(60, TimeUnit.SECONDS); // runs after both
     assertThat(received(Step.BEGIN)).hasSize(1);
     assertThat(tree.exists(OTHER)).isFalse();
   }

@@ -5,8 +5,8 @@ import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.control.StopReason.StopKind;
 
 /**
- * The age of a position by the clock of the controller, which is read with it: the time by which
- * that clock is behind, compared with the reading in which it was behind least
+ * The age of a position by the clock of the controller, which is read with it: how much further
+ * that clock lags behind the clock of this computer than in the reading with the smallest lag
  * (docs/reference/system-variables.md#the-clock-of-the-controller).
  */
 final class FeedbackAge {

@@ -90,7 +90,7 @@ final class AnswerFrameTest {
 
   @Test
   void theViewMovesToTheNextAnswerInALargerBuffer() throws Exception {
-    // what is behind the frame belongs to the one before
+    // the bytes after the frame belong to the previous frame
     byte[] buffer = Hex.bytes("00 00  00 09  00  00 03  31 30 30  00 01 01");
     answer.wrap(buffer, 13);
     answer.openValue();

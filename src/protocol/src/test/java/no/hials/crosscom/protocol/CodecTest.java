@@ -413,7 +413,7 @@ final class CodecTest {
   void bytesBetweenLastFieldAndTailAreMalformed(Response response, String golden) {
     byte[] frame = Hex.bytes(golden);
     if (response instanceof EmptyResponse) {
-      // one to three bytes behind the header are less than function and tail
+      // one to three bytes after the header are less than function and tail
       for (int more = 1; more <= 3; more++) {
         byte[] longer = resized(frame, frame.length + more);
         assertThatExceptionOfType(MalformedFrameException.class)

@@ -30,11 +30,10 @@ import org.jspecify.annotations.Nullable;
  * SimulationClock#stepped} the same calls produce the same trajectory, bit by bit.
  *
  * <p>Operating modes: in T1 the robot is slow ({@code $RED_T1}, {@code $VEL_CP_T1}, {@code
- * $SPEED_LIMIT_TEACH_MODE}). In T1 and T2 {@link ProgramControl#start} stands for holding the
- * enabling switch and the start key, in AUT for pressing the start key. In EXT only {@link
- * #externalStart} starts. A change of the mode stops the robot's program. There is no BCO run: the
- * first motion of a program is like any other (a real controller moves to the first point slowly,
- * and waits).
+ * $SPEED_LIMIT_TEACH_MODE}). In T1 and T2 {@link ProgramControl#start} means holding the enabling
+ * switch and the start key, in AUT pressing the start key. In EXT only {@link #externalStart}
+ * starts. A change of the mode stops the robot's program. There is no BCO run: the first motion of
+ * a program is like any other (a real controller moves to the first point slowly, and waits).
  *
  * <p>An error that stops a program is a {@link Message}, which has to be confirmed before the next
  * start; {@code $STOPMESS} is TRUE until then. The message numbers of KSS are not known; the
@@ -326,7 +325,7 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
-   * Returns whether the robot stands.
+   * Returns whether the robot stands still.
    *
    * @return true if no axis moves
    */

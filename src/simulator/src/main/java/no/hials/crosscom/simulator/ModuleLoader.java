@@ -54,12 +54,12 @@ final class ModuleLoader {
   String load(Path file) throws IOException, KrlFileException {
     String name = String.valueOf(file.getFileName());
     String text = text(file);
-    Path beside = dataListOf(file);
-    if (beside == null) {
+    Path list = dataListOf(file);
+    if (list == null) {
       return load(name, text);
     }
-    String listText = text(beside);
-    ParseResult data = parse(String.valueOf(beside.getFileName()), listText);
+    String listText = text(list);
+    ParseResult data = parse(String.valueOf(list.getFileName()), listText);
     KrlFile module = take(name, parse(name, text), data);
     listener.loaded(module.name(), "dat", listText);
     tell(module, name, text);
@@ -133,30 +133,31 @@ final class ModuleLoader {
     listener.loaded(file.name(), file instanceof DataList ? "dat" : ending, text);
   }
 
-  private KrlFile take(String fileName, ParseResult parsed, @Nullable ParseResult beside)
+  private KrlFile take(String fileName, ParseResult parsed, @Nullable ParseResult parsedList)
       throws KrlFileException {
     List<KrlError> errors = new ArrayList<>(parsed.errors());
-    if (beside != null) {
-      errors.addAll(beside.errors());
+    if (parsedList != null) {
+      errors.addAll(parsedList.errors());
     }
     KrlFile file = parsed.file().orElse(null);
     if (!errors.isEmpty() || file == null) {
       throw new KrlFileException(errors);
     }
     if (file instanceof SourceFile source) {
-      takeSource(source, beside);
+      takeSource(source, parsedList);
     } else {
       takeData(fileName, (DataList) file, parsed);
     }
     return file;
   }
 
-  private void takeSource(SourceFile source, @Nullable ParseResult beside) throws KrlFileException {
+  private void takeSource(SourceFile source, @Nullable ParseResult parsedList)
+      throws KrlFileException {
     List<KrlError> errors =
         core.withLibrary(
             library -> {
               DataList data = dataLists.get(key(source.name()));
-              if (beside != null && beside.file().orElse(null) instanceof DataList list) {
+              if (parsedList != null && parsedList.file().orElse(null) instanceof DataList list) {
                 data = list;
               }
               List<KrlError> found = library.put(source, data);

@@ -125,6 +125,13 @@ final class FilePut extends FileSubcommand {
     return ExitCode.DONE;
   }
 
+  /** An existing file is not a cause: the command asks before it overwrites. */
+  @Override
+  String accessHint() {
+    return "likely cause: it is read-only, or belongs to the selected program"
+        + " ('jopenshowvar program cancel' ends that)";
+  }
+
   // the files to upload
 
   private List<Source> sources() throws IOException {

@@ -139,7 +139,7 @@ abstract class FileSubcommand extends BridgeCommand {
   }
 
   @Override
-  final String accessHint() {
+  String accessHint() {
     return "likely cause: it already exists, is read-only, or belongs to the selected program"
         + " ('jopenshowvar program cancel' ends that)";
   }

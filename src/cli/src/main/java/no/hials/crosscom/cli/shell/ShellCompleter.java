@@ -119,16 +119,16 @@ final class ShellCompleter implements Completer {
   }
 
   /** Returns the paths that begin with this text. */
-  private List<Candidate> names(String begun) {
-    int dot = begun.lastIndexOf('.');
-    int bracket = begun.lastIndexOf('[');
-    if (bracket > dot && begun.indexOf(']', bracket) < 0) {
-      return indices(begun.substring(0, bracket));
+  private List<Candidate> names(String typed) {
+    int dot = typed.lastIndexOf('.');
+    int bracket = typed.lastIndexOf('[');
+    if (bracket > dot && typed.indexOf(']', bracket) < 0) {
+      return indices(typed.substring(0, bracket));
     }
     Catalogue known = symbols.everything();
     List<Candidate> all = new ArrayList<>();
     if (dot >= 0) {
-      String struct = begun.substring(0, dot);
+      String struct = typed.substring(0, dot);
       List<CatalogueEntry> fields = known.find(struct).map(known::fields).orElse(List.of());
       for (CatalogueEntry field : fields) {
         all.add(name(struct + "." + field.name(), field, known, all.size()));

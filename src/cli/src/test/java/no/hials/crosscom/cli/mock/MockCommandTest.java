@@ -99,7 +99,7 @@ class MockCommandTest {
     try {
       socket.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
     } catch (SocketException e) {
-      // somebody else has it, which is as good
+      // another program already occupies the port
     }
   }
 

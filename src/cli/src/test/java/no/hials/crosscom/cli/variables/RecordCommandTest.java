@@ -52,7 +52,7 @@ class RecordCommandTest {
     return Fault.answer(text, Tail.SUCCESS);
   }
 
-  /** Answers the readings of a variable one after the other, and those behind them as it would. */
+  /** Answers the next readings of a variable with these texts; later readings are not changed. */
   private void answer(String name, String... texts) {
     Deque<String> left = new ConcurrentLinkedDeque<>(List.of(texts));
     server.faults(

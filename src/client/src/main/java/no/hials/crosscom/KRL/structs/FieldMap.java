@@ -208,7 +208,7 @@ final class FieldMap extends HashMap<String, Double> {
     fields.replaceAll(function);
   }
 
-  /** Returns a copy, which is no view. */
+  /** Returns a copy that later changes do not affect. */
   @Override
   public Object clone() {
     return new LinkedHashMap<>(fields);

@@ -85,13 +85,13 @@ final class Download extends Transfer {
   private void fetch(OutputStream target) throws IOException {
     MessageChannel one = channel.onOneConnection();
     try {
-      ContentSizeResponse begun =
+      ContentSizeResponse opened =
           one.ask(
               new BeginReadRequest(0, Flags.of(CopyFlag.class, config.flags()), name),
               ContentSizeResponse.class,
               what);
-      check(begun, ContentOperation.BEGIN);
-      long size = begun.size();
+      check(opened, ContentOperation.BEGIN);
+      long size = opened.size();
       if (size > limit) {
         throw failed("the file must have at most " + limit + " bytes, has " + size);
       }

@@ -429,7 +429,7 @@ final class KrlValueTest {
                 + ", found "
                 + found
                 + ", in: "
-                + text);
+                + PrintableText.of(text));
   }
 
   @Test

@@ -28,7 +28,7 @@ class BlendTest {
     Ride ride = Ride.fromHome();
     Axes target = HOME;
     for (int i = 0; i < 60; i++) {
-      // As a loop with $ADVANCE=1 does: one motion is planned beside the one under way.
+      // As a loop with $ADVANCE=1 does: one motion is planned while another one runs.
       while (ride.system.planned() < 1) {
         target = target.with(0, target.a1() + 0.5);
         ride.ptp(target, Ride.FULL, new AxisDistance(50));

@@ -74,7 +74,7 @@ class FaultedMotionTest {
 
   @Test
   void standsBeforeAnAxisWouldHaveToJump() throws MotionRefusedException {
-    // A little beside the axis of A1, so that A1 would have to turn half round in no time.
+    // A little off the axis of A1, so that A1 would have to make half a turn in no time.
     Axes start = new Axes(0, -130, 130, 0, 90, 0);
     Frame from = ROBOT.forward(start);
     Ride ride = new Ride(start);

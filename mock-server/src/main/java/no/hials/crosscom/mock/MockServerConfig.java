@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.mock.internal.CodePage;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.Version;
@@ -144,6 +145,11 @@ public final class MockServerConfig {
     return or(options.failedWriteTail, isC3() ? Tail.FAILURE_ZERO : Tail.FAILURE);
   }
 
+  /** Returns the number of the Windows code page. */
+  public int codePage() {
+    return options.codePage;
+  }
+
   /** Returns whether values are trimmed before they are sent. */
   public boolean trimValues() {
     return or(options.trimValues, !isC3());
@@ -234,6 +240,7 @@ public final class MockServerConfig {
     private ServerType server = ServerType.KUKAVARPROXY;
     private Version version = new Version(1, 4, 0);
     private String computerName = "KRC4";
+    private int codePage = 1252;
     private @Nullable FailedRead failedRead;
     private @Nullable Tail failedWriteTail;
     private @Nullable Boolean trimValues;
@@ -365,6 +372,17 @@ public final class MockServerConfig {
     }
 
     // how it answers
+
+    /**
+     * Sets the code page of the server's Windows, such as 1251 or 936, in which functions 0 and 1
+     * carry texts. A character that the page lacks becomes a similar one, often in ASCII
+     * (docs/reference/c3-messages.md#code-pages). The default is 1252.
+     */
+    public Builder codePage(int value) {
+      CodePage unused = CodePage.of(value); // checks it
+      options.codePage = value;
+      return this;
+    }
 
     /** Sets the answer to a refused read of message 0. The default is that of the server. */
     public Builder failedRead(FailedRead value) {

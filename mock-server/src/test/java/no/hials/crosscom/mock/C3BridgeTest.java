@@ -203,14 +203,30 @@ final class C3BridgeTest {
   }
 
   @Test
-  void hasACharacterOfTheCodePageInAByte() throws IOException {
+  void carriesTextsInItsCodePageInMessages0And1AndExactlyInTheOthers() throws IOException {
     server.variables().declare("MYTEXT[3]", "CHAR", "\"x\"");
     assertThat(text(new WriteUtf16Request(1, "MYTEXT[]", "\"\u20AC\u00C4\"")).tail())
         .isEqualTo(Tail.SUCCESS);
     assertThat(text(new ReadUtf16Request(2, "MYTEXT[]")).text()).isEqualTo("\"\u20AC\u00C4\"");
     assertThat(client.read("MYTEXT[]").value()).isEqualTo("\"\u0080\u00C4\"");
-    assertThat(text(new WriteUtf16Request(3, "MYTEXT[]", "\"\u03A9\"")))
-        .isEqualTo(new TextResponse(3, MessageType.WRITE_UTF16, "", Tail.FAILURE_ZERO));
+    assertThat(text(new WriteUtf16Request(3, "MYTEXT[]", "\"\u0141\u4F60\"")).tail())
+        .isEqualTo(Tail.SUCCESS);
+    assertThat(text(new ReadUtf16Request(4, "MYTEXT[]")).text()).isEqualTo("\"\u0141\u4F60\"");
+    assertThat(client.read("MYTEXT[]").value()).isEqualTo("\"L?\"");
+  }
+
+  @Test
+  void storesOtherCharactersThanTheClientMeantOnAChineseWindows() throws IOException {
+    restart(cfg -> cfg.codePage(936));
+
+    assertThat(client.write("MYSTRING[]", "\"Gr\u00F6\u00DFe\"").value())
+        .isEqualTo("\"Gr\u00F6\u00DFe\"");
+    assertThat(server.variables().get("MYSTRING[]")).isEqualTo("\"Gr\u9C9Ee\"");
+    assertThat(client.write("MYSTRING[]", "\"\u00F6\"").tail())
+        .as("the closing quote is lost")
+        .isEqualTo(Tail.FAILURE_ZERO);
+    server.variables().set("MYSTRING[]", "\"\u4F60\u597D\"");
+    assertThat(client.read("MYSTRING[]").value()).isEqualTo("\"\u00C4\u00E3\u00BA\u00C3\"");
   }
 
   @Test

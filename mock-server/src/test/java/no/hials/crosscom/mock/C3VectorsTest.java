@@ -161,7 +161,7 @@ final class C3VectorsTest {
     table.set("$KR_SERIALNO", "123456");
     table.declare("MYBOOL", "BOOL", "FALSE");
     table.declare("MYCHAR[1]", "CHAR", "\"\u00C4\"");
-    table.declare("MYUMLAUT[2]", "CHAR", "\"\u00C4\u0080\"");
+    table.declare("MYUMLAUT[2]", "CHAR", "\"\u00C4\u20AC\"");
     table.declareEnum("STATES", "IDLE", "BUSY");
     table.declareStruc("MYTYPE", "INT COUNT; BOOL FLAG; REAL RATIO; CHAR LABEL[10]; STATES STATE");
     table.declare("MYSTRUCT", "MYTYPE", "{COUNT 0,FLAG TRUE,RATIO 0.0,LABEL[] \"x\",STATE #IDLE}");

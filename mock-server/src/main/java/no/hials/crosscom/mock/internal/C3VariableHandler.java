@@ -65,6 +65,7 @@ public final class C3VariableHandler {
   private final VariableTable variables;
   private final C3ProxyVariables internal;
   private final MockServerConfig config;
+  private final CodePage codePage;
 
   /** Creates the handler for all connections. */
   public C3VariableHandler(
@@ -72,6 +73,7 @@ public final class C3VariableHandler {
     this.variables = variables;
     this.internal = internal;
     this.config = config;
+    this.codePage = CodePage.of(config.codePage());
   }
 
   /**
@@ -119,16 +121,6 @@ public final class C3VariableHandler {
     }
   }
 
-  private Result readWide(String name) {
-    Result result = read(name);
-    return new Result(CodePage.widen(result.value()), result.code(), result.refused());
-  }
-
-  private Result writeWide(String name, String value) {
-    Result result = write(name, CodePage.narrow(value));
-    return new Result(value, result.code(), result.refused());
-  }
-
   /** Measured for an empty name (docs/reference/c3-messages.md#error-codes), else assumed. */
   private static ErrorCode code(String name) {
     return name.isEmpty() ? ErrorCode.ARGUMENT : ErrorCode.GENERAL;
@@ -146,8 +138,8 @@ public final class C3VariableHandler {
   // types 0, 1, 4 and 5
 
   private Outcome read(ReadRequest request) {
-    Result result = read(request.name());
-    String value = result.value();
+    Result result = read(codePage.decode(request.name()));
+    String value = codePage.encode(result.value());
     if (value.length() > KukavarproxyHandler.MAX_VALUE) {
       return tooLong();
     }
@@ -162,19 +154,19 @@ public final class C3VariableHandler {
   }
 
   private Outcome write(WriteRequest request) {
-    Result result = write(request.name(), request.value());
+    Result result = write(codePage.decode(request.name()), codePage.decode(request.value()));
     boolean done = result.refused() == null;
     return new Outcome(
         new ValueResponse(
             request.id(),
             request.type(),
-            done ? result.value() : "",
+            done ? codePage.encode(result.value()) : "",
             done ? Tail.SUCCESS : config.failedWriteTail()),
         result.refused());
   }
 
   private Outcome read(ReadUtf16Request request) {
-    Result result = readWide(request.name());
+    Result result = read(request.name());
     if (2 + 2L * result.value().length() > C3Answers.FIELDS) {
       return tooLong();
     }
@@ -182,7 +174,7 @@ public final class C3VariableHandler {
   }
 
   private Outcome write(WriteUtf16Request request) {
-    Result result = writeWide(request.name(), request.value());
+    Result result = write(request.name(), request.value());
     // the value that was sent, not the value that the controller stored
     // (docs/reference/c3-messages.md#one-variable-0-1-4-and-5)
     String value = result.refused() == null ? result.value() : "";
@@ -204,7 +196,7 @@ public final class C3VariableHandler {
     }
     Batch batch = new Batch();
     for (String name : request.names()) {
-      batch.add(readWide(name));
+      batch.add(read(name));
     }
     return batch.answer(request);
   }
@@ -216,7 +208,7 @@ public final class C3VariableHandler {
     }
     Batch batch = new Batch();
     for (Assignment item : request.assignments()) {
-      Result written = writeWide(item.name(), item.value());
+      Result written = write(item.name(), item.value());
       batch.add(written.refused() == null ? readBack(item) : written);
     }
     if (request.assignments().size() < request.count()) {
@@ -232,7 +224,7 @@ public final class C3VariableHandler {
    * (docs/reference/c3-messages.md#several-variables-6-and-7).
    */
   private Result readBack(Assignment item) {
-    return new Result(readWide(item.name()).value());
+    return new Result(read(item.name()).value());
   }
 
   private static Outcome empty(
@@ -277,13 +269,13 @@ public final class C3VariableHandler {
 
   private Outcome benchmark(BenchmarkReadRequest request) {
     List<Trial> trials = new ArrayList<>();
-    request.names().forEach(name -> trials.add(() -> readWide(name)));
+    request.names().forEach(name -> trials.add(() -> read(name)));
     return benchmark(request, false, request.iterations(), trials);
   }
 
   private Outcome benchmark(BenchmarkWriteRequest request) {
     List<Trial> trials = new ArrayList<>();
-    request.assignments().forEach(item -> trials.add(() -> writeWide(item.name(), item.value())));
+    request.assignments().forEach(item -> trials.add(() -> write(item.name(), item.value())));
     return benchmark(request, true, request.iterations(), trials);
   }
 

@@ -47,11 +47,13 @@ public final class KukavarproxyHandler implements RequestHandler {
 
   private final VariableTable variables;
   private final MockServerConfig config;
+  private final CodePage codePage;
 
   /** Creates the handler for all connections. */
   public KukavarproxyHandler(VariableTable variables, MockServerConfig config) {
     this.variables = variables;
     this.config = config;
+    this.codePage = CodePage.of(config.codePage());
   }
 
   @Override
@@ -85,10 +87,11 @@ public final class KukavarproxyHandler implements RequestHandler {
       return answer(request, "PONG", Tail.SUCCESS, null);
     }
     try {
-      String text = variables.read(request.name());
+      String text = variables.read(codePage.decode(request.name()));
       if (config.trimValues()) {
         text = text.strip();
       }
+      text = codePage.encode(text);
       checkLength(text.length());
       return answer(request, text, Tail.SUCCESS, null);
     } catch (RefusedException e) {
@@ -118,7 +121,10 @@ public final class KukavarproxyHandler implements RequestHandler {
         echo = "";
         throw new RefusedException(Refusal.TOO_LONG, "the value must fit into the answer");
       }
-      variables.write(request.name(), request.value(), config.maxAggregateLength());
+      variables.write(
+          codePage.decode(request.name()),
+          codePage.decode(request.value()),
+          config.maxAggregateLength());
     } catch (RefusedException e) {
       refused = e;
     }

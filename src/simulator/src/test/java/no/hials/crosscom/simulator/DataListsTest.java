@@ -312,6 +312,14 @@ class DataListsTest {
     }
 
     @Test
+    void refusesToSaveATextThatTheFileCannotHold() {
+      small.declare("GREETING[5]", "CHAR", "\"\u4F60\u597D\"");
+
+      assertThatThrownBy(() -> small.save(directory.resolve("state.dat")))
+          .hasMessageContaining("a data list must be ISO 8859-1, has the line: GREETING[]=");
+    }
+
+    @Test
     void givesBackEveryCharacterOfATextThatALineCanHold() throws Exception {
       StringBuilder all = new StringBuilder();
       for (char c = 0; c <= 0xFF; c++) {

@@ -716,11 +716,12 @@ class VariableTableTest {
     }
 
     @Test
-    void refusesCharactersThatCouldNotBeSent() {
-      assertThatThrownBy(() -> table.set("MYSTRING[]", "\"\u20ac\""))
-          .hasMessageContaining("ISO 8859-1");
-      assertThatThrownBy(() -> table.set("MYCHAR", "\"\u20ac\""))
-          .hasMessageContaining("ISO 8859-1");
+    void keepsTextsOfAnyScript() {
+      table.set("MYSTRING[]", "\"\u4f60\u597d\"");
+      table.set("MYCHAR", "\"\u20ac\"");
+
+      assertThat(table.get("MYSTRING[]")).isEqualTo("\"\u4f60\u597d\"");
+      assertThat(table.get("MYCHAR")).isEqualTo("\"\u20ac\"");
     }
 
     @Test

@@ -45,8 +45,22 @@ public final class DataLists {
     return KrlParser.parse(file);
   }
 
+  /**
+   * Writes a file in ISO 8859-1.
+   *
+   * @throws IOException if the text has another character, or the file cannot be written
+   */
   public static void write(java.nio.file.Path file, String text) throws IOException {
+    String line = text.lines().filter(DataLists::isNotLatin1).findFirst().orElse(null);
+    if (line != null) {
+      throw new FileSystemException(
+          file.toString(), null, "a data list must be ISO 8859-1, has the line: " + line);
+    }
     Files.writeString(file, text, StandardCharsets.ISO_8859_1);
+  }
+
+  private static boolean isNotLatin1(String line) {
+    return line.chars().anyMatch(c -> c > 0xFF);
   }
 
   /**

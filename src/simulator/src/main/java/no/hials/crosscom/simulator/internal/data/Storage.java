@@ -141,13 +141,9 @@ public abstract sealed class Storage
                     component -> component.change(path, step + 1, change)));
   }
 
-  /**
-   * Returns a CHAR array with the length and the characters of a text.
-   *
-   * @throws RefusedException if a character is not in ISO 8859-1
-   */
-  public static Storage ofText(KrlString text) throws RefusedException {
-    return new TextStorage(Math.max(1, text.text().length()), null).assign(text);
+  /** Returns a CHAR array with the length and the characters of a text. */
+  public static Storage ofText(KrlString text) {
+    return new TextStorage(Math.max(1, text.text().length()), text.text());
   }
 
   static RefusedException badIndex(String what) {
@@ -156,12 +152,5 @@ public abstract sealed class Storage
 
   static RefusedException notInitialised() {
     return new RefusedException(Refusal.NOT_INITIALISED, "has no value yet");
-  }
-
-  /** Refuses characters that cannot be sent. Only Java code can write them. */
-  static void checkLatin1(KrlString string) throws RefusedException {
-    if (string.text().chars().anyMatch(c -> c > 0xFF)) {
-      throw new RefusedException(Refusal.OUT_OF_RANGE, "is not ISO 8859-1: " + string);
-    }
   }
 }

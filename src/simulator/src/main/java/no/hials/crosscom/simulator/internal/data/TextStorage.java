@@ -57,7 +57,6 @@ final class TextStorage extends Storage {
           Refusal.OUT_OF_RANGE,
           "holds " + capacity + " characters, was given " + string.text().length());
     }
-    checkLatin1(string);
     return new TextStorage(capacity, string.text());
   }
 

@@ -94,12 +94,8 @@ sealed interface Type {
       if (!fits) {
         throw wrongType(this, value);
       }
-      if (value instanceof KrlString string) {
-        if (string.text().length() != 1) {
-          throw new RefusedException(
-              Refusal.OUT_OF_RANGE, "needs one character, was given " + value);
-        }
-        Storage.checkLatin1(string);
+      if (value instanceof KrlString string && string.text().length() != 1) {
+        throw new RefusedException(Refusal.OUT_OF_RANGE, "needs one character, was given " + value);
       }
       return value;
     }

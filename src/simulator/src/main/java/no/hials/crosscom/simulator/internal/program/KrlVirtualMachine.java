@@ -261,11 +261,7 @@ final class KrlVirtualMachine {
     if (argument instanceof Storage contents) {
       frame.setLocal(slot, contents);
     } else if (argument instanceof KrlString text && parameter.array()) {
-      try {
-        frame.setLocal(slot, Storage.ofText(text));
-      } catch (RefusedException e) {
-        throw KrlExecutionException.of(parameter.path().toString(), e);
-      }
+      frame.setLocal(slot, Storage.ofText(text));
     } else if (argument != null && !(parameter.out() && argument instanceof Reference)) {
       new StorageLocation.Local(slot).write(frame, parameter.path(), (KrlValue) argument);
     }

@@ -64,7 +64,7 @@ final class C3Channel implements MessageChannel {
     T to(ServerDetector server) throws CrossComException;
   }
 
-  /** Answers a question about the server. */
+  /** Answers a question about the server, or reads from it as it can. */
   <T> T find(String what, Question<T> question) throws CrossComException {
     lock.lock();
     try {
@@ -104,24 +104,32 @@ final class C3Channel implements MessageChannel {
     byte[] frame = Codec.encode(request);
     MessageType type = request.type();
     Repeatability effect = Repeatability.of(request);
+    Question<MessageAnswer> sent =
+        server -> {
+          server.require(type, what);
+          checkPin(what);
+          if (pinned) {
+            pin = connection.connection();
+          }
+          return connection.send(frame, type, effect, what, answer);
+        };
+    return effect == Repeatability.READ
+        ? find(what, sent)
+        : change(what, server -> server.require(type, what), sent);
+  }
+
+  /**
+   * Does something that is not repeated.
+   *
+   * @param before a question about the server that is answered first, and repeated once if the
+   *     connection breaks
+   */
+  <T> T change(String what, Question<?> before, Question<T> change) throws CrossComException {
     lock.lock();
     try {
       begin(what);
-      Question<MessageAnswer> sent =
-          server -> {
-            server.require(type, what);
-            checkPin(what);
-            if (pinned) {
-              pin = connection.connection();
-            }
-            return connection.send(frame, type, effect, what, answer);
-          };
-      if (effect == Repeatability.READ) {
-        return answer(sent);
-      }
-      answer(
-          server -> server.require(type, what)); // can be repeated, but the request itself cannot
-      return sent.to(detector);
+      answer(before);
+      return change.to(detector);
     } finally {
       lock.unlock();
     }

@@ -1,5 +1,6 @@
 package no.hials.crosscom;
 
+import java.nio.charset.Charset;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.function.Consumer;
@@ -93,6 +94,11 @@ public final class ClientConfig {
     return options.maxRequestLength;
   }
 
+  /** Returns the character set of texts on KUKAVARPROXY. */
+  public Charset charset() {
+    return options.charset;
+  }
+
   /** Returns whether the client reconnects automatically after the connection broke. */
   public boolean reconnect() {
     return options.reconnect;
@@ -125,6 +131,7 @@ public final class ClientConfig {
     private Duration requestTimeout = Duration.ofSeconds(3);
     private int maxAggregateLength = 255;
     private int maxRequestLength = 2048;
+    private Charset charset = Charset.forName("windows-1252");
     private boolean reconnect = true;
     private Duration reconnectBackoff = Duration.ofMillis(100);
     private Duration maxReconnectBackoff = Duration.ofSeconds(5);
@@ -168,6 +175,19 @@ public final class ClientConfig {
      */
     public Builder keepAlive(Duration value) {
       options.keepAlive = time("keep-alive time", value, true);
+      return this;
+    }
+
+    // texts
+
+    /**
+     * Sets the character set of the texts of KUKAVARPROXY, which is that of the controller's
+     * Windows (docs/reference/kukavarproxy.md#texts). It must contain ASCII. The default is
+     * windows-1252. C3 Bridge does not need it.
+     */
+    public Builder charset(Charset value) {
+      check(TextCharset.isUsable(value), "charset must have ASCII in the same bytes, is " + value);
+      options.charset = value;
       return this;
     }
 

@@ -52,9 +52,9 @@ import org.jspecify.annotations.Nullable;
  * when the connection broke is repeated once; a write never is.
  *
  * <p>The client detects the type of the server when needed, and uses its features: on C3 Bridge,
- * texts beyond ISO 8859-1, messages for several variables, and {@link #programs}, {@link #motion},
- * {@link #pendant}, {@link #files} and {@link #information}. These five always return the same
- * objects, whose methods throw {@link CrossComUnsupportedException} on KUKAVARPROXY.
+ * texts in UTF-16, messages for several variables, and {@link #programs}, {@link #motion}, {@link
+ * #pendant}, {@link #files} and {@link #information}. These five always return the same objects,
+ * whose methods throw {@link CrossComUnsupportedException} on KUKAVARPROXY.
  *
  * <p>The client creates these daemon threads, where PORT is the server's:
  *
@@ -344,8 +344,8 @@ public final class CrossComClient implements Closeable {
    * @return its value as the controller printed it
    * @throws CrossComAccessException if the controller refuses
    * @throws CrossComException if the exchange fails
-   * @throws IllegalArgumentException if the name is blank, or not ISO 8859-1 and the server is not
-   *     C3 Bridge
+   * @throws IllegalArgumentException if the name is blank, or on KUKAVARPROXY has a character that
+   *     {@link ClientConfig#charset} lacks
    */
   public String readText(String name) throws IOException {
     return variables.read(name).text();
@@ -374,11 +374,11 @@ public final class CrossComClient implements Closeable {
    *     or an aggregate
    * @return the text of the answer, which normally repeats the value; empty if it has none
    * @throws CrossComAccessException if the controller refuses
-   * @throws CrossComValueException if the text is too long to be sent, or not ISO 8859-1 and the
-   *     server is not C3 Bridge
+   * @throws CrossComValueException if the text is too long to be sent, or on KUKAVARPROXY has a
+   *     character that {@link ClientConfig#charset} lacks
    * @throws CrossComException if the exchange fails
-   * @throws IllegalArgumentException if the name is blank, or not ISO 8859-1 and the server is not
-   *     C3 Bridge
+   * @throws IllegalArgumentException if the name is blank, or on KUKAVARPROXY has a character that
+   *     {@link ClientConfig#charset} lacks
    */
   public String writeText(String name, String value) throws IOException {
     return variables.write(name, value).text();

@@ -6,8 +6,10 @@ import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.CrossComAccessException.Operation;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLArray;
+import no.hials.crosscom.KRL.KRLChar;
+import no.hials.crosscom.KRL.KRLRecord;
+import no.hials.crosscom.KRL.KRLString;
 import no.hials.crosscom.KRL.KRLVariable;
-import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.internal.VariableName;
 import no.hials.crosscom.protocol.AnswerFrame;
@@ -26,8 +28,8 @@ import no.hials.crosscom.protocol.variable.VariableRequest.WriteUtf16Request;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads and writes variables: with functions 0 and 1, which carry ISO 8859-1; in UTF-16 where that
- * is not enough and the server is C3 Bridge; arrays element by element if necessary; and several
+ * Reads and writes variables: numbers with functions 0 and 1; texts in UTF-16 if the server is C3
+ * Bridge, otherwise in the configured charset; arrays element by element if necessary; and several
  * variables at once.
  *
  * <p>Reading or writing a number, or a structure of numbers, creates no objects: a request is
@@ -44,6 +46,7 @@ final class VariableExchange {
   private final ReconnectingConnection connection;
   private final C3Channel channel;
   private final ReentrantLock lock;
+  private final TextCharset charset;
 
   // guarded by the lock
   private final KrlScanner scanner = new KrlScanner();
@@ -54,29 +57,19 @@ final class VariableExchange {
     this.connection = connection;
     this.channel = channel;
     this.lock = connection.lock();
+    this.charset = new TextCharset(config.charset());
   }
 
   // --- by name
 
   TextAnswer read(String name) throws CrossComException {
-    if (!Latin1.has(VariableName.check(name))) {
-      return readUtf16(name);
-    }
-    byte[] frame = Codec.encode(new ReadRequest(0, name));
-    lock.lock();
-    try {
-      Answer answer = sendRead(frame, name);
-      TextAnswer wide = readDoubtful(answer, name);
-      return wide == null ? answer.toText() : wide;
-    } finally {
-      lock.unlock();
-    }
+    return readAny(VariableName.check(name));
   }
 
   TextAnswer write(String name, String value) throws CrossComException {
     check(name, value);
-    if (!isLatin1(name, value)) {
-      return writeUtf16(name, value);
+    if (!isPlain(name, value)) {
+      return writeText(name, value);
     }
     lock.lock();
     try {
@@ -112,7 +105,7 @@ final class VariableExchange {
   /** Refuses what {@link #write(String, String)} would refuse before it sends anything. */
   void checkWrite(String name, String value) throws CrossComValueException {
     check(name, value);
-    if (isLatin1(name, value)) {
+    if (isPlain(name, value)) {
       encode(new FrameWriter(), name, value);
     }
   }
@@ -132,27 +125,24 @@ final class VariableExchange {
     VariableAccess access = VariableAccess.get();
     byte[] frame = access.readFrame(variable);
     String name = variable.getName();
-    if (frame == null) {
-      take(variable, readUtf16(name), false);
+    if (variable instanceof KRLString
+        || variable instanceof KRLChar
+        || variable instanceof KRLRecord) {
+      take(variable, readText(name), false);
       return;
     }
-    TextAnswer wide;
-    String text = null;
+    if (frame == null || access.holdsText(variable)) {
+      take(variable, readAny(name), false);
+      return;
+    }
+    String text;
     lock.lock();
     try {
-      Answer answer = sendRead(frame, name);
-      wide = access.holdsText(variable) ? readDoubtful(answer, name) : null;
-      if (wide == null) {
-        text = takeInPlace(variable, answer, false);
-      }
+      text = takeInPlace(variable, sendRead(frame, name), false);
     } finally {
       lock.unlock();
     }
-    if (wide != null) {
-      take(variable, wide, false);
-    } else {
-      takeText(variable, text, false);
-    }
+    takeText(variable, text, false);
   }
 
   /** Writes a variable, an array element by element, and updates it from the answer. */
@@ -168,8 +158,8 @@ final class VariableExchange {
   void write(KRLVariable variable, CharSequence value) throws CrossComException {
     String name = variable.getName();
     check(name, value);
-    if (!isLatin1(name, value)) {
-      takeEcho(variable, writeUtf16(name, value.toString()));
+    if (!isPlain(name, value)) {
+      takeEcho(variable, writeText(name, value.toString()));
       return;
     }
     String echo = null;
@@ -326,13 +316,28 @@ final class VariableExchange {
         e);
   }
 
-  // --- ISO 8859-1: functions 0 and 1; the lock is held
+  // --- functions 0 and 1; the lock is held
 
   private Answer sendRead(byte[] frame, String name) throws CrossComException {
+    checkLength(frame, name);
+    return checkRead(connection.exchange(frame, frame.length, MessageType.READ, name), name);
+  }
+
+  /** Does the same as {@link #sendRead} on the current connection, whose server is known. */
+  private Answer sendReadHere(String name, String bytes) throws CrossComException {
+    byte[] frame = Codec.encode(new ReadRequest(0, bytes));
+    checkLength(frame, name);
+    return checkRead(
+        connection.send(frame, frame.length, MessageType.READ, Repeatability.READ, name), name);
+  }
+
+  private void checkLength(byte[] frame, String name) throws CrossComValueException {
     if (frame.length > config.maxRequestLength()) {
       throw tooLong(name, name, frame.length);
     }
-    Answer answer = connection.exchange(frame, frame.length, MessageType.READ, name);
+  }
+
+  private static Answer checkRead(Answer answer, String name) throws CrossComAccessException {
     AnswerFrame result = answer.frame();
     // KUKAVARPROXY of 2019 and later says success when the controller refuses
     // (docs/reference/kukavarproxy.md#refused-accesses)
@@ -344,7 +349,21 @@ final class VariableExchange {
 
   private Answer sendWrite(String name, CharSequence value) throws CrossComException {
     encode(writer, name, value);
-    Answer answer = connection.exchange(writer.buffer(), writer.length(), MessageType.WRITE, name);
+    return checkWritten(
+        connection.exchange(writer.buffer(), writer.length(), MessageType.WRITE, name), name);
+  }
+
+  /** Does the same on the current connection, whose server is known. */
+  private Answer sendWriteHere(String name, String nameBytes, String valueBytes)
+      throws CrossComException {
+    encode(writer, nameBytes, valueBytes);
+    return checkWritten(
+        connection.send(
+            writer.buffer(), writer.length(), MessageType.WRITE, Repeatability.CHANGE, name),
+        name);
+  }
+
+  private static Answer checkWritten(Answer answer, String name) throws CrossComAccessException {
     AnswerFrame result = answer.frame();
     if (!result.success()) {
       throw new CrossComAccessException(name, Operation.WRITE, false, result.code());
@@ -364,39 +383,58 @@ final class VariableExchange {
     }
   }
 
-  // --- UTF-16
+  // --- texts: in UTF-16 if the server is C3 Bridge, else in the charset of KUKAVARPROXY
 
   /**
-   * Reads a variable again if function 0 may have returned another text. The lock is held.
-   *
-   * @return null if the first answer is right; otherwise the text to take instead
+   * Reads a variable whose type is not known with function 0, and again if it has a text. Each text
+   * of KRL is in double quotes, which no code page changes; only the server's own variables have
+   * texts without.
    */
-  private @Nullable TextAnswer readDoubtful(Answer answer, String name) throws CrossComException {
-    if (!Latin1.isDoubtful(answer.frame()) || answer.frame().length() > MAX_UTF16_ANSWER) {
-      return null;
+  private TextAnswer readAny(String name) throws CrossComException {
+    if (!TextCharset.isPlain(name) || name.startsWith("@")) {
+      return readText(name);
     }
-    TextAnswer first = answer.toText();
+    byte[] frame = Codec.encode(new ReadRequest(0, name));
+    lock.lock();
     try {
-      return channel.find("read of " + name, ServerDetector::type) == ServerType.C3_BRIDGE
-          ? readUtf16Only(name)
-          : first;
-    } catch (CrossComUnsupportedException e) {
-      return first; // reconnected meanwhile, to another server
+      Answer answer = sendRead(frame, name);
+      TextAnswer bytes = answer.toText();
+      if (TextCharset.isPlain(answer.frame())) {
+        return bytes;
+      }
+      Connection answered = connection.connection();
+      ServerType type = channel.find("read of " + name, ServerDetector::type);
+      if (type == ServerType.KUKAVARPROXY && answered == connection.connection()) {
+        return decode(bytes, name, false);
+      }
+      if (bytes.text().length() > MAX_UTF16_ANSWER) {
+        throw new CrossComValueException(
+            name, bytes.text(), "the text is too long for an answer in UTF-16", null);
+      }
+      return readText(name);
+    } finally {
+      lock.unlock();
     }
   }
 
-  /** Reads a variable whose name function 0 cannot carry. */
+  /** Reads a variable that has a text. */
+  private TextAnswer readText(String name) throws CrossComException {
+    return channel.find(
+        "read of " + name,
+        server ->
+            server.type() == ServerType.KUKAVARPROXY
+                ? decode(sendReadHere(name, encodeName(name)).toText(), name, false)
+                : readUtf16(name));
+  }
+
   private TextAnswer readUtf16(String name) throws CrossComException {
-    try {
-      return readUtf16Only(name);
-    } catch (CrossComUnsupportedException e) {
-      throw new IllegalArgumentException("a variable's name " + Latin1.violation(name), e);
-    }
-  }
-
-  private TextAnswer readUtf16Only(String name) throws CrossComException {
     MessageAnswer answer =
-        channel.exchange(new ReadUtf16Request(0, name), TextResponse.class, "read of " + name);
+        connection.send(
+            Codec.encode(new ReadUtf16Request(0, name)),
+            MessageType.READ_UTF16,
+            Repeatability.READ,
+            "read of " + name,
+            TextResponse.class);
     Tail tail = answer.response().tail();
     String text = text(answer.response());
     if (!tail.success() || text.isEmpty()) {
@@ -405,27 +443,73 @@ final class VariableExchange {
     return new TextAnswer(text, answer.nanos());
   }
 
+  /** Writes a value that can hold text. */
+  private TextAnswer writeText(String name, String value) throws CrossComException {
+    return channel.change(
+        "write of " + name,
+        ServerDetector::type,
+        server ->
+            server.type() == ServerType.KUKAVARPROXY
+                ? decode(
+                    sendWriteHere(name, encodeName(name), encodeValue(name, value)).toText(),
+                    name,
+                    true)
+                : writeUtf16(name, value));
+  }
+
   private TextAnswer writeUtf16(String name, String value) throws CrossComException {
-    WriteUtf16Request request;
+    byte[] frame;
     try {
-      request = new WriteUtf16Request(0, name, value);
+      frame = Codec.encode(new WriteUtf16Request(0, name, value));
     } catch (IllegalArgumentException e) {
       throw cannotBeSent(name, value, e.getMessage(), e);
     }
-    MessageAnswer answer;
-    try {
-      answer = channel.exchange(request, TextResponse.class, "write of " + name);
-    } catch (CrossComUnsupportedException e) {
-      if (!Latin1.has(name)) {
-        throw new IllegalArgumentException("a variable's name " + Latin1.violation(name), e);
-      }
-      throw cannotBeSent(name, value, "it " + Latin1.violation(value), e);
-    }
+    MessageAnswer answer =
+        connection.send(
+            frame,
+            MessageType.WRITE_UTF16,
+            Repeatability.CHANGE,
+            "write of " + name,
+            TextResponse.class);
     Tail tail = answer.response().tail();
     if (!tail.success()) {
       throw new CrossComAccessException(name, Operation.WRITE, false, tail.code());
     }
     return new TextAnswer(text(answer.response()), answer.nanos());
+  }
+
+  private String encodeName(String name) {
+    String violation = charset.violation(name);
+    if (violation != null) {
+      throw new IllegalArgumentException(
+          "a variable's name cannot be sent: " + violation,
+          new CrossComUnsupportedException(
+              "access to " + name, MessageType.READ_UTF16, ServerType.KUKAVARPROXY, null));
+    }
+    return charset.encode(name);
+  }
+
+  private String encodeValue(String name, String value) throws CrossComValueException {
+    String violation = charset.violation(value);
+    if (violation != null) {
+      throw cannotBeSent(name, value, violation, null);
+    }
+    return charset.encode(value);
+  }
+
+  private TextAnswer decode(TextAnswer bytes, String name, boolean written)
+      throws CrossComValueException {
+    try {
+      return new TextAnswer(charset.decode(bytes.text()), bytes.nanos());
+    } catch (IllegalArgumentException e) {
+      throw new CrossComValueException(
+          name,
+          bytes.text(),
+          (written ? "the write was done, but its answer" : "the answer of the controller")
+              + " cannot be read: "
+              + e.getMessage(),
+          e);
+    }
   }
 
   /** Returns the text of an answer; an answer that says failure has none. */
@@ -435,8 +519,8 @@ final class VariableExchange {
 
   // --- what a request may hold
 
-  private static boolean isLatin1(String name, CharSequence value) {
-    return Latin1.has(name) && Latin1.has(value);
+  private static boolean isPlain(String name, CharSequence value) {
+    return TextCharset.isPlain(name) && TextCharset.isPlain(value);
   }
 
   private void check(String name, CharSequence value) throws CrossComValueException {
@@ -466,7 +550,7 @@ final class VariableExchange {
   }
 
   private static CrossComValueException cannotBeSent(
-      String name, String value, @Nullable String why, Exception cause) {
+      String name, String value, @Nullable String why, @Nullable Exception cause) {
     return CrossComValueException.notSent(name, value, "the value cannot be sent: " + why, cause);
   }
 

@@ -126,6 +126,7 @@ class ChangingServerTest {
   void aTextWithAQuestionMarkHoldsIfTheNewServerCannotGiveItInUtf16() throws Exception {
     first.variables().set("MYSTRING[]", "\"ready?\"");
     try (MockServer second = MockServer.start(cfg -> cfg.server(ServerType.KUKAVARPROXY))) {
+      second.variables().set("MYSTRING[]", "\"ready?\"");
       between.changeTo(second, type -> type == MessageType.READ_UTF16.code());
 
       assertThat(client.readText("MYSTRING[]")).isEqualTo("\"ready?\"");

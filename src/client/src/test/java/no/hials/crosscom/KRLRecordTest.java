@@ -18,7 +18,6 @@ import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
-import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
@@ -68,6 +67,7 @@ class KRLRecordTest extends RobotTest {
 
   @BeforeEach
   void declare() {
+    detectServer();
     var variables = robot.variables();
     variables.declareEnum("MODE", "MANUAL", "AUTOMATIC", "TEACH_IN", "OTHER");
     variables.declareStruc("SEAM", "REAL X; INT LAYERS");
@@ -492,14 +492,8 @@ class KRLRecordTest extends RobotTest {
         () -> s.setValue(new Scalars(1, 1, 1, true, '"', "s", Mode.MANUAL)),
         "S.C: a CHAR array cannot hold a double quote");
     assertRefused(
-        () -> s.setValue(new Scalars(1, 1, 1, true, '€', "s", Mode.MANUAL)),
-        "S.C: must be ISO 8859-1, has U+20AC at index 0");
-    assertRefused(
         () -> s.setValue(new Scalars(1, 1, 1, true, 'c', "a\"b", Mode.MANUAL)),
         "S.S: a CHAR array cannot hold a double quote");
-    assertRefused(
-        () -> s.setValue(new Scalars(1, 1, 1, true, 'c', "5 €", Mode.MANUAL)),
-        "S.S: must be ISO 8859-1, has U+20AC at index 2");
     assertRefused(
         () -> s.setValue(new Scalars(1, 1, 1, true, 'c', "s", null)), "S.MODE must not be null");
     assertThat(s.getValue()).isNull();
@@ -608,13 +602,10 @@ class KRLRecordTest extends RobotTest {
     }
   }
 
-  /**
-   * Of ISO 8859-1, without the control characters from 80, which C3 Bridge does not send
-   * (docs/reference/c3-messages.md#code-pages).
-   */
+  /** Of ISO 8859-1, without the control characters from 80, which windows-1252 does not have. */
   private char anyChar(Random random) {
     char c = (char) (' ' + random.nextInt(0x100 - ' '));
-    boolean unknown = server == ServerType.C3_BRIDGE && c >= 0x80 && c <= 0x9F;
+    boolean unknown = c >= 0x80 && c <= 0x9F;
     return c == '"' || unknown ? '\'' : c;
   }
 

@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
+import java.nio.charset.Charset;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
@@ -34,13 +36,16 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ErrorCode;
+import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -612,50 +617,107 @@ class ReadWriteTest extends RobotTest {
     assertThat(robot.requests()).isEmpty();
   }
 
-  @Test
-  void valuesInsideLatin1AreSentWithoutAskingForTheServer() throws Exception {
-    KRLString s = new KRLString("MYSTRING[]");
-    s.setValue("Größe 5 µm");
-    client.writeVariable(s);
-    s.setValue("x");
-    client.readVariable(s);
+  /** Restarts the server on a Windows with another code page. */
+  private void codePage(int number, String charset) throws Exception {
+    client.close();
+    robot.close();
+    robot = MockServer.start(cfg -> cfg.server(server).codePage(number));
+    client = client(cfg -> cfg.charset(Charset.forName(charset)));
+  }
 
-    assertThat(s.getValue()).isEqualTo("Größe 5 µm");
-    assertThat(robot.requests()).hasSize(2);
+  @ParameterizedTest
+  @CsvSource({
+    "1252, windows-1252, 5 µm € Größe",
+    "1251, windows-1251, Привет",
+    "1250, windows-1250, Łódź",
+    "936, GBK, 你好"
+  })
+  void textsOfTheCodePageAreReadAndWrittenExactly(int page, String charset, String text)
+      throws Exception {
+    codePage(page, charset);
+    robot.variables().declareStruc("LABEL", "CHAR TEXT[20]; INT COUNT");
+    robot.variables().declare("MYLABEL", "LABEL", "{TEXT[] \"x\",COUNT 1}");
+    KRLString s = new KRLString("MYSTRING[]");
+    s.setValue(text);
+    client.writeVariable(s);
+    assertThat(robot.variables().get("MYSTRING[]")).isEqualTo('"' + text + '"');
+    client.writeText("MYLABEL", "{TEXT[] \"" + text + "\"}");
+    assertThat(robot.variables().get("MYLABEL.TEXT[]")).isEqualTo('"' + text + '"');
+
+    assertThat(s.getValue()).isEqualTo(text);
+    KRLString copy = new KRLString("MYSTRING[]");
+    client.readVariable(copy);
+    assertThat(copy.getValue()).isEqualTo(text);
+    assertThat(client.readText("MYSTRING[]")).isEqualTo('"' + text + '"');
+    assertThat(client.readValue("MYSTRING[]")).isEqualTo(new KrlString(text));
+    assertThat(client.readValue("MYLABEL").print()).contains('"' + text + '"');
+    KRLAny any = new KRLAny("MYLABEL");
+    assertThat(client.readVariables(any, copy)).allMatch(VariableResult::isOk);
+    assertThat(copy.getValue()).isEqualTo(text);
+    assertThat(client.simpleRead("MYSTRING[]")).endsWith('"' + text + '"');
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {936, 1251, 1252})
+  void c3BridgeCarriesTextsOfAnyScriptOnEachCodePage(int page) throws Exception {
+    assumeThat(server).isEqualTo(ServerType.C3_BRIDGE);
+    codePage(page, "windows-1252");
+    for (String text : List.of("Größe", "ö", "你好", "Привет", "Łódź", "5 € ok?")) {
+      client.writeText("MYSTRING[]", '"' + text + '"');
+      assertThat(robot.variables().get("MYSTRING[]")).isEqualTo('"' + text + '"');
+      assertThat(client.readText("MYSTRING[]")).isEqualTo('"' + text + '"');
+    }
+    assertThat(robot.requests())
+        .extracting(r -> r.request().type())
+        .doesNotContain(MessageType.WRITE);
   }
 
   @Test
-  void namesAndValuesOutsideLatin1NeedC3Bridge() throws Exception {
-    KRLString s = new KRLString("MYSTRING[]");
-    s.setValue("5 € — ok?");
-    if (server == ServerType.C3_BRIDGE) {
-      client.writeVariable(s);
-      KRLString copy = new KRLString("MYSTRING[]");
-      client.readVariable(copy);
+  void anArrayOfNumbersOfUnknownTypeMayBeTooLongForUtf16() throws Exception {
+    robot.variables().declare("MANY[6000]", "INT", "1000000");
 
-      assertThat(s.getValue()).as("the server's own text").isEqualTo("5 € — ok?");
-      assertThat(copy.getValue()).isEqualTo("5 € — ok?");
-      assertThat(client.readText("MYSTRING[]")).isEqualTo("\"5 € — ok?\"");
-      assertThatExceptionOfType(CrossComAccessException.class)
-          .isThrownBy(() -> client.readText("Ω"))
-          .satisfies(e -> assertThat(e.getErrorCode()).contains(ErrorCode.GENERAL));
-      assertThatExceptionOfType(CrossComAccessException.class)
-          .isThrownBy(() -> client.readVariable(new KRLInt("Ω")));
-      assertThatExceptionOfType(CrossComAccessException.class)
-          .isThrownBy(() -> client.writeText("Ω", "1"));
-    } else {
-      assertThatExceptionOfType(CrossComValueException.class)
-          .isThrownBy(() -> client.writeVariable(s))
-          .withMessageContaining("must be ISO 8859-1 unless the server is C3 Bridge")
-          .withMessageContaining("has U+20AC at index 3")
-          .satisfies(e -> assertThat(e.getText()).isEqualTo("\"5 € — ok?\""));
-      assertThatIllegalArgumentException()
-          .isThrownBy(() -> client.readText("Ω"))
-          .withMessageContaining("a variable's name must be ISO 8859-1 unless");
-      assertThatIllegalArgumentException().isThrownBy(() -> client.readVariable(new KRLInt("Ω")));
-      assertThatIllegalArgumentException().isThrownBy(() -> client.writeText("Ω", "1"));
-      assertThat(requests()).isEmpty();
-    }
+    assertThat(client.readText("MANY[]")).startsWith("1000000 1000000").hasSizeGreaterThan(40_000);
+  }
+
+  @Test
+  void whatTheCharsetLacksIsRefusedBeforeItIsSent() throws Exception {
+    assumeThat(server).isEqualTo(ServerType.KUKAVARPROXY);
+    KRLString s = new KRLString("MYSTRING[]");
+    s.setValue("5 Ω");
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.writeVariable(s))
+        .withMessageContaining("MYSTRING[]: the value cannot be sent: the charset for KUKAVARPROXY")
+        .withMessageContaining("is windows-1252, which does not have Ω (U+03A9) at index 3")
+        .satisfies(e -> assertThat(e.getText()).isEqualTo("\"5 Ω\""));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> client.readText("Ω"))
+        .withMessageContaining("a variable's name cannot be sent: ");
+    assertThatIllegalArgumentException().isThrownBy(() -> client.readVariable(new KRLInt("Ω")));
+    assertThatIllegalArgumentException().isThrownBy(() -> client.writeText("Ω", "1"));
+    assertThat(requests()).isEmpty();
+  }
+
+  @Test
+  void aByteThatTheCharsetLacksIsNotRead() throws Exception {
+    assumeThat(server).isEqualTo(ServerType.KUKAVARPROXY);
+    robot.fault(r -> r.name().equals("MYSTRING[]"), Fault.answer("\"a\u0081\"", Tail.SUCCESS));
+
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.readText("MYSTRING[]"))
+        .withMessageContaining("windows-1252 has no character for the byte 81 at index 2");
+    assertThat(client.readText("MYINT")).as("the connection is usable").isEqualTo("0");
+  }
+
+  @Test
+  void aNameOutsideAsciiIsAskedForInUtf16() throws Exception {
+    assumeThat(server).isEqualTo(ServerType.C3_BRIDGE);
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.readText("Ω"))
+        .satisfies(e -> assertThat(e.getErrorCode()).contains(ErrorCode.GENERAL));
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.readVariable(new KRLInt("Ω")));
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.writeText("Ω", "1"));
   }
 
   @Test
@@ -683,6 +745,7 @@ class ReadWriteTest extends RobotTest {
 
   @Test
   void aNameThatMakesARequestTooLongIsRefused() {
+    assumeThat(server).isEqualTo(ServerType.KUKAVARPROXY);
     assertThatExceptionOfType(CrossComValueException.class)
         .isThrownBy(() -> client.readText("A".repeat(3000)))
         .withMessageContaining("a request must have at most 2048 bytes, has 3007");

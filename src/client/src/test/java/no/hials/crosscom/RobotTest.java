@@ -3,6 +3,7 @@ package no.hials.crosscom;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
+import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ServerType;
@@ -47,7 +48,13 @@ abstract class RobotTest {
     return robot.requests().stream().filter(r -> !r.name().startsWith("@PROXY_")).toList();
   }
 
-  /** Creates a client that does not reconnect, so that a test sees each failure. */
+  /** Detects the server, so that the faults of a test do not hit the question for it. */
+  final void detectServer() {
+    client.readVariables(new KRLAny("$OV_PRO"), new KRLAny("$OV_JOG"));
+    robot.clearRequests();
+  }
+
+  /** Makes a client that does not connect again, so that a test sees each failure. */
   final CrossComClient client(Duration requestTimeout) throws Exception {
     return client(cfg -> cfg.requestTimeout(requestTimeout).reconnect(false));
   }

@@ -209,7 +209,7 @@ class SeveralVariablesTest extends RobotTest {
     KRLInt good = new KRLInt("MYINT");
     good.setValue(1);
     KRLString euro = new KRLString("MYSTRING[]");
-    euro.setValue("5 €");
+    euro.setValue("5 Ω");
     KRLReal last = new KRLReal("MYREAL");
     last.setValue(3);
 

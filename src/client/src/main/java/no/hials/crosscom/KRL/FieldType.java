@@ -17,7 +17,6 @@ import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.KRL.structs.KRLStruct;
-import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.protocol.value.KrlPrinter;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlScanner;
@@ -210,10 +209,6 @@ abstract class FieldType {
   }
 
   private static void printText(StringBuilder out, String text) {
-    if (!Latin1.has(text)) {
-      throw new IllegalArgumentException(
-          "must be ISO 8859-1, " + Latin1.outside(text) + " of: " + text);
-    }
     KrlPrinter.append(out, new KrlString(text), RealStyle.SHORTEST);
   }
 

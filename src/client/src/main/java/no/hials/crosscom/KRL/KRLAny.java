@@ -21,11 +21,6 @@ public class KRLAny extends ScannedVariable {
   }
 
   @Override
-  boolean holdsText() {
-    return true;
-  }
-
-  @Override
   public @Nullable KrlValue getValue() {
     return value;
   }

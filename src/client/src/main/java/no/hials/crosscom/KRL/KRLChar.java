@@ -19,11 +19,6 @@ public class KRLChar extends ScannedVariable {
   }
 
   @Override
-  boolean holdsText() {
-    return true;
-  }
-
-  @Override
   public @Nullable Character getValue() {
     return present ? value : null;
   }

@@ -65,11 +65,6 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
   }
 
   @Override
-  boolean holdsText() {
-    return true;
-  }
-
-  @Override
   public @Nullable T getValue() {
     return value;
   }
@@ -92,8 +87,8 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
    *
    * @param newValue the value; its arrays and frames are not copied
    * @throws IllegalArgumentException if the value of a component cannot be written: a number that
-   *     is NaN, infinite or too large for a 32-bit float, a text with a double quote or not ISO
-   *     8859-1, an empty array, or null; the local value is then unchanged
+   *     is NaN, infinite or too large for a 32-bit float, a text with a double quote, an empty
+   *     array, or null; the local value is then unchanged
    */
   public void setValue(T newValue) {
     print(Objects.requireNonNull(newValue, "newValue"));

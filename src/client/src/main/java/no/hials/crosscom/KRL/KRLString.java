@@ -23,11 +23,6 @@ public class KRLString extends ScannedVariable {
   }
 
   @Override
-  boolean holdsText() {
-    return true;
-  }
-
-  @Override
   public @Nullable String getValue() {
     return value;
   }

@@ -4,10 +4,11 @@ import java.lang.reflect.Method;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
+import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.internal.BoxedFrame;
-import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.internal.VariableName;
 import no.hials.crosscom.protocol.Codec;
@@ -52,7 +53,8 @@ public abstract class KRLVariable {
   public KRLVariable(String name) {
     this.name = VariableName.check(name);
     this.id = IDS.getAndIncrement();
-    this.readFrame = Latin1.has(name) ? Codec.encode(new ReadRequest(0, name)) : null;
+    boolean ascii = name.chars().allMatch(c -> c < 0x80);
+    this.readFrame = ascii ? Codec.encode(new ReadRequest(0, name)) : null;
   }
 
   /**
@@ -156,9 +158,17 @@ public abstract class KRLVariable {
     return appendValue(text.clear()) ? text : getStringValue();
   }
 
-  /** Returns whether the value can contain characters that function 0 of C3 Bridge cannot send. */
-  boolean holdsText() {
-    return false;
+  /**
+   * Returns whether the value can contain a text, or an ENUM: whether it is not a number, a BOOL,
+   * an array of them or a structure of numbers.
+   */
+  private boolean holdsText() {
+    return !(this instanceof KRLInt
+        || this instanceof KRLReal
+        || this instanceof KRLBool
+        || this instanceof KRLArray
+        || this instanceof KRLFrame
+        || this instanceof KRLAxis);
   }
 
   /** Returns the exception to throw for a variable without a value. */

@@ -25,14 +25,11 @@ public abstract class VariableAccess {
 
   /**
    * Returns the read request of a variable, function 0, with any id, which is encoded once and not
-   * to be changed; null if the name is not ISO 8859-1.
+   * to be changed; null if the name is not ASCII.
    */
   public abstract byte @Nullable [] readFrame(KRLVariable variable);
 
-  /**
-   * Returns whether a value can have characters that function 0 of C3 Bridge cannot send: a text,
-   * or what can have texts as a part.
-   */
+  /** Returns whether a value is or can contain a text or an ENUM. */
   public abstract boolean holdsText(KRLVariable variable);
 
   /**

@@ -125,7 +125,7 @@ class WatchCommandTest {
 
   @Test
   void printsControlCharactersSoThatALineIsAVariable() {
-    answer("\"a\nb\"");
+    server.fault(r -> r.name().equals("MYSTRING[]"), Fault.answer("\"a\nb\"", Tail.SUCCESS));
 
     assertThat(withoutTimes(watch("--count", "1", "MYSTRING[]")))
         .containsExactly("MYSTRING[] = \"a\\x0Ab\"");

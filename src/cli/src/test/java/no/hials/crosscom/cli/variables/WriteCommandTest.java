@@ -150,7 +150,7 @@ class WriteCommandTest {
         "MYINT      | 7              | ??",
       })
   void failsIfTheAnswerHasAnotherValue(String name, String value, String answer) {
-    server.enqueue(Fault.none(), Fault.answer(answer, Tail.SUCCESS));
+    server.fault(RecordedRequest::isWrite, Fault.answer(answer, Tail.SUCCESS));
 
     Cli.runOn(server, "write", name, value)
         .failsInALine(1)

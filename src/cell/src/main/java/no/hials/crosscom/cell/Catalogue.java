@@ -106,8 +106,8 @@ public final class Catalogue {
     list.declarations().forEach(declaration -> declaration.accept(collector));
   }
 
-  /** Adds each declaration of a data list. */
-  private final class Collector implements DeclarationVisitor<@Nullable Void> {
+  /** Adds the declarations of a data list, and returns whether the catalogue can show the kind. */
+  private final class Collector implements DeclarationVisitor<Boolean> {
     private final DataList list;
     private final String origin;
     private final @Nullable Access access;
@@ -127,54 +127,54 @@ public final class Catalogue {
     }
 
     @Override
-    public @Nullable Void visit(Declaration.StrucDeclaration struc) {
+    public Boolean visit(Declaration.StrucDeclaration struc) {
       structures.putIfAbsent(
           key(struc.name()),
           struc.components().stream()
               .map(part -> entry(part.type(), part.declarator(), VariableNote.NONE, origin, null))
               .toList());
-      return null;
+      return true;
     }
 
     @Override
-    public @Nullable Void visit(Declaration.EnumDeclaration enumeration) {
+    public Boolean visit(Declaration.EnumDeclaration enumeration) {
       List<String> constants = enumeration.constants();
       enumerations.putIfAbsent(
           key(enumeration.name()),
           origin.isEmpty() ? constants.stream().sorted().toList() : constants);
-      return null;
+      return true;
     }
 
     @Override
-    public @Nullable Void visit(Declaration.Signal signal) {
+    public Boolean visit(Declaration.Signal signal) {
       if (system) {
         VariableNote note = VariableNote.of(signal.comment());
         add(entry("SIGNAL", signal.name(), List.of(), note, origin, access), note, shown);
       }
-      return null;
+      return true;
     }
 
     @Override
-    public @Nullable Void visit(Declaration.Variables group) {
+    public Boolean visit(Declaration.Variables group) {
       if (system || (list.isPublic() && group.global())) {
         VariableNote note = VariableNote.of(group.comment());
         group
             .variables()
             .forEach(one -> add(entry(group.type(), one, note, origin, access), note, shown));
       }
-      return null;
+      return true;
     }
 
     /** Sets the value of a variable that is declared elsewhere. */
     @Override
-    public @Nullable Void visit(Declaration.InitialValue initial) {
-      return null;
+    public Boolean visit(Declaration.InitialValue initial) {
+      return false;
     }
 
     /** The data list of the other module declares it. */
     @Override
-    public @Nullable Void visit(Declaration.External external) {
-      return null;
+    public Boolean visit(Declaration.External external) {
+      return false;
     }
   }
 

@@ -30,8 +30,10 @@ class LicencesTest {
     Files.writeString(texts.resolve("apache.txt"), "Apache\n  License");
     Files.writeString(
         texts.resolve("libraries.tsv"),
-        "bare\tApache-2.0\thttps://bare.example\tapache.txt\n"
-            + "full-*\tApache-2.0\thttps://full.example\t-\n");
+        """
+        bare\tApache-2.0\thttps://bare.example\tapache.txt
+        full-*\tApache-2.0\thttps://full.example\t-
+        """);
   }
 
   private Path jar(String artifact, Map<String, String> entries) throws IOException {

@@ -122,8 +122,10 @@ class UsageTest {
     Cli.run("program", "run", "--mock")
         .fails(2)
         .isEqualTo(
-            "jopenshowvar: missing required parameter: 'PROGRAM'\n"
-                + "try 'jopenshowvar program run --help'\n");
+            """
+            jopenshowvar: missing required parameter: 'PROGRAM'
+            try 'jopenshowvar program run --help'
+            """);
   }
 
   @Test

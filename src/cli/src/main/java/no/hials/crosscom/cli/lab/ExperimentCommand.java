@@ -286,7 +286,7 @@ public final class ExperimentCommand extends ConsoleCommand {
   }
 
   /** Shows how far an experiment is: on a terminal in a line that changes, else with -v. */
-  private final class Progress implements Experiment.Observer, AutoCloseable {
+  private final class Progress implements Experiment.CycleObserver, AutoCloseable {
     private final String name;
     private final StopSignal stop;
     private final LiveLine line =

@@ -43,7 +43,7 @@ final class Endurance implements Experiment {
   }
 
   @Override
-  public Optional<ExperimentResult> run(Settings settings, Observer observer)
+  public Optional<ExperimentResult> run(Settings settings, CycleObserver observer)
       throws ControlRefusedException, IOException {
     try (GarbageCollections pauses = new GarbageCollections()) {
       Law.CartesianPosition circles =

@@ -67,12 +67,12 @@ public interface Experiment {
    * @throws ControlRefusedException if a loop did not start
    * @throws IOException if the simulated controller cannot be started or reached
    */
-  Optional<ExperimentResult> run(Settings settings, Observer observer)
+  Optional<ExperimentResult> run(Settings settings, CycleObserver observer)
       throws ControlRefusedException, IOException;
 
   /** Follows an experiment. */
   @FunctionalInterface
-  interface Observer {
+  interface CycleObserver {
     /**
      * Called when a phase begins, and ten times a second while a loop runs.
      *

@@ -77,7 +77,7 @@ final class FollowLine implements Experiment {
   }
 
   @Override
-  public Optional<ExperimentResult> run(Settings settings, Observer observer)
+  public Optional<ExperimentResult> run(Settings settings, CycleObserver observer)
       throws ControlRefusedException, IOException {
     double lap = settings.lapSeconds();
     Run krc =

@@ -49,7 +49,7 @@ record FollowShape(ControlMethod control, Shape shape) implements Experiment {
   }
 
   @Override
-  public Optional<ExperimentResult> run(Settings settings, Observer observer)
+  public Optional<ExperimentResult> run(Settings settings, CycleObserver observer)
       throws ControlRefusedException, IOException {
     Run run =
         Run.of(

@@ -46,7 +46,7 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
   static @Nullable Run of(
       String name,
       Experiment.Settings settings,
-      Experiment.Observer observer,
+      Experiment.CycleObserver observer,
       Axes start,
       RobotProgram program,
       Law law)
@@ -63,7 +63,7 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
   static @Nullable Run of(
       String name,
       Experiment.Settings settings,
-      Experiment.Observer observer,
+      Experiment.CycleObserver observer,
       Axes start,
       RobotProgram program,
       Law standing,
@@ -91,7 +91,7 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
   }
 
   /** The time of one loop. */
-  private record Phase(String name, Duration length, Experiment.Observer observer) {
+  private record Phase(String name, Duration length, Experiment.CycleObserver observer) {
     boolean begins() {
       return goesOn(Duration.ZERO);
     }

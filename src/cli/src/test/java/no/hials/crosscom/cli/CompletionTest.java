@@ -101,7 +101,7 @@ class CompletionTest {
     assertThat(Completion.fish(Documents.commands().getCommandSpec()).lines())
         .contains(
             "complete -c jopenshowvar -n '__fish_seen_subcommand_from mock' -l config -r -F"
-                + " -d 'Load a data list, such as a $CONFIG.DAT or $MACHINE.DAT.'")
+                + " -d 'Load a data list, such as $CONFIG.DAT.'")
         .anyMatch(
             line -> line.matches(".* -n 'not __fish_seen_subcommand_from .*' -a read -d '.*'"));
   }

@@ -2,6 +2,7 @@ package no.hials.crosscom.cell;
 
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -97,7 +98,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
     if (!SettingText.isRobotName(table.name())) {
       throw table.error("a robot's name must be letters, digits, _, - and ., for @NAME");
     }
-    table.allow("host", "port", "timeout", "read-only", "mock", "server");
+    table.allow("host", "port", "timeout", "read-only", "mock", "server", "charset");
     boolean mock = table.flag("mock");
     boolean readOnly = table.flag("read-only");
     HostAndPort host = table.converted("host", HostAndPort::parse, TomlTable.TEXT, String.class);
@@ -113,6 +114,8 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
             Number.class);
     ServerType server =
         table.converted("server", SettingText::server, TomlTable.TEXT, String.class);
+    Charset charset =
+        table.converted("charset", SettingText::charset, TomlTable.TEXT, String.class);
     if (mock && (host != null || port != null)) {
       throw table.error("mock excludes host and port");
     }
@@ -128,7 +131,8 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
         port(table, host, port),
         timeout,
         readOnly ? "read-only = true in " + table.place("read-only") : null,
-        server == null ? simulated : server);
+        server == null ? simulated : server,
+        charset);
   }
 
   private static int port(TomlTable table, @Nullable HostAndPort host, @Nullable Integer port)

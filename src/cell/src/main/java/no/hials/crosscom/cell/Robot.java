@@ -1,5 +1,6 @@
 package no.hials.crosscom.cell;
 
+import java.nio.charset.Charset;
 import java.time.Duration;
 import java.util.function.Consumer;
 import no.hials.crosscom.ClientConfig;
@@ -16,6 +17,7 @@ import org.jspecify.annotations.Nullable;
  * @param readOnlyBy the setting that makes it read-only, such as {@code
  *     JOPENSHOWVAR_READ_ONLY=true}; null if writes are allowed
  * @param server the server of a simulated controller
+ * @param charset the charset of texts on KUKAVARPROXY; null for the client's own
  */
 public record Robot(
     String name,
@@ -23,7 +25,8 @@ public record Robot(
     int port,
     @Nullable Duration timeout,
     @Nullable String readOnlyBy,
-    ServerType server) {
+    ServerType server,
+    @Nullable Charset charset) {
 
   /** Does not reconnect, so that a command reports the loss of its connection. */
   public static final Consumer<ClientConfig.Builder> ONE_SHOT =
@@ -39,6 +42,6 @@ public record Robot(
 
   /** Returns this robot with the address of the server that simulates it. */
   public Robot at(String simulatedHost, int simulatedPort) {
-    return new Robot(name, simulatedHost, simulatedPort, timeout, readOnlyBy, server);
+    return new Robot(name, simulatedHost, simulatedPort, timeout, readOnlyBy, server, charset);
   }
 }

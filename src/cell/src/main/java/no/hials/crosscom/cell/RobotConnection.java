@@ -51,6 +51,9 @@ public record RobotConnection(
                   if (limit != null) {
                     cfg.connectTimeout(limit).requestTimeout(limit);
                   }
+                  if (robot.charset() != null) {
+                    cfg.charset(robot.charset());
+                  }
                   settings.accept(cfg);
                 }));
     return new RobotConnection(robot, client, null);

@@ -1,10 +1,12 @@
 package no.hials.crosscom.cell;
 
 import java.math.BigDecimal;
+import java.nio.charset.Charset;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.protocol.ServerType;
 
 /**
@@ -57,6 +59,17 @@ public final class SettingText {
       case "c3" -> ServerType.C3_BRIDGE;
       default -> throw new IllegalArgumentException("must be kukavarproxy or c3, is " + text);
     };
+  }
+
+  /** Parses the name of a charset that KUKAVARPROXY can have. */
+  public static Charset charset(String text) {
+    Charset charset;
+    try {
+      charset = Charset.forName(text);
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("must be a charset such as windows-1251, is " + text, e);
+    }
+    return ClientConfig.create("robot", cfg -> cfg.charset(charset)).charset();
   }
 
   /** Parses a time of at least 1 ms: {@code 500}, {@code 500ms}, {@code 1.5s}, {@code 1m}. */

@@ -473,6 +473,25 @@ class ProfilesTest {
     assertThat(Cli.runIn(environment, Cli.argsOn(one, "read", "MYINT")).code()).isZero();
   }
 
+  @Test
+  void theCharsetOfKukavarproxyIsThatOfTheRobotOrTheOption() throws Exception {
+    try (MockServer cyrillic = MockServer.start(cfg -> cfg.codePage(1251))) {
+      cyrillic.variables().set("MYSTRING[]", "\"Привет\"");
+      config(robot("ru", cyrillic) + "\ncharset = \"windows-1251\"", robot("a", cyrillic));
+
+      String[] charset = {"read", "@a", "MYSTRING[]", "--charset", "windows-1251"};
+      for (Cli.Result result : List.of(run("read", "@ru", "MYSTRING[]"), run(charset))) {
+        assertThat(result.lines()).containsExactly("MYSTRING[] = \"Привет\"");
+      }
+    }
+    run("read", "@a", "MYINT", "--charset", "windows-7")
+        .fails(2)
+        .contains("must be a charset such as windows-1251, is windows-7");
+    run("read", "@a", "MYINT", "--charset", "UTF-16")
+        .fails(2)
+        .contains("charset must have ASCII in the same bytes, is UTF-16");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

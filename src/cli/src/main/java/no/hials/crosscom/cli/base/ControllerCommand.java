@@ -1,6 +1,7 @@
 package no.hials.crosscom.cli.base;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -55,6 +56,15 @@ public abstract class ControllerCommand extends ConsoleCommand {
       completionCandidates = Converters.ServerName.class,
       description = "Server of the simulated controller: kukavarproxy, or c3 for C3 Bridge.")
   private @Nullable ServerType server;
+
+  @Option(
+      names = "--charset",
+      paramLabel = "NAME",
+      converter = Converters.CharsetName.class,
+      description =
+          "Charset of texts on KUKAVARPROXY: the code page of the controller's Windows, such as"
+              + " windows-1251. Default: windows-1252.")
+  private @Nullable Charset charset;
 
   @Option(
       names = "--timeout",
@@ -124,16 +134,16 @@ public abstract class ControllerCommand extends ConsoleCommand {
       return named();
     }
     if (mock) {
-      return List.of(new Robot("", null, 0, null, null, simulated()));
+      return List.of(new Robot("", null, 0, null, null, simulated(), null));
     }
     if (host != null) {
       HostAndPort at = argument("--host", host, HostAndPort::parse);
       int itsPort = argument("--host", host, text -> at.portOr(port, ClientConfig.DEFAULT_PORT));
-      return List.of(new Robot("", at.host(), itsPort, null, null, simulated()));
+      return List.of(new Robot("", at.host(), itsPort, null, null, simulated(), null));
     }
     if (environment.host() != null) {
       return List.of(
-          new Robot("", environment.host(), environment.port(), null, null, simulated()));
+          new Robot("", environment.host(), environment.port(), null, null, simulated(), null));
     }
     Profiles profiles = Profiles.read(console()::environment, simulated());
     if (profiles == null || profiles.defaultRobot() == null) {
@@ -205,7 +215,8 @@ public abstract class ControllerCommand extends ConsoleCommand {
         port == null ? target.port() : port,
         limit,
         readOnly ? "JOPENSHOWVAR_READ_ONLY=true" : target.readOnlyBy(),
-        server == null ? target.server() : server);
+        server == null ? target.server() : server,
+        charset == null ? target.charset() : charset);
   }
 
   private static @Nullable Duration or(@Nullable Duration first, @Nullable Duration second) {

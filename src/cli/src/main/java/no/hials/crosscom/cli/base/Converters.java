@@ -1,5 +1,6 @@
 package no.hials.crosscom.cli.base;
 
+import java.nio.charset.Charset;
 import java.time.Duration;
 import java.util.Iterator;
 import java.util.List;
@@ -38,6 +39,14 @@ public final class Converters {
     @Override
     public Integer convert(String text) {
       return converted(port -> SettingText.number(port, 0, 65_535), text);
+    }
+  }
+
+  /** The charset of texts on KUKAVARPROXY. */
+  static final class CharsetName implements ITypeConverter<Charset> {
+    @Override
+    public Charset convert(String text) {
+      return converted(SettingText::charset, text);
     }
   }
 

@@ -12,6 +12,7 @@ import java.util.OptionalInt;
 import java.util.function.Consumer;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.SettingText;
 import no.hials.crosscom.cli.base.CannotListenException;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.Converters;
@@ -110,6 +111,14 @@ public final class MockCommand extends ConsoleCommand {
   private ServerType serverType = ServerType.KUKAVARPROXY;
 
   @Option(
+      names = "--code-page",
+      paramLabel = "NUMBER",
+      description =
+          "Code page of the controller's Windows, such as 1251 or 936, in which functions 0 and 1"
+              + " carry texts. Default: 1252.")
+  private String codePage = "1252";
+
+  @Option(
       names = "--files",
       paramLabel = "FOLDER",
       description =
@@ -188,6 +197,7 @@ public final class MockCommand extends ConsoleCommand {
             mistake -> {
               throw wrongUsage(mistake);
             });
+    int page = argument("--code-page", codePage, MockCommand::codePage);
     Latency times = argument("--latency", latency, text -> Latency.parse(text, seed));
     List<FaultRule> rules = new ArrayList<>();
     for (String fault : faults) {
@@ -197,7 +207,10 @@ public final class MockCommand extends ConsoleCommand {
     // in this order: a signal after the first line finds both there
     try (StopSignal stop = new StopSignal();
         MockServer server =
-            Robots.listen(address, port, with().andThen(cfg -> cfg.clock(speed).latency(times)))) {
+            Robots.listen(
+                address,
+                port,
+                with().andThen(cfg -> cfg.clock(speed).latency(times).codePage(page)))) {
       rules.forEach(server::faults);
       List<String> lines = setup.apply(server.controller());
       if (serverType == ServerType.C3_BRIDGE) {
@@ -245,6 +258,11 @@ public final class MockCommand extends ConsoleCommand {
 
   private static String shown(String host) {
     return host.indexOf(':') >= 0 ? "[" + host + "]" : host;
+  }
+
+  private static int codePage(String text) {
+    int number = SettingText.number(text, 1, 65_535);
+    return MockServerConfig.create(cfg -> cfg.codePage(number)).codePage();
   }
 
   private static InetAddress addressOf(@Nullable String host) throws CannotListenException {

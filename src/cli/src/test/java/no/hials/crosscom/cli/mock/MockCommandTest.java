@@ -103,6 +103,20 @@ class MockCommandTest {
     }
   }
 
+  // code page
+
+  @Test
+  void carriesTextsInTheCodePageThatIsAskedFor() throws Exception {
+    try (RunningMock mock = new RunningMock("--no-discovery", "--code-page", "1251")) {
+      String[] write = {"MYSTRING[]", "\"Привет\"", "--charset", "windows-1251"};
+      assertThat(mock.run("write", write).code()).isZero();
+      assertThat(mock.read("MYSTRING[]")).isEqualTo("\"Ïðèâåò\"");
+    }
+    Cli.run("mock", "--port", "0", "--code-page", "7")
+        .fails(2)
+        .contains("codePage must be a code page of Windows such as 1252, 1251 or 936, is 7");
+  }
+
   // faults and times
 
   @Test

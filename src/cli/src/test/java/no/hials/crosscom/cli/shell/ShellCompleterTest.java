@@ -42,7 +42,8 @@ class ShellCompleterTest {
             DECL GLOBAL CRATE CRATES[3]
             ENDDAT
             """);
-    Robot target = new Robot("", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY);
+    Robot target =
+        new Robot("", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY, null);
     controller = Robots.open(target, Robot.LASTING);
     symbols = new ShellSymbols(controller);
     Console console = new Console(new StringWriter(), new StringWriter(), Map.of());

@@ -39,7 +39,8 @@ class WatchTableTest {
 
   @BeforeEach
   void start() throws IOException {
-    Robot target = new Robot("", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY);
+    Robot target =
+        new Robot("", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY, null);
     robot = new SampledRobot(target, Robots::open, sampling());
     robot.readFirst(List.of("MYINT", "MYFRAME"));
     table = new WatchTable(List.of(robot));
@@ -177,7 +178,7 @@ class WatchTableTest {
   @Test
   void marksOnlyTheRowsOfTheRobotWhoseConnectionIsLost() throws IOException {
     Robot target =
-        new Robot("cell1", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY);
+        new Robot("cell1", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY, null);
     try (SampledRobot unnamed = robot;
         SampledRobot named = new SampledRobot(target, Robots::open, sampling())) {
       named.readFirst(List.of("MYINT"));
@@ -206,7 +207,7 @@ class WatchTableTest {
   @Test
   void labelsTheRowsOfARobotThatHasAName() throws IOException {
     Robot target =
-        new Robot("cell1", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY);
+        new Robot("cell1", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY, null);
     try (SampledRobot unnamed = robot;
         SampledRobot named = new SampledRobot(target, Robots::open, sampling())) {
       table = new WatchTable(List.of(unnamed, named));

@@ -28,9 +28,9 @@ final class CheckedVariable {
     INT("INT", ""),
     /** A number with a fraction. */
     REAL("REAL", ""),
-    /** A text in ISO 8859-1. */
+    /** A text that every code page for Western Europe has. */
     TEXT("CHAR", "[40]"),
-    /** A text that only the UTF-16 of C3 Bridge can carry. */
+    /** A text beyond ISO 8859-1. */
     WIDE_TEXT("CHAR", "[40]"),
     /** A structure; its twelve numbers follow each other, so that a mixture is noticed. */
     AXES("E6AXIS", "");
@@ -80,8 +80,7 @@ final class CheckedVariable {
     variable = kind.create(name);
     set(0);
     table.declare(name + kind.dimension, kind.type, null);
-    // the controller's text is in its code page
-    table.set(variable.getName(), variable.getStringValue().replace('€', '\u0080'));
+    table.set(variable.getName(), variable.getStringValue());
   }
 
   Kind kind() {

@@ -43,6 +43,11 @@ class OutsideTextTest {
     return all;
   }
 
+  /** Runs a command with a charset that has U+009B, which windows-1252 does not have. */
+  private Cli.Result runInLatin1(String command, String... args) {
+    return Cli.runOn(server, command + " --charset ISO-8859-1", args);
+  }
+
   private void setUnsafe() {
     server.fault(
         request -> NAME.equals(request.name()), Fault.answer("\"" + UNSAFE + "\"", Tail.SUCCESS));
@@ -60,7 +65,7 @@ class OutsideTextTest {
   void escapesValues(String command) {
     setUnsafe();
 
-    assertThat(output(Cli.runOn(server, command, NAME))).contains(SAFE);
+    assertThat(output(runInLatin1(command, NAME))).contains(SAFE);
   }
 
   @ParameterizedTest
@@ -68,7 +73,7 @@ class OutsideTextTest {
   void escapesValuesInJson(String command) {
     setUnsafe();
 
-    assertThat(output(Cli.runOn(server, command, NAME)))
+    assertThat(output(runInLatin1(command, NAME)))
         .contains("\\u001B]0;x\\u0007\\u009B2J\\r\\nforged\\u007F");
   }
 
@@ -76,9 +81,9 @@ class OutsideTextTest {
   void printsAValueExactlyIfAsked() {
     setUnsafe();
 
-    assertThat(Cli.runOn(server, "read", "--raw", NAME).out())
+    assertThat(runInLatin1("read", "--raw", NAME).out())
         .isEqualTo(NAME + " = \"" + UNSAFE + "\"" + System.lineSeparator());
-    assertThat(Cli.runOn(server, "read", "--raw", "--json", NAME).fails(2).actual())
+    assertThat(runInLatin1("read", "--raw", "--json", NAME).fails(2).actual())
         .startsWith("jopenshowvar: --raw and --json exclude each other");
   }
 
@@ -91,7 +96,7 @@ class OutsideTextTest {
 
   @Test
   void escapesNamesInMessages() {
-    assertThat(output(Cli.runOn(server, "read", "A" + UNSAFE)))
+    assertThat(output(runInLatin1("read", "A" + UNSAFE)))
         .startsWith("jopenshowvar: the controller refused to read A" + SAFE);
   }
 
@@ -99,8 +104,8 @@ class OutsideTextTest {
   void escapesAMessageThatQuotesTheController() {
     server.faults(request -> Optional.of(Fault.answer(UNSAFE, Tail.SUCCESS)));
 
-    assertThat(output(Cli.runOn(server, "watch", "-v", "--count", "1", NAME))).contains(SAFE);
-    assertThat(output(Cli.runOn(server, "info"))).contains(SAFE);
+    assertThat(output(runInLatin1("watch", "-v", "--count", "1", NAME))).contains(SAFE);
+    assertThat(output(runInLatin1("info"))).contains(SAFE);
   }
 
   @Test

@@ -3,6 +3,7 @@ package no.hials.crosscom.cli.lab;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -169,6 +170,8 @@ public final class ExperimentCommand extends ConsoleCommand {
     checkOptions();
     try {
       Files.createDirectories(folder);
+    } catch (FileAlreadyExistsException e) {
+      throw new OutputException(folder.toString(), new IOException("it is not a folder", e));
     } catch (IOException e) {
       throw new OutputException(folder.toString(), e);
     }

@@ -169,8 +169,8 @@ class ExperimentCommandTest {
     Path occupied = Files.writeString(file("a"), "mine");
 
     Cli.run("experiment", "position-circle", "--out", occupied.toString())
-        .fails(2)
-        .contains("cannot make " + occupied + ": the file already exists");
+        .fails(74)
+        .contains("could not write " + occupied + ": it is not a folder");
     assertThat(occupied).hasContent("mine");
   }
 

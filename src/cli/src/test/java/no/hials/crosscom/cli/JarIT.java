@@ -232,7 +232,8 @@ class JarIT {
   void logsFramesToStderrAndDataToStdout() throws Exception {
     Cli.Result result = runOnServer("read", "-vv", "--json", "MYINT");
 
-    assertThat(result.lines()).containsExactly("{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":0}");
+    assertThat(result.lines())
+        .containsExactly("{\"name\":\"MYINT\",\"type\":\"INT\",\"value\":0,\"text\":\"0\"}");
     assertThat(result.err())
         .contains("DEBUG Connection: connected to ")
         .contains("TRACE Connection: sending 00 01 00 08 00 00 05 4D 59 49 4E 54")

@@ -30,7 +30,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Reads and writes variables: numbers with functions 0 and 1; texts in UTF-16 if the server is C3
  * Bridge, otherwise in the configured charset; arrays element by element if necessary; and several
- * variables at once.
+ * variables at once. The class is long because numbers, texts and arrays share the checks and
+ * errors of an access.
  *
  * <p>Reading or writing a number, or a structure of numbers, creates no objects: a request is
  * encoded into a buffer that is used again, and the variable is set from the answer in place. The

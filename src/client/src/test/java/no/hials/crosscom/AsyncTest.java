@@ -153,7 +153,7 @@ class AsyncTest extends RobotTest {
     assertThat(write.cancel(false)).isTrue();
     release.countDown();
 
-    assertThat(client.async(c -> c.readText("MYINT")).get()).as("behind it").isEqualTo("0");
+    assertThat(client.async(c -> c.readText("MYINT")).get()).as("after it").isEqualTo("0");
     assertThat(robot.requests()).noneMatch(RecordedRequest::isWrite);
   }
 

@@ -42,7 +42,7 @@ class FramingTest extends RobotTest {
 
   @Test
   void twoAnswersInOnePieceAreAnsweredOneByOneOrRefused() throws Exception {
-    // the second was not asked for when it came: the next request must not take it for its own
+    // the second came without a request: the next request must not accept it as its answer
     robot.enqueue(Fault.answerTwice());
     assertThat(client.readText("$OV_PRO")).isEqualTo("100");
 

@@ -1,7 +1,6 @@
 package no.hials.crosscom;
 
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.internal.CancellableOperation;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.Codec;
@@ -21,7 +20,6 @@ final class C3Channel implements MessageChannel {
   private final ReconnectingConnection connection;
   private final ServerDetector detector;
   private final Threads threads;
-  private final ReentrantLock lock;
 
   /** Whether all exchanges take place on one connection. */
   private final boolean pinned;
@@ -33,7 +31,6 @@ final class C3Channel implements MessageChannel {
     this.connection = connection;
     this.detector = detector;
     this.threads = threads;
-    this.lock = connection.lock();
     this.pinned = pinned;
   }
 
@@ -66,12 +63,12 @@ final class C3Channel implements MessageChannel {
 
   /** Answers a question about the server, or reads from it as it can. */
   <T> T find(String what, Question<T> question) throws CrossComException {
-    lock.lock();
+    connection.acquire(MessageType.FEATURES, what);
     try {
       begin(what);
       return answer(question);
     } finally {
-      lock.unlock();
+      connection.release();
     }
   }
 
@@ -125,25 +122,28 @@ final class C3Channel implements MessageChannel {
    *     connection breaks
    */
   <T> T change(String what, Question<?> before, Question<T> change) throws CrossComException {
-    lock.lock();
+    connection.acquire(MessageType.FEATURES, what);
     try {
       begin(what);
       answer(before);
       return change.to(detector);
     } finally {
-      lock.unlock();
+      connection.release();
     }
   }
 
   private void begin(String what) throws CrossComException {
-    connection.begin(what);
+    connection.begin(MessageType.FEATURES, what);
     connection.checkOpen();
     checkPin(what);
     connection.makeUsable();
     checkPin(what);
   }
 
-  /** Asks the server, and repeats the question once if the connection breaks. The lock is held. */
+  /**
+   * Asks the server, and repeats the question once if the connection breaks. This thread has the
+   * turn.
+   */
   private <T> T answer(Question<T> question) throws CrossComException {
     try {
       return question.to(detector);

@@ -161,8 +161,9 @@ public final class ClientConfig {
     }
 
     /**
-     * Sets the request time-out, from sending the request to the last byte of the answer; zero for
-     * no limit. The default is 3 s.
+     * Sets the request time-out, from the call to the last byte of the answer, for each exchange;
+     * zero for no limit. It includes waiting for the exchanges of other threads. The default is 3
+     * s.
      */
     public Builder requestTimeout(Duration value) {
       options.requestTimeout = time("request time-out", value, true);

@@ -28,7 +28,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One TCP connection and the exchanges on it. Not thread-safe: the client's lock guards it, except
+ * One TCP connection and the exchanges on it. Not thread-safe: the client's turn guards it, except
  * {@link #close}.
  *
  * <p>The answer is read without a socket time-out, which would cost two more system calls an
@@ -233,10 +233,17 @@ final class Connection {
    * @param type its type
    * @param effect its effect on the controller
    * @param name the variable, or a phrase for the request, for error messages
+   * @param waited how much of the time limit is over, in ns
    * @return the answer, valid until the next exchange
    */
   Answer exchange(
-      byte[] frame, int length, int id, MessageType type, Repeatability effect, String name)
+      byte[] frame,
+      int length,
+      int id,
+      MessageType type,
+      Repeatability effect,
+      String name,
+      long waited)
       throws CrossComException {
     boolean write = effect == Repeatability.CHANGE;
     if (out.capacity() < length) {
@@ -254,7 +261,7 @@ final class Connection {
     long start = checked != 0 ? checked : System.nanoTime();
     checked = 0;
     if (timeout > 0) {
-      deadline.set(start + timeout);
+      deadline.set(start + timeout - waited);
       if (dozing) {
         LockSupport.unpark(watchdog);
       }
@@ -281,7 +288,7 @@ final class Connection {
       if (foreign != null) {
         throw foreign;
       } else if (expired) {
-        throw timedOut(what(type, name), write, timeout, e);
+        throw timedOut(what(type, name), write, timeout, waited, e);
       } else if (byUs) {
         throw new CrossComClosedException(
             "the client was closed during the " + what(type, name), e, write);
@@ -298,7 +305,7 @@ final class Connection {
     }
     if (disarm()) {
       close();
-      throw timedOut(what(type, name), write, timeout, null);
+      throw timedOut(what(type, name), write, timeout, waited, null);
     }
     if (trace) {
       LOG.trace(
@@ -309,7 +316,8 @@ final class Connection {
     return answer;
   }
 
-  private static String what(MessageType type, String name) {
+  /** Returns a phrase for a request. */
+  static String what(MessageType type, String name) {
     return switch (type) {
       case READ -> "read of " + name;
       case WRITE -> "write of " + name;
@@ -325,6 +333,7 @@ final class Connection {
    * @param type its type
    * @param effect its effect on the controller
    * @param what a phrase for the request, for error messages
+   * @param waited how much of the time limit is over, in ns
    * @param answerClass the class of a successful answer
    */
   MessageAnswer exchange(
@@ -333,9 +342,10 @@ final class Connection {
       MessageType type,
       Repeatability effect,
       String what,
+      long waited,
       Class<? extends TypedResponse> answerClass)
       throws CrossComException {
-    long nanos = exchange(frame, frame.length, id, type, effect, what).nanos();
+    long nanos = exchange(frame, frame.length, id, type, effect, what, waited).nanos();
     try {
       Response response =
           Codec.decodeResponse(
@@ -401,13 +411,17 @@ final class Connection {
   }
 
   private CrossComTimeoutException timedOut(
-      String what, boolean write, long timeout, @Nullable IOException cause) {
+      String what, boolean write, long timeout, long waited, @Nullable IOException cause) {
     return new CrossComTimeoutException(
         "no answer to the "
             + what
             + " within "
             + timeout / 1_000_000
-            + " ms; the connection is closed",
+            + " ms"
+            + (waited > 0
+                ? ", of which it waited " + waited / 1_000_000 + " ms for other accesses to end"
+                : "")
+            + "; the connection is closed",
         cause,
         write);
   }

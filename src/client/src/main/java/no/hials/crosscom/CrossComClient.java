@@ -41,9 +41,9 @@ import org.jspecify.annotations.Nullable;
  * unknown, {@link CrossComException#isOutcomeUnknown} returns true.
  *
  * <p>Several threads can use the client: exchanges take place one at a time, in the order of the
- * calls. Only one thread at a time may use a variable. A call blocks until its answer arrives. From
- * its turn, a call takes at most the request time-out, plus the connect time-out if the client has
- * to reconnect. A repeated read can take twice as long.
+ * calls. Only one thread at a time may use a variable. A call blocks until its answer arrives. An
+ * exchange takes at most the request time-out, its wait for those of other threads included, plus
+ * the connect time-out if the client has to reconnect. A repeated read can take twice as long.
  *
  * <p>A refused access or an unreadable value leaves the connection usable. After a time-out, a
  * broken connection or an invalid answer, the connection is closed, and the next call reconnects,

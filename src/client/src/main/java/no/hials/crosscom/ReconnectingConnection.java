@@ -5,7 +5,6 @@ import java.time.Instant;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.locks.LockSupport;
-import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
@@ -18,8 +17,7 @@ import org.slf4j.LoggerFactory;
 /**
  * Connects again after a connection broke, keeps an idle connection alive, and calls the listener.
  *
- * <p>One lock guards an exchange and the use of its answer. It is fair, so that exchanges take
- * place in the order of their calls.
+ * <p>The {@link Turn} guards an exchange and the use of its answer.
  *
  * <p>Its daemon threads are {@code crosscom-keepalive-PORT}, and {@code crosscom-events-PORT} while
  * there are events for the listener. Each connection has a {@code crosscom-watchdog-PORT}.
@@ -28,7 +26,7 @@ final class ReconnectingConnection {
   private static final Logger LOG = LoggerFactory.getLogger(ReconnectingConnection.class);
 
   private final ClientConfig config;
-  private final ReentrantLock lock = new ReentrantLock(true);
+  private final Turn turn = new Turn();
   private final ThreadPoolExecutor events;
   private final @Nullable Thread keeper;
   private final byte[] ping = Codec.encode(new ReadRequest(0, "PING"));
@@ -39,7 +37,7 @@ final class ReconnectingConnection {
   /** The channel that is connecting, if any, so that it can be closed. */
   private volatile @Nullable SocketChannel connecting;
 
-  // guarded by the lock
+  // guarded by the turn
   private int lastId;
   private @Nullable CrossComException lostBy;
   private int failedAttempts;
@@ -67,8 +65,19 @@ final class ReconnectingConnection {
     }
   }
 
-  ReentrantLock lock() {
-    return lock;
+  /**
+   * Waits until this thread may use the connection, at most the request time-out.
+   *
+   * @param type the type of the request, for error messages
+   * @param name the variable, or a phrase for the request, for error messages
+   */
+  void acquire(MessageType type, String name) throws CrossComException {
+    turn.acquire(type, name, timeoutNanos);
+  }
+
+  /** Lets the next thread use the connection. */
+  void release() {
+    turn.release();
   }
 
   Connection connection() {
@@ -89,7 +98,7 @@ final class ReconnectingConnection {
   }
 
   /**
-   * Sends a request and waits for its answer. The lock is held.
+   * Sends a request and waits for its answer. This thread has the turn.
    *
    * <p>If the connection breaks, a read is repeated once on a new connection. A write never is.
    *
@@ -101,7 +110,7 @@ final class ReconnectingConnection {
    */
   Answer exchange(byte[] frame, int length, MessageType type, String name)
       throws CrossComException {
-    begin(name);
+    begin(type, name);
     makeUsable();
     Repeatability effect = type == MessageType.WRITE ? Repeatability.CHANGE : Repeatability.READ;
     try {
@@ -124,23 +133,26 @@ final class ReconnectingConnection {
   }
 
   /** Begins an operation, unless its thread is interrupted or its call was cancelled. */
-  void begin(String name) throws CrossComException {
+  void begin(MessageType type, String name) throws CrossComException {
     if (Thread.currentThread().isInterrupted()) {
       // an exchange would close the connection, and could not say whether anything was sent
-      throw new CrossComConnectionLostException(
-          "the thread was interrupted before the access to " + name + "; nothing was sent",
-          null,
-          false);
+      throw Turn.interrupted(Connection.what(type, name));
+    }
+    if (timeoutNanos > 0 && turn.waited() >= timeoutNanos) {
+      throw Turn.late(Connection.what(type, name), timeoutNanos);
     }
     Threads.commitCall();
   }
 
-  /** Sends a request on the current connection, and waits for its answer. The lock is held. */
+  /**
+   * Sends a request on the current connection, and waits for its answer. This thread has the turn.
+   */
   Answer send(byte[] frame, int length, MessageType type, Repeatability effect, String name)
       throws CrossComException {
     boolean known = connection.hasAnswered();
     try {
-      Answer answer = connection.exchange(frame, length, nextId(), type, effect, name);
+      Answer answer =
+          connection.exchange(frame, length, nextId(), type, effect, name, turn.waited());
       if (!known) {
         failedAttempts = 0; // a server that only accepts and closes has rejected us
       }
@@ -163,7 +175,7 @@ final class ReconnectingConnection {
       Class<? extends TypedResponse> answerClass)
       throws CrossComException {
     try {
-      return connection.exchange(frame, nextId(), type, effect, what, answerClass);
+      return connection.exchange(frame, nextId(), type, effect, what, turn.waited(), answerClass);
     } catch (CrossComException e) {
       lost(e);
       throw e;
@@ -272,7 +284,11 @@ final class ReconnectingConnection {
   private void keepAlive() {
     while (!closed) {
       long wait;
-      lock.lock();
+      try {
+        acquire(MessageType.READ, "PING");
+      } catch (CrossComException e) {
+        continue; // others use the connection
+      }
       try {
         wait = nextDuty();
         if (wait <= 0 && !closed) {
@@ -283,9 +299,9 @@ final class ReconnectingConnection {
         LOG.debug("keeping the connection failed: {}", e.getMessage());
         wait = 0;
       } finally {
-        lock.unlock();
+        release();
       }
-      // waiting for the lock may have used up the wake-up of close(), so it is asked again
+      // waiting for the turn may have used up the wake-up of close(), so it is asked again
       if (wait > 0 && !closed) {
         LockSupport.parkNanos(this, wait);
       } else if (!config.reconnect() && connection.isClosed()) {

@@ -2,7 +2,6 @@ package no.hials.crosscom;
 
 import java.util.List;
 import java.util.Objects;
-import java.util.concurrent.locks.ReentrantLock;
 import no.hials.crosscom.CrossComAccessException.Operation;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLArray;
@@ -35,7 +34,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Reading or writing a number, or a structure of numbers, creates no objects: a request is
  * encoded into a buffer that is used again, and the variable is set from the answer in place. The
- * lock of the connection guards the buffers.
+ * turn of the connection guards the buffers.
  */
 final class VariableExchange {
   static final ArrayProgress NO_PROGRESS = (done, total) -> {};
@@ -46,10 +45,9 @@ final class VariableExchange {
   private final ClientConfig config;
   private final ReconnectingConnection connection;
   private final C3Channel channel;
-  private final ReentrantLock lock;
   private final TextCharset charset;
 
-  // guarded by the lock
+  // guarded by the turn
   private final KrlScanner scanner = new KrlScanner();
   private final FrameWriter writer = new FrameWriter();
 
@@ -57,7 +55,6 @@ final class VariableExchange {
     this.config = config;
     this.connection = connection;
     this.channel = channel;
-    this.lock = connection.lock();
     this.charset = new TextCharset(config.charset());
   }
 
@@ -72,11 +69,11 @@ final class VariableExchange {
     if (!isPlain(name, value)) {
       return writeText(name, value);
     }
-    lock.lock();
+    connection.acquire(MessageType.WRITE, name);
     try {
       return sendWrite(name, value).toText();
     } finally {
-      lock.unlock();
+      connection.release();
     }
   }
 
@@ -137,11 +134,11 @@ final class VariableExchange {
       return;
     }
     String text;
-    lock.lock();
+    connection.acquire(MessageType.READ, name);
     try {
       text = takeInPlace(variable, sendRead(frame, name), false);
     } finally {
-      lock.unlock();
+      connection.release();
     }
     takeText(variable, text, false);
   }
@@ -164,7 +161,7 @@ final class VariableExchange {
       return;
     }
     String echo = null;
-    lock.lock();
+    connection.acquire(MessageType.WRITE, name);
     try {
       Answer answer = sendWrite(name, value);
       if (answer.frame().isEmpty()) {
@@ -174,7 +171,7 @@ final class VariableExchange {
         echo = takeInPlace(variable, answer, true);
       }
     } finally {
-      lock.unlock();
+      connection.release();
     }
     takeText(variable, echo, true);
   }
@@ -248,7 +245,7 @@ final class VariableExchange {
 
   // --- setting a variable from an answer
 
-  /** Sets a variable from a text. The lock is not held. */
+  /** Sets a variable from a text. The turn is not needed. */
   static void take(KRLVariable variable, TextAnswer answer, boolean written)
       throws CrossComValueException {
     VariableAccess access = VariableAccess.get();
@@ -262,7 +259,7 @@ final class VariableExchange {
     takeText(variable, taken ? null : answer.text(), written);
   }
 
-  /** Updates a variable from the answer to a write. The lock is not held. */
+  /** Updates a variable from the answer to a write. The turn is not needed. */
   static void takeEcho(KRLVariable variable, TextAnswer echo) throws CrossComValueException {
     if (echo.text().isEmpty()) {
       // done, but there is no value to update the variable from
@@ -273,7 +270,7 @@ final class VariableExchange {
   }
 
   /**
-   * Sets a variable from an answer in place. The lock is held.
+   * Sets a variable from an answer in place. This thread has the turn.
    *
    * @param written whether the answer is that to a write
    * @return null if the variable is set; otherwise the text for {@link #takeText}
@@ -291,7 +288,7 @@ final class VariableExchange {
     }
   }
 
-  /** Sets a variable of a class of the program, whose code does not run under the lock. */
+  /** Sets a variable of a class of the program, whose code does not run in the turn. */
   private static void takeText(KRLVariable variable, @Nullable String text, boolean written)
       throws CrossComValueException {
     if (text != null) {
@@ -317,7 +314,7 @@ final class VariableExchange {
         e);
   }
 
-  // --- functions 0 and 1; the lock is held
+  // --- functions 0 and 1; this thread has the turn
 
   private Answer sendRead(byte[] frame, String name) throws CrossComException {
     checkLength(frame, name);
@@ -396,7 +393,7 @@ final class VariableExchange {
       return readText(name);
     }
     byte[] frame = Codec.encode(new ReadRequest(0, name));
-    lock.lock();
+    connection.acquire(MessageType.READ, name);
     try {
       Answer answer = sendRead(frame, name);
       TextAnswer bytes = answer.toText();
@@ -414,7 +411,7 @@ final class VariableExchange {
       }
       return readText(name);
     } finally {
-      lock.unlock();
+      connection.release();
     }
   }
 

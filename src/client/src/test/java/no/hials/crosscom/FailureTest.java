@@ -8,10 +8,12 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.UnknownHostException;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.mock.Fault;
@@ -276,6 +278,69 @@ class FailureTest extends RobotTest {
       never.countDown();
       pool.shutdownNow();
     }
+  }
+
+  @Test
+  void aReadThatWaitsTooLongForItsTurnSendsNothingAndLeavesTheConnection() throws Exception {
+    HeldRead held = holdRead();
+    client.setSoTimeout((int) SHORT.toMillis());
+
+    assertThatExceptionOfType(CrossComTimeoutException.class)
+        .isThrownBy(() -> client.writeText("MYINT", "5"))
+        .withMessage("the write of MYINT waited 100 ms for other accesses to end; nothing was sent")
+        .satisfies(e -> assertThat(e.isOutcomeUnknown()).isFalse());
+
+    assertThat(held.end()).isEqualTo("100");
+    assertThat(client.readText("MYINT")).isEqualTo("0");
+    assertThat(requests()).hasSize(2);
+  }
+
+  @Test
+  void aReadThatWaitsForItsTurnCanBeInterrupted() throws Exception {
+    HeldRead held = holdRead();
+    Thread reader = Thread.currentThread();
+    ExecutorService pool = Executors.newSingleThreadExecutor();
+    try {
+      pool.execute(
+          () -> {
+            while (LockSupport.getBlocker(reader) == null) {
+              Thread.onSpinWait();
+            }
+            reader.interrupt();
+          });
+      assertThatExceptionOfType(CrossComConnectionLostException.class)
+          .isThrownBy(() -> client.readText("MYINT"))
+          .withMessage("the thread was interrupted before the read of MYINT; nothing was sent");
+      assertThat(Thread.interrupted()).isTrue();
+    } finally {
+      pool.shutdownNow();
+    }
+    assertThat(held.end()).isEqualTo("100");
+    assertThat(client.readText("$OV_PRO")).isEqualTo("100");
+  }
+
+  /** A read of {@code $OV_PRO} in another thread, whose answer the server holds back. */
+  private record HeldRead(Future<String> read, CountDownLatch released, ExecutorService pool) {
+    String end() throws Exception {
+      released.countDown();
+      pool.shutdown();
+      return read.get();
+    }
+  }
+
+  private HeldRead holdRead() throws Exception {
+    CountDownLatch asked = new CountDownLatch(1);
+    CountDownLatch released = new CountDownLatch(1);
+    robot.faults(
+        request -> {
+          boolean first = asked.getCount() > 0;
+          asked.countDown();
+          return first ? Optional.of(Fault.hold(released)) : Optional.empty();
+        });
+    ExecutorService pool = Executors.newSingleThreadExecutor();
+    Future<String> read = pool.submit(() -> client.readText("$OV_PRO"));
+    asked.await();
+    return new HeldRead(read, released, pool);
   }
 
   @Test

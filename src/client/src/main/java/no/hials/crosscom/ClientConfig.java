@@ -124,6 +124,11 @@ public final class ClientConfig {
     return options.listener;
   }
 
+  /** Returns the runtime whose threads the client uses. */
+  public ClientRuntime runtime() {
+    return options.runtime;
+  }
+
   /** The options as they were set. */
   private static final class Options {
     private int port = DEFAULT_PORT;
@@ -137,6 +142,7 @@ public final class ClientConfig {
     private Duration maxReconnectBackoff = Duration.ofSeconds(5);
     private Duration keepAlive = Duration.ofSeconds(10);
     private ConnectionListener listener = NO_LISTENER;
+    private ClientRuntime runtime = ClientRuntime.shared();
   }
 
   /** Sets the options. Each method sets one option and returns this builder. */
@@ -249,6 +255,14 @@ public final class ClientConfig {
      */
     public Builder listener(ConnectionListener value) {
       options.listener = Objects.requireNonNull(value, "listener");
+      return this;
+    }
+
+    // threads
+
+    /** Sets the runtime whose threads the client uses. The default is that of the process. */
+    public Builder runtime(ClientRuntime value) {
+      options.runtime = Objects.requireNonNull(value, "runtime");
       return this;
     }
   }

@@ -12,8 +12,6 @@ import java.nio.ByteBuffer;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.SocketChannel;
 import java.util.Arrays;
-import java.util.concurrent.atomic.AtomicLong;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
@@ -32,18 +30,11 @@ import org.slf4j.LoggerFactory;
  * {@link #close}.
  *
  * <p>The answer is read without a socket time-out, which would cost two more system calls an
- * exchange; instead a thread of this connection closes the socket when an exchange is overdue. A
- * connection that failed stays closed: a late answer on it could be taken for the answer to another
- * request.
+ * exchange; instead the timer closes the socket when an exchange is overdue. A connection that
+ * failed stays closed: a late answer on it could be taken for the answer to another request.
  */
 final class Connection {
   private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
-
-  /** No exchange is under way. */
-  private static final long NONE = Long.MIN_VALUE;
-
-  /** The exchange under way was overdue. */
-  private static final long EXPIRED = Long.MIN_VALUE + 1;
 
   /** After this time without an exchange, the connection is checked first. */
   private static final long CHECK_AFTER_NANOS = 20_000_000;
@@ -67,30 +58,23 @@ final class Connection {
   private final String remote;
 
   private final int localPort;
-  private final Thread watchdog;
-
-  /** When the exchange under way is overdue, by {@link System#nanoTime}; NONE or EXPIRED. */
-  private final AtomicLong deadline = new AtomicLong(NONE);
-
+  private final ExchangeDeadline deadline;
   private volatile boolean closed;
-  private volatile boolean dozing;
   private long lastEnd = System.nanoTime();
 
   /** The time of a check that no exchange has followed yet; otherwise 0. */
   private long checked;
 
   private boolean answered;
-  private volatile long timeoutNanos;
 
-  private Connection(SocketChannel channel) throws IOException {
+  private Connection(SocketChannel channel, ClientRuntime runtime) throws IOException {
     this.channel = channel;
     this.reader = new FrameReader(channel);
     this.address = (InetSocketAddress) channel.getRemoteAddress();
     // without the slash of InetSocketAddress.toString
     this.remote = address.toString().replaceFirst("^[^/]*/", "");
     this.localPort = channel.socket().getLocalPort();
-    this.watchdog = new Thread(this::watch, "crosscom-watchdog-" + address.getPort());
-    watchdog.setDaemon(true);
+    this.deadline = new ExchangeDeadline(runtime.timer(), this::expire);
   }
 
   /**
@@ -112,8 +96,7 @@ final class Connection {
           .connect(
               new InetSocketAddress(config.host(), config.port()),
               (int) config.connectTimeout().toMillis());
-      Connection connection = new Connection(channel);
-      connection.watchdog.start();
+      Connection connection = new Connection(channel, config.runtime());
       LOG.debug("connected to {}, local port {}", connection.remote, connection.localPort);
       return connection;
     } catch (IOException e) {
@@ -163,8 +146,7 @@ final class Connection {
 
   /** Sets how long an exchange may take; 0 for no limit. */
   void setTimeout(long nanos) {
-    timeoutNanos = nanos;
-    LockSupport.unpark(watchdog);
+    deadline.setLimit(nanos);
   }
 
   /**
@@ -257,14 +239,11 @@ final class Connection {
       Codec.setId(sent, id);
       LOG.trace("sending {}", MalformedFrameException.hex(sent, sent.length, LOGGED));
     }
-    long timeout = timeoutNanos;
+    long timeout = deadline.limit();
     long start = checked != 0 ? checked : System.nanoTime();
     checked = 0;
     if (timeout > 0) {
-      deadline.set(start + timeout - waited);
-      if (dozing) {
-        LockSupport.unpark(watchdog);
-      }
+      deadline.begin(start + timeout - waited);
     }
     try {
       while (out.hasRemaining()) {
@@ -278,10 +257,10 @@ final class Connection {
       lastEnd = end;
       answer.set(reader.buffer(), answerLength, end - start);
     } catch (MalformedFrameException e) {
-      disarm();
+      deadline.end();
       throw violated(e, what(type, name), write);
     } catch (IOException e) {
-      boolean expired = disarm();
+      boolean expired = deadline.end();
       boolean byUs = closed && !expired;
       close();
       CrossComProtocolException foreign = foreign(e, write);
@@ -303,7 +282,7 @@ final class Connection {
           e,
           write);
     }
-    if (disarm()) {
+    if (deadline.end()) {
       close();
       throw timedOut(what(type, name), write, timeout, waited, null);
     }
@@ -426,52 +405,10 @@ final class Connection {
         write);
   }
 
-  /** Ends the time limit, and returns whether it had expired. */
-  private boolean disarm() {
-    return deadline.getAndSet(NONE) == EXPIRED;
-  }
-
-  /**
-   * Closes the socket if an exchange is overdue.
-   *
-   * <p>Waking this thread for every exchange would cost more than the exchange. So it sleeps for
-   * the time limit even without an exchange: an exchange that begins meanwhile is due later. It
-   * dozes only after such a time without an exchange; the next exchange wakes it.
-   */
-  private void watch() {
-    boolean mayDoze = true;
-    while (!closed) {
-      long due = deadline.get();
-      if (due == NONE && mayDoze) {
-        doze();
-        mayDoze = false;
-      } else if (due == NONE) {
-        LockSupport.parkNanos(this, timeoutNanos);
-        mayDoze = true;
-      } else if (due != EXPIRED) {
-        sleepOrExpire(due);
-        mayDoze = false;
-      }
-    }
-  }
-
-  private void sleepOrExpire(long due) {
-    long left = due - System.nanoTime();
-    if (left > 0) {
-      LockSupport.parkNanos(this, left);
-    } else if (deadline.compareAndSet(due, EXPIRED)) {
-      LOG.debug("the exchange with {} is overdue, closing", remote);
-      close();
-    }
-  }
-
-  /** Waits for the next exchange to begin. */
-  private void doze() {
-    dozing = true;
-    if (deadline.get() == NONE && !closed) {
-      LockSupport.park(this);
-    }
-    dozing = false;
+  /** Closes the socket, because an exchange is overdue. */
+  private void expire() {
+    LOG.debug("the exchange with {} is overdue, closing", remote);
+    close();
   }
 
   void close() {
@@ -483,7 +420,7 @@ final class Connection {
         LOG.debug("ending the input failed", e);
       }
       closeQuietly(channel);
-      LockSupport.unpark(watchdog);
+      deadline.stop();
       LOG.debug("closed the connection to {}, local port {}", remote, localPort);
     }
   }

@@ -8,7 +8,9 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.UnknownHostException;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -345,17 +347,19 @@ class FailureTest extends RobotTest {
 
   @Test
   void aClosedClientLeavesNoThreadBehind() throws Exception {
-    try (MockServer other = MockServer.start()) {
-      CrossComClient its = new CrossComClient(other.host(), other.port());
-      String name = "crosscom-watchdog-" + other.port();
-      Thread watchdog =
-          Thread.getAllStackTraces().keySet().stream()
-              .filter(t -> t.getName().equals(name))
-              .findAny()
-              .orElseThrow();
-      assertThat(watchdog.isDaemon()).isTrue();
-      its.close();
-      watchdog.join();
+    Set<Thread> before = Thread.getAllStackTraces().keySet();
+    ClientRuntime runtime = ClientRuntime.create();
+    CrossComClient its = client(cfg -> cfg.runtime(runtime).keepAlive(LONG));
+    assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+    List<Thread> started =
+        Thread.getAllStackTraces().keySet().stream()
+            .filter(t -> t.getName().startsWith("crosscom-") && !before.contains(t))
+            .toList();
+    assertThat(started).isNotEmpty().allMatch(Thread::isDaemon);
+    its.close();
+    runtime.close();
+    for (Thread thread : started) {
+      thread.join();
     }
   }
 

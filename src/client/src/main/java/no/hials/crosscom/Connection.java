@@ -5,14 +5,15 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.SocketException;
-import java.net.SocketTimeoutException;
-import java.net.StandardSocketOptions;
-import java.net.UnknownHostException;
 import java.nio.ByteBuffer;
+import java.nio.channels.AsynchronousCloseException;
+import java.nio.channels.CancelledKeyException;
 import java.nio.channels.ClosedByInterruptException;
+import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.util.Arrays;
-import java.util.function.Consumer;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.FrameReader;
@@ -26,14 +27,18 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One TCP connection and the exchanges on it. Not thread-safe: the client's turn guards it, except
+ * One TCP connection and the exchanges on it. Not thread-safe: the {@link Turn} guards it, except
  * {@link #close}.
+ *
+ * <p>A thread that waits for an answer reads the channel itself, which is fastest. For asynchronous
+ * exchanges the channel is handed over to the {@link SelectorLoop}; threads then wait until the
+ * loop has read their answers.
  *
  * <p>The answer is read without a socket time-out, which would cost two more system calls an
  * exchange; instead the timer closes the socket when an exchange is overdue. A connection that
  * failed stays closed: a late answer on it could be taken for the answer to another request.
  */
-final class Connection {
+final class Connection implements SelectorLoop.Selectable {
   private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
 
   /** After this time without an exchange, the connection is checked first. */
@@ -46,6 +51,7 @@ final class Connection {
   private static final int LOGGED = 256;
 
   private final SocketChannel channel;
+  private final SelectorLoop loop;
   private final FrameReader reader;
   private final Answer answer = new Answer();
 
@@ -67,52 +73,56 @@ final class Connection {
 
   private boolean answered;
 
-  private Connection(SocketChannel channel, ClientRuntime runtime) throws IOException {
+  /** The key of the channel while the loop has it. */
+  private volatile @Nullable SelectionKey key;
+
+  private final Current current = new Current();
+
+  /** The exchange under way or, between exchanges, the last one. */
+  private static final class Current {
+    private MessageType type = MessageType.READ;
+    private String name = "";
+    private boolean write;
+    private int id;
+    private long waited;
+    private long timeout;
+    private long start;
+
+    /** Receives the result of an asynchronous exchange; null if a thread waits for the answer. */
+    private @Nullable AnswerHandler handler;
+
+    String what() {
+      return Connection.what(type, name);
+    }
+  }
+
+  /** Receives the result of an asynchronous exchange, in the thread of the loop. */
+  interface AnswerHandler {
+    /** Called with the answer, which is valid until the next exchange. */
+    void answered(Answer answer);
+
+    /** Called if there is no valid answer. */
+    void failed(CrossComException failure);
+  }
+
+  /**
+   * Creates the connection of a channel.
+   *
+   * @param channel is connected
+   * @param key the channel's key in the loop; null if threads use the channel
+   */
+  Connection(SocketChannel channel, ClientRuntime runtime, @Nullable SelectionKey key)
+      throws IOException {
     this.channel = channel;
+    this.loop = runtime.loop();
+    this.key = key;
     this.reader = new FrameReader(channel);
     this.address = (InetSocketAddress) channel.getRemoteAddress();
     // without the slash of InetSocketAddress.toString
     this.remote = address.toString().replaceFirst("^[^/]*/", "");
     this.localPort = channel.socket().getLocalPort();
     this.deadline = new ExchangeDeadline(runtime.timer(), this::expire);
-  }
-
-  /**
-   * Connects.
-   *
-   * @param config the address and the times
-   * @param started called with the channel before it connects, so that another thread can close it
-   */
-  static Connection open(ClientConfig config, Consumer<SocketChannel> started)
-      throws CrossComConnectException {
-    String where = config.host() + ":" + config.port();
-    SocketChannel channel = null;
-    try {
-      channel = SocketChannel.open();
-      started.accept(channel);
-      channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
-      channel
-          .socket()
-          .connect(
-              new InetSocketAddress(config.host(), config.port()),
-              (int) config.connectTimeout().toMillis());
-      Connection connection = new Connection(channel, config.runtime());
-      LOG.debug("connected to {}, local port {}", connection.remote, connection.localPort);
-      return connection;
-    } catch (IOException e) {
-      closeQuietly(channel);
-      String why;
-      if (e instanceof UnknownHostException) {
-        why = "the host name is unknown";
-      } else if (e instanceof SocketTimeoutException) {
-        why = "no answer within " + config.connectTimeout().toMillis() + " ms";
-      } else if (e instanceof ClosedByInterruptException) {
-        why = "the thread was interrupted";
-      } else {
-        why = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-      }
-      throw new CrossComConnectException("could not connect to " + where + ": " + why, e);
-    }
+    LOG.debug("connected to {}, local port {}", remote, localPort);
   }
 
   InetAddress remoteAddress() {
@@ -162,12 +172,16 @@ final class Connection {
     }
     checked = 0; // takes a while
     try {
-      channel.configureBlocking(false);
-      int count = reader.poll();
-      if (count < 0) {
+      boolean blocks = channel.isBlocking();
+      if (blocks) {
+        channel.configureBlocking(false);
+      }
+      if (reader.poll() < 0) {
         throw new EOFException(endOfStream());
       }
-      channel.configureBlocking(true);
+      if (blocks) {
+        channel.configureBlocking(true);
+      }
     } catch (IOException e) {
       close();
       CrossComException foreign = foreign(e, false);
@@ -227,72 +241,212 @@ final class Connection {
       String name,
       long waited)
       throws CrossComException {
-    boolean write = effect == Repeatability.CHANGE;
-    if (out.capacity() < length) {
-      out = ByteBuffer.allocateDirect(length);
-    }
-    out.clear().put(frame, 0, length).flip();
-    Codec.setId(out, id);
-    boolean trace = LOG.isTraceEnabled();
-    if (trace) {
-      byte[] sent = Arrays.copyOf(frame, length);
-      Codec.setId(sent, id);
-      LOG.trace("sending {}", MalformedFrameException.hex(sent, sent.length, LOGGED));
-    }
-    long timeout = deadline.limit();
-    long start = checked != 0 ? checked : System.nanoTime();
-    checked = 0;
-    if (timeout > 0) {
-      deadline.begin(start + timeout - waited);
+    begin(frame, length, id, type, effect, name, waited);
+    if (key != null) {
+      return exchangeByLoop();
     }
     try {
       while (out.hasRemaining()) {
         channel.write(out);
       }
-      int answerLength = reader.next();
-      if (answerLength < 0) {
-        throw new EOFException(endOfStream());
-      }
-      long end = System.nanoTime();
-      lastEnd = end;
-      answer.set(reader.buffer(), answerLength, end - start);
-    } catch (MalformedFrameException e) {
-      deadline.end();
-      throw violated(e, what(type, name), write);
+      return received(reader.next());
     } catch (IOException e) {
-      boolean expired = deadline.end();
-      boolean byUs = closed && !expired;
-      close();
-      CrossComProtocolException foreign = foreign(e, write);
-      if (foreign != null) {
-        throw foreign;
-      } else if (expired) {
-        throw timedOut(what(type, name), write, timeout, waited, e);
-      } else if (byUs) {
-        throw new CrossComClosedException(
-            "the client was closed during the " + what(type, name), e, write);
-      }
-      throw new CrossComConnectionLostException(
-          "the connection to "
-              + remote
-              + " broke during the "
-              + what(type, name)
-              + ": "
-              + reason(e),
-          e,
-          write);
+      throw broken(e);
     }
+  }
+
+  private void begin(
+      byte[] frame,
+      int length,
+      int id,
+      MessageType type,
+      Repeatability effect,
+      String name,
+      long waited) {
+    current.type = type;
+    current.name = name;
+    current.write = effect == Repeatability.CHANGE;
+    current.id = id;
+    current.waited = waited;
+    current.timeout = deadline.limit();
+    if (out.capacity() < length) {
+      out = ByteBuffer.allocateDirect(length);
+    }
+    out.clear().put(frame, 0, length).flip();
+    Codec.setId(out, id);
+    if (LOG.isTraceEnabled()) {
+      byte[] sent = Arrays.copyOf(frame, length);
+      Codec.setId(sent, id);
+      LOG.trace("sending {}", MalformedFrameException.hex(sent, sent.length, LOGGED));
+    }
+    current.start = checked != 0 ? checked : System.nanoTime();
+    checked = 0;
+    if (current.timeout > 0) {
+      deadline.begin(current.start + current.timeout - waited);
+    }
+  }
+
+  /** Ends an exchange whose answer has arrived. */
+  private Answer received(int length) throws IOException {
+    if (length < 0) {
+      throw new EOFException(endOfStream());
+    }
+    long end = System.nanoTime();
+    lastEnd = end;
     if (deadline.end()) {
       close();
-      throw timedOut(what(type, name), write, timeout, waited, null);
+      throw timedOut(null);
     }
-    if (trace) {
-      LOG.trace(
-          "received {}", MalformedFrameException.hex(reader.buffer(), answerLength(), LOGGED));
+    try {
+      answer.set(reader.buffer(), length, end - current.start);
+    } catch (MalformedFrameException e) {
+      throw violated(e);
     }
-    check(id, type, name, write);
+    if (LOG.isTraceEnabled()) {
+      LOG.trace("received {}", MalformedFrameException.hex(reader.buffer(), length, LOGGED));
+    }
+    check(current.id, current.type);
     answered = true;
     return answer;
+  }
+
+  /** Returns the failure of the exchange under way, whose connection is closed. */
+  private CrossComException broken(IOException e) {
+    if (e instanceof CrossComException failure) {
+      return failure;
+    }
+    boolean expired = deadline.end();
+    if (e instanceof MalformedFrameException malformed) {
+      return violated(malformed);
+    }
+    boolean byUs = closed && !expired && !(e instanceof ClosedByInterruptException);
+    close();
+    CrossComProtocolException foreign = foreign(e, current.write);
+    if (foreign != null) {
+      return foreign;
+    }
+    if (expired) {
+      return timedOut(e);
+    }
+    if (byUs) {
+      return new CrossComClosedException(
+          "the client was closed during the " + current.what(), e, current.write);
+    }
+    return new CrossComConnectionLostException(
+        "the connection to " + remote + " broke during the " + current.what() + ": " + reason(e),
+        e,
+        current.write);
+  }
+
+  // --- by the loop
+
+  /** Hands the channel over to threads. Called by the loop. */
+  void deregister() {
+    SelectionKey own = key;
+    if (own != null) {
+      key = null;
+      try {
+        loop.deregister(own);
+      } catch (IOException e) {
+        LOG.debug("taking over the channel failed", e); // the next exchange finds out
+      }
+    }
+  }
+
+  /**
+   * Sends a request; the loop calls the handler later. Called by the loop, which has the channel.
+   *
+   * @param handler receives the answer
+   */
+  void exchangeAsync(
+      byte[] frame,
+      int length,
+      int id,
+      MessageType type,
+      Repeatability effect,
+      String name,
+      long waited,
+      AnswerHandler handler) {
+    begin(frame, length, id, type, effect, name, waited);
+    try {
+      if (key == null) {
+        key = loop.register(channel, 0, this);
+      }
+    } catch (IOException e) {
+      handler.failed(broken(e));
+      return;
+    }
+    transfer(handler);
+  }
+
+  private void transfer(AnswerHandler handler) {
+    current.handler = handler;
+    ready();
+  }
+
+  @Override
+  public void ready() {
+    AnswerHandler handler = current.handler;
+    SelectionKey own = key;
+    if (handler == null || own == null) {
+      return; // this exchange has ended
+    }
+    try {
+      if (out.hasRemaining()) {
+        channel.write(out);
+        own.interestOps(out.hasRemaining() ? SelectionKey.OP_WRITE : SelectionKey.OP_READ);
+        return;
+      }
+      int length = reader.advance();
+      if (length != 0) {
+        own.interestOps(0);
+        Answer received = received(length);
+        current.handler = null;
+        handler.answered(received);
+      }
+    } catch (IOException e) {
+      current.handler = null;
+      handler.failed(broken(e));
+    } catch (CancelledKeyException e) {
+      fail(); // closed by another thread
+    }
+  }
+
+  /** Fails the exchange under way, because its channel was closed. */
+  private void fail() {
+    AnswerHandler handler = current.handler;
+    if (handler != null) {
+      current.handler = null;
+      handler.failed(broken(new AsynchronousCloseException()));
+    }
+  }
+
+  /** Waits for the loop to do the exchange under way. */
+  private Answer exchangeByLoop() throws CrossComException {
+    CompletableFuture<Answer> done = new CompletableFuture<>();
+    AnswerHandler handler =
+        new AnswerHandler() {
+          @Override
+          public void answered(Answer received) {
+            done.complete(received);
+          }
+
+          @Override
+          public void failed(CrossComException failure) {
+            done.completeExceptionally(failure);
+          }
+        };
+    loop.execute(() -> transfer(handler));
+    try {
+      return done.get();
+    } catch (InterruptedException e) {
+      close();
+      deadline.end();
+      Thread.currentThread().interrupt();
+      throw broken(new ClosedByInterruptException());
+    } catch (ExecutionException e) {
+      throw (CrossComException) e.getCause();
+    }
   }
 
   /** Returns a phrase for a request. */
@@ -324,20 +478,30 @@ final class Connection {
       long waited,
       Class<? extends TypedResponse> answerClass)
       throws CrossComException {
-    long nanos = exchange(frame, frame.length, id, type, effect, what, waited).nanos();
+    return message(exchange(frame, frame.length, id, type, effect, what, waited), answerClass);
+  }
+
+  /**
+   * Decodes an answer that is a message.
+   *
+   * @param from the answer to the last exchange
+   * @param answerClass the class of a successful answer
+   */
+  MessageAnswer message(Answer from, Class<? extends TypedResponse> answerClass)
+      throws CrossComProtocolException {
     try {
       Response response =
           Codec.decodeResponse(
               Arrays.copyOf(reader.buffer(), answerLength()), ServerType.C3_BRIDGE);
       if (response instanceof TypedResponse typed
           && (answerClass.isInstance(typed) || !typed.tail().success())) {
-        return new MessageAnswer(typed, nanos);
+        return new MessageAnswer(typed, from.nanos());
       }
       throw answer
           .frame()
           .malformed("must be a " + answerClass.getSimpleName() + ", is " + response);
     } catch (MalformedFrameException e) {
-      throw violated(e, what, effect == Repeatability.CHANGE);
+      throw violated(e);
     }
   }
 
@@ -345,8 +509,7 @@ final class Connection {
     return Codec.frameLength(reader.buffer(), 0);
   }
 
-  private void check(int id, MessageType type, String name, boolean write)
-      throws CrossComProtocolException {
+  private void check(int id, MessageType type) throws CrossComProtocolException {
     AnswerFrame frame = answer.frame();
     try {
       boolean unknown = frame.functionUnknown();
@@ -366,18 +529,19 @@ final class Connection {
         frame.openValue();
       }
     } catch (MalformedFrameException e) {
-      throw violated(e, what(type, name), write);
+      throw violated(e);
     }
   }
 
-  private CrossComProtocolException violated(
-      MalformedFrameException e, String what, boolean write) {
+  private CrossComProtocolException violated(MalformedFrameException e) {
     close();
-    CrossComProtocolException foreign = foreign(e, write);
+    CrossComProtocolException foreign = foreign(e, current.write);
     return foreign != null
         ? foreign
         : new CrossComProtocolException(
-            "the answer to the " + what + " is invalid: " + e.getMessage(), e, write);
+            "the answer to the " + current.what() + " is invalid: " + e.getMessage(),
+            e,
+            current.write);
   }
 
   /** Returns an exception that names the protocol of the server if that is another one. */
@@ -389,20 +553,20 @@ final class Connection {
             remote + " answered with " + service + ", not KUKAVARPROXY or C3 Bridge", cause, write);
   }
 
-  private CrossComTimeoutException timedOut(
-      String what, boolean write, long timeout, long waited, @Nullable IOException cause) {
+  private CrossComTimeoutException timedOut(@Nullable IOException cause) {
+    long waited = current.waited;
     return new CrossComTimeoutException(
         "no answer to the "
-            + what
+            + current.what()
             + " within "
-            + timeout / 1_000_000
+            + current.timeout / 1_000_000
             + " ms"
             + (waited > 0
                 ? ", of which it waited " + waited / 1_000_000 + " ms for other accesses to end"
                 : "")
             + "; the connection is closed",
         cause,
-        write);
+        current.write);
   }
 
   /** Closes the socket, because an exchange is overdue. */
@@ -421,6 +585,9 @@ final class Connection {
       }
       closeQuietly(channel);
       deadline.stop();
+      if (key != null) {
+        loop.execute(this::fail);
+      }
       LOG.debug("closed the connection to {}, local port {}", remote, localPort);
     }
   }

@@ -56,18 +56,16 @@ import org.jspecify.annotations.Nullable;
  * #pendant}, {@link #files} and {@link #information}. These five always return the same objects,
  * whose methods throw {@link CrossComUnsupportedException} on KUKAVARPROXY.
  *
- * <p>The client creates these daemon threads, where PORT is the server's:
+ * <p>The client uses the threads of its {@link ClientRuntime}, and creates these daemon threads
+ * while they have work, where PORT is the server's:
  *
  * <ul>
- *   <li>{@code crosscom-watchdog-PORT} closes the connection after a time-out.
- *   <li>{@code crosscom-keepalive-PORT} reads {@code PING} on an idle connection, and reconnects.
- *   <li>{@code crosscom-events-PORT} calls the {@link ConnectionListener}.
  *   <li>{@code crosscom-async-PORT} runs the operations of {@link #async}.
  *   <li>{@code crosscom-files-PORT} runs the transfers of files.
  *   <li>{@code crosscom-callback-PORT} runs the program's callbacks on their results.
  * </ul>
  *
- * <p>The last four exist only while they have work. Each {@link Watch} has its own threads.
+ * <p>Each {@link Watch} has its own threads.
  *
  * <p>The class is long because it holds the whole API of 0.2.2; most of it is documentation.
  */
@@ -115,6 +113,7 @@ public final class CrossComClient implements Closeable {
     this.pendant = new C3Pendant(channel);
     this.files = new C3Files(channel);
     this.information = new C3Information(channel);
+    connection.connectFirst();
     connection.start();
   }
 
@@ -549,9 +548,10 @@ public final class CrossComClient implements Closeable {
     return connection.isClosed();
   }
 
-  /** Returns the address of the controller. */
-  public InetAddress getInetAddress() {
-    return connection.connection().remoteAddress();
+  /** Returns the address of the controller; null before the client has connected. */
+  public @Nullable InetAddress getInetAddress() {
+    Connection last = connection.connection();
+    return last == null ? null : last.remoteAddress();
   }
 
   /** Returns the server's port. */
@@ -559,9 +559,13 @@ public final class CrossComClient implements Closeable {
     return config.port();
   }
 
-  /** Returns the local port of the connection; it changes when the client reconnects. */
+  /**
+   * Returns the local port of the connection, which changes when the client reconnects; -1 before
+   * the client has connected.
+   */
   public int getLocalPort() {
-    return connection.connection().localPort();
+    Connection last = connection.connection();
+    return last == null ? -1 : last.localPort();
   }
 
   /**

@@ -1,10 +1,16 @@
 package no.hials.crosscom;
 
-import java.nio.channels.SocketChannel;
+import java.io.IOException;
 import java.time.Instant;
+import java.util.Objects;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import no.hials.crosscom.Connection.AnswerHandler;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
@@ -17,25 +23,35 @@ import org.slf4j.LoggerFactory;
 /**
  * Connects again after a connection broke, keeps an idle connection alive, and calls the listener.
  *
- * <p>The {@link Turn} guards an exchange and the use of its answer.
- *
- * <p>Its daemon threads are {@code crosscom-keepalive-PORT}, and {@code crosscom-events-PORT} while
- * there are events for the listener. Each connection has a {@code crosscom-watchdog-PORT}.
+ * <p>The {@link Turn} guards an exchange and the use of its answer. A thread that has the turn uses
+ * the connection itself. An asynchronous operation that has it runs in the thread of the {@link
+ * SelectorLoop}.
  */
 final class ReconnectingConnection {
   private static final Logger LOG = LoggerFactory.getLogger(ReconnectingConnection.class);
 
   private final ClientConfig config;
+  private final ClientRuntime runtime;
+  private final SelectorLoop loop;
   private final Turn turn = new Turn();
-  private final ThreadPoolExecutor events;
-  private final @Nullable Thread keeper;
+  private final SerialExecutor events;
   private final byte[] ping = Codec.encode(new ReadRequest(0, "PING"));
-  private volatile Connection connection;
+
+  /** How many operations use the channel by the loop again and again. */
+  private final AtomicInteger loopUsers = new AtomicInteger();
+
+  /** Null until the client has connected for the first time. */
+  private volatile @Nullable Connection connection;
+
   private volatile long timeoutNanos;
   private volatile boolean closed;
+  private volatile boolean started;
 
-  /** The channel that is connecting, if any, so that it can be closed. */
-  private volatile @Nullable SocketChannel connecting;
+  /** The attempt to connect under way, if any. */
+  private volatile @Nullable CompletableFuture<Connection> connecting;
+
+  /** The next use of an idle connection. */
+  private volatile @Nullable Future<?> duty;
 
   // guarded by the turn
   private int lastId;
@@ -43,26 +59,29 @@ final class ReconnectingConnection {
   private int failedAttempts;
   private long nextAttempt;
 
-  ReconnectingConnection(ClientConfig config) throws CrossComConnectException {
+  ReconnectingConnection(ClientConfig config) {
     this.config = config;
+    this.runtime = config.runtime();
+    this.loop = runtime.loop();
     this.timeoutNanos = config.requestTimeout().toNanos();
-    this.connection = Connection.open(config, channel -> {});
-    connection.setTimeout(timeoutNanos);
-    this.events = Threads.lazy("crosscom-events-" + config.port());
-    if (config.keepAlive().isZero()) {
-      keeper = null;
-    } else {
-      keeper = new Thread(this::keepAlive, "crosscom-keepalive-" + config.port());
-      keeper.setDaemon(true);
-    }
+    this.events = new SerialExecutor(runtime.callbacks());
   }
 
-  /** Starts the keep-alive thread. */
-  void start() {
+  /** Connects for the first time. No other thread knows this object yet. */
+  void connectFirst() throws CrossComException {
+    connect();
     tell(ConnectionChange.CONNECTED, null);
-    if (keeper != null) {
-      keeper.start();
+  }
+
+  /** Starts the timer, which connects if there is no connection yet. */
+  void start() {
+    started = true;
+    runtime.add(this);
+    boolean connected = connection != null;
+    if (connected && config.keepAlive().isZero()) {
+      return;
     }
+    callOfDuty(connected ? config.keepAlive().toNanos() : 0);
   }
 
   /**
@@ -80,12 +99,18 @@ final class ReconnectingConnection {
     turn.release();
   }
 
-  Connection connection() {
+  /** Returns the current connection, which may be closed; null before the first one. */
+  @Nullable Connection connection() {
     return connection;
   }
 
   boolean isClosed() {
-    return closed || (!config.reconnect() && connection.isClosed());
+    Connection last = connection;
+    return closed || (!config.reconnect() && last != null && last.isClosed());
+  }
+
+  private Connection current() {
+    return Objects.requireNonNull(connection, "not connected");
   }
 
   long timeoutNanos() {
@@ -94,7 +119,10 @@ final class ReconnectingConnection {
 
   void setTimeout(long nanos) {
     timeoutNanos = nanos;
-    connection.setTimeout(nanos);
+    Connection last = connection;
+    if (last != null) {
+      last.setTimeout(nanos);
+    }
   }
 
   /**
@@ -149,10 +177,10 @@ final class ReconnectingConnection {
    */
   Answer send(byte[] frame, int length, MessageType type, Repeatability effect, String name)
       throws CrossComException {
-    boolean known = connection.hasAnswered();
+    Connection used = current();
+    boolean known = used.hasAnswered();
     try {
-      Answer answer =
-          connection.exchange(frame, length, nextId(), type, effect, name, turn.waited());
+      Answer answer = used.exchange(frame, length, nextId(), type, effect, name, turn.waited());
       if (!known) {
         failedAttempts = 0; // a server that only accepts and closes has rejected us
       }
@@ -196,19 +224,27 @@ final class ReconnectingConnection {
 
   /** Reconnects if the server has closed the connection. */
   void makeUsable() throws CrossComException {
+    if (mustConnect()) {
+      connect();
+    }
+  }
+
+  /** Returns whether there is no usable connection; throws if there will be none. */
+  private boolean mustConnect() throws CrossComException {
     checkOpen();
-    if (connection.isClosed()) {
+    Connection last = connection;
+    if (last != null && last.isClosed()) {
       if (!config.reconnect()) {
         throw new CrossComConnectionLostException(
             "the connection failed, and reconnecting is off: " + lostBy(), lostBy, false);
       }
-    } else {
-      CrossComException broken = connection.check();
+    } else if (last != null) {
+      CrossComException broken = last.check();
       if (broken == null) {
-        return;
+        return false;
       }
       lost(broken);
-      if (!config.reconnect() || connection.wasClosedAtOnce()) {
+      if (!config.reconnect() || last.wasClosedAtOnce()) {
         throw broken;
       }
     }
@@ -221,7 +257,7 @@ final class ReconnectingConnection {
               + lostBy(),
           lostBy);
     }
-    connect();
+    return true;
   }
 
   private String lostBy() {
@@ -233,7 +269,7 @@ final class ReconnectingConnection {
       return;
     }
     lostBy = why;
-    if (why instanceof CrossComConnectionLostException && connection.wasClosedAtOnce()) {
+    if (why instanceof CrossComConnectionLostException && current().wasClosedAtOnce()) {
       delayNextAttempt();
     }
     tell(ConnectionChange.LOST, why);
@@ -248,75 +284,238 @@ final class ReconnectingConnection {
     nextAttempt = System.nanoTime() + backoff;
   }
 
-  /** Connects again. */
+  /** Connects. */
   void connect() throws CrossComException {
-    Connection made;
+    CompletableFuture<Connection> attempt = attempt();
     try {
-      made = Connection.open(config, this::connecting);
-    } catch (CrossComConnectException e) {
-      if (closed) {
-        throw new CrossComClosedException("the client was closed while it connected", e, false);
+      Connection made = attempt.get();
+      CompletableFuture.runAsync(made::deregister, loop).join();
+      adopt(made);
+    } catch (InterruptedException e) {
+      if (!attempt.cancel(false) && !attempt.isCompletedExceptionally()) {
+        attempt.join().close();
       }
-      lostBy = e;
-      delayNextAttempt();
-      tell(ConnectionChange.RECONNECT_FAILED, e);
-      throw e;
-    } finally {
-      connecting = null;
+      Thread.currentThread().interrupt();
+      throw connectFailed(new IOException("the thread was interrupted", e));
+    } catch (ExecutionException | CancellationException e) {
+      throw connectFailed(e);
     }
+  }
+
+  private CompletableFuture<Connection> attempt() {
+    CompletableFuture<Connection> attempt = ConnectAttempt.start(config);
+    connecting = attempt;
+    if (closed) {
+      attempt.cancel(false);
+    }
+    return attempt;
+  }
+
+  private CrossComException connectFailed(Throwable e) {
+    connecting = null;
+    if (closed) {
+      return new CrossComClosedException("the client was closed while it connected", e, false);
+    }
+    CrossComConnectException failure =
+        ConnectAttempt.failure(config, e instanceof ExecutionException ? e.getCause() : e);
+    lostBy = failure;
+    delayNextAttempt();
+    if (started) {
+      tell(ConnectionChange.RECONNECT_FAILED, failure);
+    }
+    return failure;
+  }
+
+  private void adopt(Connection made) throws CrossComClosedException {
+    connecting = null;
+    boolean first = connection == null;
     connection = made;
     made.setTimeout(timeoutNanos);
     if (closed) {
       made.close(); // the program closed the client while this connected
       throw new CrossComClosedException("the client is closed", null, false);
     }
-    tell(ConnectionChange.RECONNECTED, null);
-  }
-
-  private void connecting(SocketChannel channel) {
-    connecting = channel;
-    if (closed) {
-      Connection.closeQuietly(channel);
+    if (started) {
+      tell(first ? ConnectionChange.CONNECTED : ConnectionChange.RECONNECTED, null);
     }
   }
 
-  /** Uses the connection when it was idle for a while, and reconnects when it is lost. */
-  private void keepAlive() {
-    while (!closed) {
-      long wait;
-      try {
-        acquire(MessageType.READ, "PING");
-      } catch (CrossComException e) {
-        continue; // others use the connection
+  // --- asynchronous operations, in the thread of the loop
+
+  /** Calls an operation when it has the turn. It ends with {@link #endAsync}. */
+  void beginAsync(Runnable operation) {
+    turn.acquireAsync(() -> loop.execute(operation));
+  }
+
+  /** Ends the turn of an asynchronous operation. */
+  void endAsync() {
+    Connection last = connection;
+    if (last != null && loopUsers.get() == 0) {
+      last.deregister();
+    }
+    turn.releaseAsync();
+  }
+
+  /**
+   * Keeps the channel in the hands of the loop until {@link #endLoopUse}, for an operation that is
+   * repeated.
+   */
+  void beginLoopUse() {
+    loopUsers.incrementAndGet();
+  }
+
+  /** Hands the channel back to threads, unless another operation needs the loop. */
+  void endLoopUse() {
+    if (loopUsers.decrementAndGet() == 0) {
+      beginAsync(this::endAsync);
+    }
+  }
+
+  /**
+   * Does an exchange of the operation that has the turn, like {@link #exchange}.
+   *
+   * @param handler called once, still with the turn
+   */
+  void exchangeAsync(
+      byte[] frame,
+      int length,
+      MessageType type,
+      Repeatability effect,
+      String name,
+      AnswerHandler handler) {
+    try {
+      if (timeoutNanos > 0 && turn.waited() >= timeoutNanos) {
+        throw Turn.late(Connection.what(type, name), timeoutNanos);
       }
-      try {
-        wait = nextDuty();
-        if (wait <= 0 && !closed) {
-          makeUsable();
-          send(ping, ping.length, MessageType.READ, Repeatability.READ, "PING");
-        }
-      } catch (CrossComException e) {
-        LOG.debug("keeping the connection failed: {}", e.getMessage());
-        wait = 0;
-      } finally {
-        release();
-      }
-      // waiting for the turn may have used up the wake-up of close(), so it is asked again
-      if (wait > 0 && !closed) {
-        LockSupport.parkNanos(this, wait);
-      } else if (!config.reconnect() && connection.isClosed()) {
+      if (!mustConnect()) {
+        sendAsync(frame, length, type, effect, name, handler, effect == Repeatability.READ);
         return;
       }
+    } catch (CrossComException e) {
+      handler.failed(e);
+      return;
+    }
+    connectAsync(handler, () -> sendAsync(frame, length, type, effect, name, handler, false));
+  }
+
+  private void connectAsync(AnswerHandler handler, Runnable connected) {
+    CompletableFuture<Void> unused =
+        attempt()
+            .handleAsync(
+                (made, failure) -> {
+                  try {
+                    if (made == null) {
+                      throw connectFailed(failure);
+                    }
+                    adopt(made);
+                  } catch (CrossComException e) {
+                    handler.failed(e);
+                    return null;
+                  }
+                  connected.run();
+                  return null;
+                },
+                loop);
+  }
+
+  private void sendAsync(
+      byte[] frame,
+      int length,
+      MessageType type,
+      Repeatability effect,
+      String name,
+      AnswerHandler handler,
+      boolean mayRepeat) {
+    Connection used = current();
+    boolean known = used.hasAnswered();
+    used.exchangeAsync(
+        frame,
+        length,
+        nextId(),
+        type,
+        effect,
+        name,
+        turn.waited(),
+        new AnswerHandler() {
+          @Override
+          public void answered(Answer answer) {
+            if (!known) {
+              failedAttempts = 0;
+            }
+            handler.answered(answer);
+          }
+
+          @Override
+          public void failed(CrossComException failure) {
+            lost(failure);
+            if (mayRepeat
+                && config.reconnect()
+                && failure instanceof CrossComConnectionLostException) {
+              LOG.debug("repeating the read of {} on a new connection", name);
+              connectAsync(
+                  handler, () -> sendAsync(frame, length, type, effect, name, handler, false));
+            } else {
+              handler.failed(failure);
+            }
+          }
+        });
+  }
+
+  /** Uses the connection when it was idle for a while, and reconnects when it is lost. */
+  private void keepUp() {
+    long wait = nextDuty();
+    if (closed || wait > 0) {
+      endDuty(wait);
+      return;
+    }
+    exchangeAsync(
+        ping,
+        ping.length,
+        MessageType.READ,
+        Repeatability.NONE,
+        "PING",
+        new AnswerHandler() {
+          @Override
+          public void answered(Answer answer) {
+            endDuty(nextDuty());
+          }
+
+          @Override
+          public void failed(CrossComException failure) {
+            LOG.debug("keeping the connection failed: {}", failure.getMessage());
+            endDuty(nextDuty());
+          }
+        });
+  }
+
+  private void endDuty(long wait) {
+    endAsync();
+    Connection last = connection;
+    boolean lostForEver = !config.reconnect() && last != null && last.isClosed();
+    if (!lostForEver && !(last != null && config.keepAlive().isZero())) {
+      callOfDuty(Math.max(wait, 1));
+    }
+  }
+
+  private void callOfDuty(long nanos) {
+    if (closed) {
+      return;
+    }
+    try {
+      duty = runtime.timer().schedule(() -> beginAsync(this::keepUp), nanos, TimeUnit.NANOSECONDS);
+    } catch (RejectedExecutionException e) {
+      LOG.debug("the runtime is closed");
     }
   }
 
   /** Returns the time until the connection has to be used or made. */
   private long nextDuty() {
     long now = System.nanoTime();
-    if (connection.isClosed() && failedAttempts > 0) {
+    Connection last = connection;
+    if ((last == null || last.isClosed()) && failedAttempts > 0) {
       return nextAttempt - now;
     }
-    return connection.lastEnd() + config.keepAlive().toNanos() - now;
+    return last == null ? 0 : last.lastEnd() + config.keepAlive().toNanos() - now;
   }
 
   private void tell(ConnectionChange kind, @Nullable CrossComException cause) {
@@ -325,18 +524,14 @@ final class ReconnectingConnection {
       return;
     }
     ConnectionEvent event = new ConnectionEvent(kind, Instant.now(), cause);
-    try {
-      events.execute(
-          () -> {
-            try {
-              listener.connectionChanged(event);
-            } catch (RuntimeException | Error e) {
-              LOG.warn("the connection listener failed on {}", event, e);
-            }
-          });
-    } catch (RejectedExecutionException e) {
-      LOG.debug("not told, the client is closed: {}", event);
-    }
+    events.execute(
+        () -> {
+          try {
+            listener.connectionChanged(event);
+          } catch (RuntimeException | Error e) {
+            LOG.warn("the connection listener failed on {}", event, e);
+          }
+        });
   }
 
   /** Closes for good; an exchange under way fails. Closing again does nothing. */
@@ -345,12 +540,19 @@ final class ReconnectingConnection {
       return;
     }
     closed = true;
-    connection.close();
-    Connection.closeQuietly(connecting);
-    if (keeper != null) {
-      LockSupport.unpark(keeper);
+    Connection last = connection;
+    if (last != null) {
+      last.close();
     }
+    CompletableFuture<Connection> attempt = connecting;
+    if (attempt != null) {
+      attempt.cancel(false);
+    }
+    Future<?> waiting = duty;
+    if (waiting != null) {
+      waiting.cancel(false);
+    }
+    runtime.remove(this);
     tell(ConnectionChange.CLOSED, null);
-    events.shutdown();
   }
 }

@@ -120,7 +120,13 @@ final class Turn {
    * operation releases it later, by {@link #releaseAsync}.
    */
   void acquireAsync(Runnable operation) {
-    waiters.add(new Waiter(operation));
+    long start = System.nanoTime();
+    waiters.add(
+        new Waiter(
+            () -> {
+              waited = System.nanoTime() - start;
+              operation.run();
+            }));
     grantIfFree();
   }
 

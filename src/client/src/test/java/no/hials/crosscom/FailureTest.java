@@ -348,7 +348,7 @@ class FailureTest extends RobotTest {
   @Test
   void aClosedClientLeavesNoThreadBehind() throws Exception {
     Set<Thread> before = Thread.getAllStackTraces().keySet();
-    ClientRuntime runtime = ClientRuntime.create();
+    ClientRuntime runtime = ClientRuntime.create(cfg -> {});
     CrossComClient its = client(cfg -> cfg.runtime(runtime).keepAlive(LONG));
     assertThat(its.readText("$OV_PRO")).isEqualTo("100");
     List<Thread> started =

@@ -78,22 +78,50 @@ public final class FrameReader {
    * @throws IOException if reading failed; bytes read so far are kept
    */
   public int next() throws IOException {
+    int next = begin();
+    while (next == 0) {
+      next = fill() ? complete() : -1;
+    }
+    return next;
+  }
+
+  /**
+   * Reads once, for a source that does not block.
+   *
+   * @return the length of the next frame, which is at the beginning of {@link #buffer()}; 0 if it
+   *     is not complete yet; -1 if the stream ended between two frames
+   * @throws EOFException if the stream ended within a frame
+   * @throws IOException if reading failed; bytes read so far are kept
+   */
+  public int advance() throws IOException {
+    int next = begin();
+    if (next == 0) {
+      next = fill() ? complete() : -1;
+    }
+    return next;
+  }
+
+  /** Drops the last frame, if any. */
+  private int begin() {
     if (surplus() > 0) {
       System.arraycopy(buffer, length, buffer, 0, surplus());
     }
     end -= length;
     length = 0;
-    while (end < Codec.HEADER_LENGTH) {
-      if (!fill()) {
-        return -1;
-      }
+    return complete();
+  }
+
+  /** Returns the length of the frame at the beginning of the buffer, or 0 if it is incomplete. */
+  private int complete() {
+    if (end < Codec.HEADER_LENGTH) {
+      return 0;
     }
     int needed = Codec.frameLength(buffer, 0);
     if (needed > buffer.length) {
       buffer = Arrays.copyOf(buffer, needed);
     }
-    while (end < needed) {
-      fill();
+    if (end < needed) {
+      return 0;
     }
     length = needed;
     return needed;

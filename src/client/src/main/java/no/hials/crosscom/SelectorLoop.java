@@ -1,0 +1,120 @@
+package no.hials.crosscom;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.SocketChannel;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.Executor;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Waits for many channels in one daemon thread, which starts with the first task. No task may block
+ * or run code of the program.
+ */
+final class SelectorLoop implements Executor {
+  private static final Logger LOG = LoggerFactory.getLogger(SelectorLoop.class);
+
+  /** The user of a channel. */
+  @FunctionalInterface
+  interface Selectable {
+    /** Called by the loop when the channel is ready. */
+    void ready();
+  }
+
+  private final String name;
+  private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
+  private final List<Selectable> ready = new ArrayList<>();
+  private @Nullable Selector selector;
+  private @Nullable Thread thread;
+  private volatile boolean closed;
+
+  SelectorLoop(String name) {
+    this.name = name;
+  }
+
+  /** Runs a task in the thread of the loop, after the tasks before it. */
+  @Override
+  public void execute(Runnable task) {
+    tasks.add(task);
+    if (Thread.currentThread() != thread) {
+      start().wakeup();
+    }
+  }
+
+  private synchronized Selector start() {
+    if (selector == null) {
+      try {
+        selector = Selector.open();
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+      thread = Threads.daemons(name).newThread(this::run);
+      thread.start();
+    }
+    return selector;
+  }
+
+  /** Takes over a channel. Called by the loop. */
+  SelectionKey register(SocketChannel channel, int operations, Selectable user) throws IOException {
+    channel.configureBlocking(false);
+    return channel.register(start(), operations, user);
+  }
+
+  /** Hands a channel over to threads that block. Called by the loop. */
+  void deregister(SelectionKey key) throws IOException {
+    key.cancel();
+    start().selectNow(this::collect); // only then the channel can be registered again
+    key.channel().configureBlocking(true);
+  }
+
+  private void collect(SelectionKey key) {
+    if (key.isValid()) {
+      ready.add((Selectable) key.attachment());
+    }
+  }
+
+  private void run() {
+    Selector own = start();
+    while (!closed) {
+      try {
+        own.select(this::collect);
+      } catch (IOException e) {
+        LOG.warn("waiting for channels failed", e);
+      }
+      List<Selectable> users = List.copyOf(ready);
+      ready.clear();
+      users.forEach(user -> runSafely(user::ready));
+      for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
+        runSafely(task);
+      }
+    }
+    try {
+      own.close();
+    } catch (IOException e) {
+      LOG.debug("closing the selector failed", e);
+    }
+  }
+
+  private static void runSafely(Runnable task) {
+    try {
+      task.run();
+    } catch (RuntimeException | Error e) {
+      LOG.error("a task of the connections failed", e);
+    }
+  }
+
+  /** Ends the thread. */
+  void close() {
+    closed = true;
+    if (selector != null) {
+      selector.wakeup();
+    }
+  }
+}

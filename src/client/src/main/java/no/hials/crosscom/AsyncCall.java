@@ -26,17 +26,21 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
 
   private final AtomicReference<State> state = new AtomicReference<>(State.OPEN);
   private final Executor callbacks;
+  private final Runnable ended;
 
   /**
    * @param callbacks completes the result, which runs the program's callbacks; the common pool may
    *     have only one thread
+   * @param ended called after the program's callbacks
    */
-  AsyncCall(Executor callbacks) {
+  AsyncCall(Executor callbacks, Runnable ended) {
     this.callbacks = callbacks;
+    this.ended = ended;
   }
 
   void run(CancellableOperation<T> operation) {
     if (isDone()) {
+      ended.run();
       return;
     }
     T result;
@@ -44,18 +48,30 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
       result = operation.run(this);
     } catch (Exception | Error e) {
       // the program's callbacks must not delay other operations
-      callbacks.execute(() -> completeExceptionally(e));
+      end(callbacks, () -> completeExceptionally(e));
       return;
     } finally {
       // the operation may have sent something by another thread
       state.compareAndSet(State.OPEN, State.COMMITTED);
     }
-    callbacks.execute(() -> complete(result));
+    end(callbacks, () -> complete(result));
+  }
+
+  private void end(Executor executor, Runnable completion) {
+    executor.execute(
+        () -> {
+          try {
+            completion.run();
+          } finally {
+            ended.run();
+          }
+        });
   }
 
   /** Fails because the client is closed. */
-  void refuse() {
-    callbacks.execute(
+  void refuse(Executor executor) {
+    end(
+        executor,
         () ->
             completeExceptionally(
                 new CrossComClosedException("the client is closed", null, false)));
@@ -63,7 +79,7 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
 
   @Override
   public <U> CompletableFuture<U> newIncompleteFuture() {
-    return new AsyncCall<>(callbacks);
+    return new AsyncCall<>(callbacks, () -> {});
   }
 
   @Override

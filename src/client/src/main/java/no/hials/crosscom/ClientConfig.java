@@ -34,12 +34,14 @@ public final class ClientConfig {
    * @throws IllegalArgumentException if a value is out of its range
    */
   public static ClientConfig create(String host, Consumer<Builder> settings) {
-    Objects.requireNonNull(host, "host");
-    Builder builder = new Builder();
+    Builder builder = new Builder(host, new Options());
     settings.accept(builder);
-    Options options = builder.options;
-    builder.options = new Options(); // a builder that is kept changes nothing
-    return new ClientConfig(host, options);
+    return builder.build();
+  }
+
+  /** Returns a new builder with the host and the options of this configuration. */
+  public Builder toBuilder() {
+    return new Builder(host, options);
   }
 
   private static Duration time(String field, Duration value, boolean zeroAllowed) {
@@ -124,13 +126,18 @@ public final class ClientConfig {
     return options.listener;
   }
 
+  /** Returns the maximum number of asynchronous calls that have not ended. */
+  public int maxPendingCalls() {
+    return options.maxPendingCalls;
+  }
+
   /** Returns the runtime whose threads the client uses. */
   public ClientRuntime runtime() {
     return options.runtime;
   }
 
   /** The options as they were set. */
-  private static final class Options {
+  private static final class Options implements Cloneable {
     private int port = DEFAULT_PORT;
     private Duration connectTimeout = Duration.ofSeconds(5);
     private Duration requestTimeout = Duration.ofSeconds(3);
@@ -142,14 +149,44 @@ public final class ClientConfig {
     private Duration maxReconnectBackoff = Duration.ofSeconds(5);
     private Duration keepAlive = Duration.ofSeconds(10);
     private ConnectionListener listener = NO_LISTENER;
+    private int maxPendingCalls = 1000;
     private ClientRuntime runtime = ClientRuntime.shared();
+
+    @Override
+    public Options clone() {
+      try {
+        return (Options) super.clone();
+      } catch (CloneNotSupportedException e) {
+        throw new AssertionError(e);
+      }
+    }
   }
 
   /** Sets the options. Each method sets one option and returns this builder. */
   public static final class Builder {
-    private Options options = new Options();
+    private final Options options;
+    private String host;
 
-    private Builder() {}
+    private Builder(String host, Options options) {
+      this.host = Objects.requireNonNull(host, "host");
+      this.options = options.clone();
+    }
+
+    /**
+     * Creates the configuration.
+     *
+     * @return the configuration, which later calls of this builder do not change
+     * @throws IllegalArgumentException if the host is blank
+     */
+    public ClientConfig build() {
+      return new ClientConfig(host, options.clone());
+    }
+
+    /** Sets the name or address of the controller; not blank. */
+    public Builder host(String value) {
+      host = Objects.requireNonNull(value, "host");
+      return this;
+    }
 
     /** Sets the TCP port of the server, 1 to 65535. The default is KUKAVARPROXY's, 7000. */
     public Builder port(int value) {
@@ -259,6 +296,19 @@ public final class ClientConfig {
     }
 
     // threads
+
+    /**
+     * Sets how many asynchronous calls may be pending, 1 to 1,000,000. A call is pending until the
+     * functions that follow on its future have returned. A call above the limit fails with {@link
+     * java.util.concurrent.RejectedExecutionException}. The default is 1000.
+     */
+    public Builder maxPendingCalls(int value) {
+      check(
+          value >= 1 && value <= 1_000_000,
+          "greatest number of pending calls must be 1 to 1000000, is " + value);
+      options.maxPendingCalls = value;
+      return this;
+    }
 
     /** Sets the runtime whose threads the client uses. The default is that of the process. */
     public Builder runtime(ClientRuntime value) {

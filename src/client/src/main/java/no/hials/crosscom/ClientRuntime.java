@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -21,9 +22,11 @@ import java.util.function.Consumer;
  *   <li>{@code crosscom-io-N} connects, and does the exchanges of watches and idle connections. It
  *       runs until the runtime is closed.
  *   <li>{@code crosscom-resolver-N}, at most four, find the addresses of host names.
- *   <li>{@code crosscom-callback-N}, at most {@link Builder#callbackThreads}, run the program's
- *       code: listeners, subscribers, and functions that follow on a future. Code that blocks keeps
- *       its thread from others.
+ *   <li>{@code crosscom-listener-N}, at most {@link Builder#listenerThreads}, call listeners and
+ *       subscribers. If all of them are blocked, further calls wait.
+ *   <li>{@code crosscom-callback-N}, at most {@link Builder#callbackThreads}, run the functions
+ *       that follow on the future of an asynchronous call. If all of them are blocked, the thread
+ *       that ran the call does so.
  * </ul>
  */
 public final class ClientRuntime implements AutoCloseable {
@@ -33,10 +36,11 @@ public final class ClientRuntime implements AutoCloseable {
   private final ScheduledThreadPoolExecutor timer;
   private final SelectorLoop loop;
   private final ThreadPoolExecutor resolver;
+  private final ThreadPoolExecutor listeners;
   private final ThreadPoolExecutor callbacks;
   private final Set<ReconnectingConnection> connections = ConcurrentHashMap.newKeySet();
 
-  private ClientRuntime(int callbackThreads) {
+  private ClientRuntime(Builder options) {
     int number = COUNT.incrementAndGet();
     timer = new ScheduledThreadPoolExecutor(1, Threads.daemons("crosscom-timer-" + number));
     timer.setRemoveOnCancelPolicy(true);
@@ -44,7 +48,16 @@ public final class ClientRuntime implements AutoCloseable {
     timer.allowCoreThreadTimeOut(true);
     loop = new SelectorLoop("crosscom-io-" + number);
     resolver = pool(4, "crosscom-resolver-" + number);
-    callbacks = pool(callbackThreads, "crosscom-callback-" + number);
+    listeners = pool(options.listenerThreads, "crosscom-listener-" + number);
+    callbacks =
+        new ThreadPoolExecutor(
+            0,
+            options.callbackThreads,
+            1,
+            TimeUnit.SECONDS,
+            new SynchronousQueue<>(),
+            Threads.daemons("crosscom-callback-" + number),
+            new ThreadPoolExecutor.CallerRunsPolicy());
   }
 
   private static ThreadPoolExecutor pool(int threads, String name) {
@@ -75,7 +88,7 @@ public final class ClientRuntime implements AutoCloseable {
   public static ClientRuntime create(Consumer<Builder> settings) {
     Builder builder = new Builder();
     settings.accept(builder);
-    return new ClientRuntime(builder.callbackThreads);
+    return new ClientRuntime(builder);
   }
 
   ScheduledThreadPoolExecutor timer() {
@@ -90,7 +103,12 @@ public final class ClientRuntime implements AutoCloseable {
     return resolver;
   }
 
-  /** Returns the executor of the program's code. */
+  /** Returns the executor of listeners; a task never runs in the thread that submits it. */
+  ThreadPoolExecutor listeners() {
+    return listeners;
+  }
+
+  /** Returns the executor of functions that follow on a future. */
   ThreadPoolExecutor callbacks() {
     return callbacks;
   }
@@ -114,17 +132,31 @@ public final class ClientRuntime implements AutoCloseable {
 
   /** Sets the options. Each method sets one option and returns this builder. */
   public static final class Builder {
+    private int listenerThreads = 16;
     private int callbackThreads = 32;
 
     private Builder() {}
 
-    /** Sets the maximum number of threads that run the program's code, 1 to 1000. Default 32. */
-    public Builder callbackThreads(int value) {
-      if (value < 1 || value > 1000) {
-        throw new IllegalArgumentException("callback threads must be 1 to 1000, are " + value);
-      }
-      callbackThreads = value;
+    /** Sets the maximum number of threads that call listeners, 1 to 1000. The default is 16. */
+    public Builder listenerThreads(int value) {
+      listenerThreads = check("listener", value);
       return this;
+    }
+
+    /**
+     * Sets the maximum number of threads that run the functions on a future, 1 to 1000. The default
+     * is 32.
+     */
+    public Builder callbackThreads(int value) {
+      callbackThreads = check("callback", value);
+      return this;
+    }
+
+    private static int check(String kind, int value) {
+      if (value < 1 || value > 1000) {
+        throw new IllegalArgumentException(kind + " threads must be 1 to 1000, are " + value);
+      }
+      return value;
     }
   }
 }

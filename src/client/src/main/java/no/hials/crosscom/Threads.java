@@ -6,10 +6,10 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.internal.CancellableOperation;
 import no.hials.crosscom.internal.Cancellation;
 import org.jspecify.annotations.Nullable;
@@ -31,12 +31,15 @@ final class Threads {
 
   private final ThreadPoolExecutor async;
   private final ThreadPoolExecutor transfers;
-  private final Executor callbacks;
+  private final ClientRuntime runtime;
+  private final int maxPending;
+  private final AtomicInteger pending = new AtomicInteger();
 
-  Threads(int port) {
-    async = lazy("crosscom-async-" + port);
-    transfers = lazy("crosscom-files-" + port);
-    callbacks = forCallbacks("crosscom-callback-" + port);
+  Threads(ClientConfig config) {
+    async = lazy("crosscom-async-" + config.port());
+    transfers = lazy("crosscom-files-" + config.port());
+    runtime = config.runtime();
+    maxPending = config.maxPendingCalls();
   }
 
   /** Commits the call that this thread runs, if any; before each exchange of each client. */
@@ -75,11 +78,19 @@ final class Threads {
 
   private <T extends @Nullable Object> CompletableFuture<T> submit(
       Executor executor, CancellableOperation<T> operation) {
-    AsyncCall<T> call = new AsyncCall<>(callbacks);
+    if (pending.incrementAndGet() > maxPending) {
+      pending.decrementAndGet();
+      return CompletableFuture.failedFuture(
+          new RejectedExecutionException(
+              "the client's maxPendingCalls is "
+                  + maxPending
+                  + ", and as many calls have not ended; nothing was sent"));
+    }
+    AsyncCall<T> call = new AsyncCall<>(runtime.callbacks(), pending::decrementAndGet);
     try {
       executor.execute(new Task<>(call, operation));
     } catch (RejectedExecutionException e) {
-      call.refuse();
+      call.refuse(runtime.listeners());
     }
     return call;
   }
@@ -90,17 +101,8 @@ final class Threads {
       executor.shutdown();
       List<Runnable> queued = new ArrayList<>();
       executor.getQueue().drainTo(queued); // the operation under way may wait for one of them
-      queued.forEach(task -> ((Task<?>) task).call.refuse());
+      queued.forEach(task -> ((Task<?>) task).call.refuse(runtime.listeners()));
     }
-  }
-
-  /**
-   * Creates an executor with a daemon thread for each task, for the program's code, where no task
-   * may wait for another. Its threads end when idle, so it need not be shut down.
-   */
-  static Executor forCallbacks(String name) {
-    return new ThreadPoolExecutor(
-        0, Integer.MAX_VALUE, 1, TimeUnit.SECONDS, new SynchronousQueue<>(), daemons(name));
   }
 
   static ThreadFactory daemons(String name) {

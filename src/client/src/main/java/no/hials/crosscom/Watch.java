@@ -36,8 +36,7 @@ import org.slf4j.LoggerFactory;
  * to a limit; further samples are dropped and counted. While the connection is lost, the watch
  * continues; the next sample contains the number of failed readings.
  *
- * <p>It runs the daemon thread {@code crosscom-watch-N}, and one {@code crosscom-watch-N-listener}
- * for each listener or subscriber with waiting samples. It ends when it or its client is closed;
+ * <p>It runs the daemon thread {@code crosscom-watch-N}. It ends when it or its client is closed;
  * subscribers then get {@code onComplete}. A variable that cannot be read, for example because its
  * name is too long for a request, is a failed {@link Reading} in each sample. Only an unexpected
  * exception ends the watch with {@code onError}.
@@ -76,6 +75,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
       VariableExchange exchange,
       ReconnectingConnection connection,
       WatchConfig config,
+      ClientRuntime runtime,
       Consumer<Watch> ended) {
     this.exchange = exchange;
     this.connection = connection;
@@ -84,8 +84,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     this.variables = config.names().stream().map(KRLAny::new).toList();
     String name = "crosscom-watch-" + COUNT.incrementAndGet();
     // not shut down: a subscriber may request waiting samples after the end
-    this.publisher =
-        new SubmissionPublisher<>(Threads.forCallbacks(name + "-listener"), config.bufferSize());
+    this.publisher = new SubmissionPublisher<>(runtime.listeners(), config.bufferSize());
     this.thread = new Thread(this::run, name);
     thread.setDaemon(true);
   }

@@ -3,12 +3,16 @@ package no.hials.crosscom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLIntArray;
@@ -263,5 +267,53 @@ class AsyncTest extends RobotTest {
         .get();
 
     assertThat(robot.variables().get("MYINTS[3]")).isEqualTo("3");
+  }
+
+  @Test
+  void aCallAboveTheLimitIsRejectedAndSaysWhichLimit() throws Exception {
+    try (CrossComClient limited = client(cfg -> cfg.maxPendingCalls(2))) {
+      holdFirstRequest();
+      CompletableFuture<String> first = limited.async(c -> c.readText("$OV_PRO"));
+      CompletableFuture<String> second = limited.async(c -> c.readText("MYINT"));
+      assertThatExceptionOfType(ExecutionException.class)
+          .isThrownBy(() -> limited.asyncRun(c -> c.writeText("MYINT", "9")).get())
+          .withCauseInstanceOf(RejectedExecutionException.class)
+          .withMessageContaining("the client's maxPendingCalls is 2");
+      release.countDown();
+
+      assertThat(first.get()).isEqualTo("100");
+      assertThat(second.get()).isEqualTo("0");
+    }
+  }
+
+  @Test
+  void blockedCallbacksUseNoMoreThreadsThanAllowedAndStillEnd() throws Exception {
+    CountDownLatch open = new CountDownLatch(1);
+    try (ClientRuntime runtime = ClientRuntime.create(cfg -> cfg.callbackThreads(2));
+        CrossComClient its = client(cfg -> cfg.runtime(runtime))) {
+      holdFirstRequest();
+      Set<String> threads = ConcurrentHashMap.newKeySet();
+      List<CompletableFuture<Void>> all = new ArrayList<>();
+      for (int i = 0; i < 20; i++) {
+        all.add(
+            its.async(c -> c.readText("MYINT"))
+                .thenAccept(
+                    value -> {
+                      threads.add(String.valueOf(Thread.currentThread().getId()));
+                      try {
+                        open.await();
+                      } catch (InterruptedException e) {
+                        Thread.currentThread().interrupt();
+                      }
+                    }));
+      }
+      release.countDown();
+      while (threads.size() < 3) { // the third is the thread that runs the calls
+        Thread.onSpinWait();
+      }
+      open.countDown();
+      CompletableFuture.allOf(all.toArray(CompletableFuture[]::new)).get();
+      assertThat(threads).hasSize(3);
+    }
   }
 }

@@ -21,22 +21,25 @@ final class C3Channel implements MessageChannel {
   private final ServerDetector detector;
   private final Threads threads;
 
-  /** Whether all exchanges take place on one connection. */
-  private final boolean pinned;
+  /** The channel of the client if all exchanges of this one take place on one connection. */
+  private final @Nullable C3Channel origin;
 
   private @Nullable Connection pin;
 
   C3Channel(
-      ReconnectingConnection connection, ServerDetector detector, Threads threads, boolean pinned) {
+      ReconnectingConnection connection,
+      ServerDetector detector,
+      Threads threads,
+      @Nullable C3Channel origin) {
     this.connection = connection;
     this.detector = detector;
     this.threads = threads;
-    this.pinned = pinned;
+    this.origin = origin;
   }
 
   @Override
   public MessageChannel onOneConnection() {
-    return new C3Channel(connection, detector, threads, true);
+    return new C3Channel(connection, detector, threads, this);
   }
 
   @Override
@@ -105,7 +108,7 @@ final class C3Channel implements MessageChannel {
         server -> {
           server.require(type, what);
           checkPin(what);
-          if (pinned) {
+          if (origin != null) {
             pin = connection.connection();
           }
           return connection.send(frame, type, effect, what, answer);

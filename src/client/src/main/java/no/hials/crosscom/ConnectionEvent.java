@@ -23,7 +23,7 @@ public record ConnectionEvent(
     LOST,
     /** The client has connected again. */
     RECONNECTED,
-    /** An attempt to connect again failed. */
+    /** An attempt to connect in the background or again failed. */
     RECONNECT_FAILED,
     /** The program has closed the client. */
     CLOSED

@@ -2,6 +2,7 @@ package no.hials.crosscom;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.lang.ref.Cleaner;
 import java.net.InetAddress;
 import java.net.SocketException;
 import java.net.UnknownHostException;
@@ -32,6 +33,8 @@ import no.hials.crosscom.internal.c3.C3Programs;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Reads and writes the variables of a KUKA robot controller on which KUKAVARPROXY or C3 Bridge
@@ -62,7 +65,6 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code crosscom-async-PORT} runs the operations of {@link #async}.
  *   <li>{@code crosscom-files-PORT} runs the transfers of files.
- *   <li>{@code crosscom-callback-PORT} runs the program's callbacks on their results.
  * </ul>
  *
  * <p>Each {@link Watch} has its own threads.
@@ -70,6 +72,9 @@ import org.jspecify.annotations.Nullable;
  * <p>The class is long because it holds the whole API of 0.2.2; most of it is documentation.
  */
 public final class CrossComClient implements Closeable {
+  private static final Logger LOG = LoggerFactory.getLogger(CrossComClient.class);
+  private static final Cleaner CLEANER = Cleaner.create();
+
   private final ClientConfig config;
   private final ReconnectingConnection connection;
   private final Threads threads;
@@ -81,6 +86,7 @@ public final class CrossComClient implements Closeable {
   private final Pendant pendant;
   private final ControllerFiles files;
   private final Information information;
+  private final Cleaner.Cleanable cleanable;
 
   /**
    * Connects, with the default times: 5 s for connecting, 3 s for a request.
@@ -97,24 +103,96 @@ public final class CrossComClient implements Closeable {
   }
 
   /**
+   * Connects to the default port, 7000, with the default times.
+   *
+   * @param host name or address of the controller
+   * @throws CrossComConnectException if the host is unknown or the client could not connect
+   */
+  public CrossComClient(String host) throws CrossComException {
+    this(ClientConfig.create(host, cfg -> {}));
+  }
+
+  /**
    * Connects.
    *
    * @param config the address and the options
    * @throws CrossComConnectException if the host is unknown or the client could not connect
    */
   public CrossComClient(ClientConfig config) throws CrossComException {
-    this.config = Objects.requireNonNull(config, "config");
-    this.connection = new ReconnectingConnection(config);
-    this.threads = new Threads(config.port());
-    this.channel = new C3Channel(connection, new ServerDetector(connection), threads, false);
+    this(config, new ReconnectingConnection(config));
+    try {
+      connection.connectFirst();
+    } catch (CrossComException e) {
+      connection.close();
+      throw e;
+    }
+    connection.start();
+  }
+
+  private CrossComClient(ClientConfig config, ReconnectingConnection connection) {
+    this.config = config;
+    this.connection = connection;
+    this.threads = new Threads(config);
+    this.channel = new C3Channel(connection, new ServerDetector(connection), threads, null);
     this.variables = new VariableExchange(config, connection, channel);
     this.programs = new C3Programs(channel);
     this.motion = new C3Motion(channel);
     this.pendant = new C3Pendant(channel);
     this.files = new C3Files(channel);
     this.information = new C3Information(channel);
-    connection.connectFirst();
-    connection.start();
+    // not this client: its views are as good as the client
+    this.cleanable = CLEANER.register(channel, new Abandoned(config, connection, threads));
+  }
+
+  /**
+   * Creates a client that connects in the background, and again after each failed attempt. A call
+   * that finds no connection tries to connect itself, unless the next attempt has to wait; it then
+   * fails with {@link CrossComConnectException}.
+   *
+   * @param config the address and the options
+   * @return the client, which may not be connected yet
+   */
+  public static CrossComClient lazy(ClientConfig config) {
+    CrossComClient client = new CrossComClient(config, new ReconnectingConnection(config));
+    client.connection.start();
+    return client;
+  }
+
+  /** Closes a client that the program has dropped without closing it. */
+  private static final class Abandoned implements Runnable {
+    private final ClientConfig config;
+    private final ReconnectingConnection connection;
+    private final Threads threads;
+    private final Throwable opened = new Throwable("the client was created here");
+
+    Abandoned(ClientConfig config, ReconnectingConnection connection, Threads threads) {
+      this.config = config;
+      this.connection = connection;
+      this.threads = threads;
+    }
+
+    @Override
+    public void run() {
+      if (!connection.isClosed()) {
+        LOG.warn(
+            "a client of {}:{} was dropped without close(), and is closed now",
+            config.host(),
+            config.port(),
+            opened);
+      }
+      connection.close();
+      threads.shutdown();
+    }
+  }
+
+  /**
+   * Returns a future that is completed when the client is connected.
+   *
+   * @return a new future: already completed while there is a connection; fails with {@link
+   *     CrossComClosedException} when the client is closed
+   */
+  public CompletableFuture<@Nullable Void> connected() {
+    return connection.connected();
   }
 
   /** Returns the configuration of the constructor. */
@@ -309,7 +387,7 @@ public final class CrossComClient implements Closeable {
       throws IOException {
     Objects.requireNonNull(watchConfig, "watchConfig");
     connection.checkOpen();
-    Watch watch = new Watch(variables, connection, watchConfig, watches::remove);
+    Watch watch = new Watch(variables, connection, watchConfig, config.runtime(), watches::remove);
     watch.addListener(listener);
     watches.add(watch);
     watch.start();
@@ -603,7 +681,7 @@ public final class CrossComClient implements Closeable {
   public void close() throws IOException {
     connection.close();
     watches.forEach(Watch::close);
-    threads.shutdown();
+    cleanable.clean();
   }
 
   @Override

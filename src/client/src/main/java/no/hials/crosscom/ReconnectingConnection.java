@@ -43,6 +43,9 @@ final class ReconnectingConnection {
   /** Null until the client has connected for the first time. */
   private volatile @Nullable Connection connection;
 
+  /** Completed while connected; set with the turn. */
+  private volatile CompletableFuture<@Nullable Void> connected = new CompletableFuture<>();
+
   private volatile long timeoutNanos;
   private volatile boolean closed;
   private volatile boolean started;
@@ -64,13 +67,19 @@ final class ReconnectingConnection {
     this.runtime = config.runtime();
     this.loop = runtime.loop();
     this.timeoutNanos = config.requestTimeout().toNanos();
-    this.events = new SerialExecutor(runtime.callbacks());
+    this.events = new SerialExecutor(runtime.listeners());
   }
 
   /** Connects for the first time. No other thread knows this object yet. */
   void connectFirst() throws CrossComException {
     connect();
+    connected.complete(null);
     tell(ConnectionChange.CONNECTED, null);
+  }
+
+  /** Returns a future that is completed as soon as there is a connection. */
+  CompletableFuture<@Nullable Void> connected() {
+    return connected.copy();
   }
 
   /** Starts the timer, which connects if there is no connection yet. */
@@ -269,6 +278,9 @@ final class ReconnectingConnection {
       return;
     }
     lostBy = why;
+    if (connected.isDone()) {
+      connected = new CompletableFuture<>();
+    }
     if (why instanceof CrossComConnectionLostException && current().wasClosedAtOnce()) {
       delayNextAttempt();
     }
@@ -336,6 +348,8 @@ final class ReconnectingConnection {
       throw new CrossComClosedException("the client is closed", null, false);
     }
     if (started) {
+      CompletableFuture<@Nullable Void> waiting = connected;
+      runtime.listeners().execute(() -> waiting.complete(null));
       tell(first ? ConnectionChange.CONNECTED : ConnectionChange.RECONNECTED, null);
     }
   }
@@ -553,6 +567,13 @@ final class ReconnectingConnection {
       waiting.cancel(false);
     }
     runtime.remove(this);
+    CompletableFuture<@Nullable Void> pending = connected;
+    runtime
+        .listeners()
+        .execute(
+            () ->
+                pending.completeExceptionally(
+                    new CrossComClosedException("the client is closed", null, false)));
     tell(ConnectionChange.CLOSED, null);
   }
 }

@@ -1,0 +1,104 @@
+package no.hials.crosscom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.time.Duration;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.ConnectionEvent.ConnectionChange;
+import org.junit.jupiter.api.Test;
+
+/** Connects at once or in the background, and closes clients that were dropped. */
+class ConnectingTest extends RobotTest {
+  private static final Duration TINY = Duration.ofMillis(10);
+
+  private ClientConfig config() {
+    return client.getConfig().toBuilder().reconnect(true).reconnectBackoff(TINY, TINY).build();
+  }
+
+  @Test
+  void aLazyClientConnectsWhenTheServerAcceptsIt() throws Exception {
+    robot.refuseConnections();
+    BlockingQueue<ConnectionEvent> events = new LinkedBlockingQueue<>();
+    try (CrossComClient lazy =
+        CrossComClient.lazy(config().toBuilder().listener(events::add).build())) {
+      CompletableFuture<Void> connected = lazy.connected();
+      ConnectionEvent first = events.poll(60, TimeUnit.SECONDS);
+      assertThat(first).isNotNull();
+      assertThat(first.kind()).isIn(ConnectionChange.CONNECTED, ConnectionChange.RECONNECT_FAILED);
+      robot.acceptConnections();
+      connected.get(60, TimeUnit.SECONDS);
+      assertThat(lazy.readText("$OV_PRO")).isEqualTo("100");
+    }
+  }
+
+  @Test
+  void aLazyClientWithoutAServerSaysWhyAndHasNoAddress() throws Exception {
+    int port = robot.port();
+    robot.close();
+    try (CrossComClient lazy = CrossComClient.lazy(config())) {
+      CompletableFuture<Void> connected = lazy.connected();
+      assertThatExceptionOfType(CrossComConnectException.class)
+          .isThrownBy(() -> lazy.readText("$OV_PRO"))
+          .withMessageContaining("could not connect to 127.0.0.1:" + port);
+      assertThat(lazy.getInetAddress()).isNull();
+      assertThat(lazy.getLocalPort()).isEqualTo(-1);
+      assertThat(connected).isNotDone();
+      lazy.close();
+      assertThatExceptionOfType(ExecutionException.class)
+          .isThrownBy(() -> connected.get(60, TimeUnit.SECONDS))
+          .withCauseInstanceOf(CrossComClosedException.class);
+    }
+  }
+
+  @Test
+  void connectedIsDoneAfterTheConstructor() {
+    assertThat(client.connected()).isCompleted();
+  }
+
+  @Test
+  void aClientThatIsDroppedIsClosed() throws Exception {
+    int before = robot.clientCount();
+    dropAClient();
+    while (robot.clientCount() > before) {
+      System.gc();
+      Thread.onSpinWait();
+    }
+    assertThat(client.readText("$OV_PRO")).isEqualTo("100");
+  }
+
+  @SuppressWarnings("resource")
+  private void dropAClient() throws Exception {
+    assertThat(client(cfg -> {}).readText("$OV_PRO")).isEqualTo("100");
+  }
+
+  @Test
+  void theViewsOfADroppedClientKeepItOpen() throws Exception {
+    KeptView view = keepAView();
+    for (int i = 0; i < 5; i++) {
+      System.gc();
+      assertThat(view.isOpen()).isTrue();
+    }
+  }
+
+  private interface KeptView {
+    boolean isOpen() throws Exception;
+  }
+
+  @SuppressWarnings("resource")
+  private KeptView keepAView() throws Exception {
+    var information = client(cfg -> {}).information();
+    return () -> {
+      try {
+        assertThat(information.get()).isNotNull();
+      } catch (CrossComUnsupportedException e) {
+        return true; // KUKAVARPROXY; the client is open
+      }
+      return true;
+    };
+  }
+}

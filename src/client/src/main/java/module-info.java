@@ -1,6 +1,7 @@
 /** The client of KUKAVARPROXY and C3 Bridge, with the API of JOpenShowVar 0.2.2. */
 module no.hials.crosscom {
   requires transitive no.hials.crosscom.protocol;
+  requires jdk.jfr;
   requires org.slf4j;
   requires static org.jspecify;
 

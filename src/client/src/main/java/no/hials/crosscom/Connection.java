@@ -78,6 +78,9 @@ final class Connection implements SelectorLoop.Selectable {
 
   private final Current current = new Current();
 
+  /** Recorded for each exchange while the flight recorder runs. */
+  private final ExchangeEvent event = new ExchangeEvent();
+
   /** The exchange under way or, between exchanges, the last one. */
   private static final class Current {
     private MessageType type = MessageType.READ;
@@ -279,10 +282,23 @@ final class Connection implements SelectorLoop.Selectable {
       Codec.setId(sent, id);
       LOG.trace("sending {}", MalformedFrameException.hex(sent, sent.length, LOGGED));
     }
+    event.begin();
     current.start = checked != 0 ? checked : System.nanoTime();
     checked = 0;
     if (current.timeout > 0) {
       deadline.begin(current.start + current.timeout - waited);
+    }
+  }
+
+  private void record(boolean withAnswer) {
+    event.end();
+    if (event.shouldCommit()) {
+      event.server = remote;
+      event.request = current.what();
+      event.queueTime = current.waited;
+      event.requestLength = out.limit();
+      event.answered = withAnswer;
+      event.commit();
     }
   }
 
@@ -292,6 +308,7 @@ final class Connection implements SelectorLoop.Selectable {
       throw new EOFException(endOfStream());
     }
     long end = System.nanoTime();
+    record(true);
     lastEnd = end;
     if (deadline.end()) {
       close();
@@ -315,6 +332,7 @@ final class Connection implements SelectorLoop.Selectable {
     if (e instanceof CrossComException failure) {
       return failure;
     }
+    record(false);
     boolean expired = deadline.end();
     if (e instanceof MalformedFrameException malformed) {
       return violated(malformed);

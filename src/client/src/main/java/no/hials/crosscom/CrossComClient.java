@@ -195,6 +195,11 @@ public final class CrossComClient implements Closeable {
     return connection.connected();
   }
 
+  /** Returns how many exchanges there were, how long they took, and how many failed. */
+  public ClientStatistics statistics() {
+    return connection.statistics();
+  }
+
   /** Returns the configuration of the constructor. */
   public ClientConfig getConfig() {
     return config;

@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.Connection.AnswerHandler;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
+import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.TypedResponse;
@@ -34,6 +35,7 @@ final class ReconnectingConnection {
   private final ClientRuntime runtime;
   private final SelectorLoop loop;
   private final Turn turn = new Turn();
+  private final ExchangeMeter meter = new ExchangeMeter();
   private final SerialExecutor events;
   private final byte[] ping = Codec.encode(new ReadRequest(0, "PING"));
 
@@ -100,7 +102,17 @@ final class ReconnectingConnection {
    * @param name the variable, or a phrase for the request, for error messages
    */
   void acquire(MessageType type, String name) throws CrossComException {
-    turn.acquire(type, name, timeoutNanos);
+    try {
+      turn.acquire(type, name, timeoutNanos);
+    } catch (CrossComTimeoutException e) {
+      meter.timedOutInQueue();
+      throw e;
+    }
+  }
+
+  /** Returns the statistics of all exchanges. */
+  ClientStatistics statistics() {
+    return meter.snapshot();
   }
 
   /** Lets the next thread use the connection. */
@@ -193,6 +205,7 @@ final class ReconnectingConnection {
       if (!known) {
         failedAttempts = 0; // a server that only accepts and closes has rejected us
       }
+      count(type, answer);
       return answer;
     } catch (CrossComException e) {
       lost(e);
@@ -212,11 +225,20 @@ final class ReconnectingConnection {
       Class<? extends TypedResponse> answerClass)
       throws CrossComException {
     try {
-      return connection.exchange(frame, nextId(), type, effect, what, turn.waited(), answerClass);
+      MessageAnswer answer =
+          current().exchange(frame, nextId(), type, effect, what, turn.waited(), answerClass);
+      meter.answered(turn.waited(), answer.nanos(), answer.response().tail().success());
+      return answer;
     } catch (CrossComException e) {
       lost(e);
       throw e;
     }
+  }
+
+  private void count(MessageType type, Answer answer) {
+    AnswerFrame frame = answer.frame();
+    boolean refused = !frame.success() || (type == MessageType.READ && frame.isEmpty());
+    meter.answered(turn.waited(), answer.nanos(), !refused);
   }
 
   private int nextId() {
@@ -278,6 +300,7 @@ final class ReconnectingConnection {
       return;
     }
     lostBy = why;
+    meter.failed(why);
     if (connected.isDone()) {
       connected = new CompletableFuture<>();
     }
@@ -350,6 +373,9 @@ final class ReconnectingConnection {
     if (started) {
       CompletableFuture<@Nullable Void> waiting = connected;
       runtime.listeners().execute(() -> waiting.complete(null));
+      if (!first) {
+        meter.reconnected();
+      }
       tell(first ? ConnectionChange.CONNECTED : ConnectionChange.RECONNECTED, null);
     }
   }
@@ -456,6 +482,7 @@ final class ReconnectingConnection {
             if (!known) {
               failedAttempts = 0;
             }
+            count(type, answer);
             handler.answered(answer);
           }
 

@@ -1,0 +1,122 @@
+package no.hials.crosscom;
+
+import java.time.Duration;
+import java.util.Arrays;
+
+/**
+ * The exchanges of a client since it was created, at one time. For a metrics library, register
+ * functions that read {@link CrossComClient#statistics}.
+ *
+ * @param accesses the number of requests that were answered
+ * @param refusals how many of the answers reported failure
+ * @param timeouts the number of exchanges that took too long, in the queue or after sending
+ * @param losses the number of other exchanges without a valid answer
+ * @param reconnects how often the client has connected again
+ * @param queueTimes how long the exchanges waited for those of other threads
+ * @param accessTimes the times from sending a request to having its answer
+ */
+public record ClientStatistics(
+    long accesses,
+    long refusals,
+    long timeouts,
+    long losses,
+    long reconnects,
+    Histogram queueTimes,
+    Histogram accessTimes) {
+
+  /** The distribution of times, with a resolution of 12.5 % from 1 µs to 1 h. */
+  public static final class Histogram {
+    /** Shorter times are counted as this: 1.024 µs. */
+    private static final int MIN_EXPONENT = 10;
+
+    /** Longer times are counted as this: 73 minutes. */
+    private static final int MAX_EXPONENT = 42;
+
+    /** Each power of two has this many buckets, as a power of two. */
+    private static final int PARTS = 3;
+
+    static final int SIZE = (MAX_EXPONENT - MIN_EXPONENT) << PARTS;
+
+    private final long[] counts;
+    private final long count;
+
+    Histogram(long[] counts) {
+      this.counts = counts;
+      this.count = Arrays.stream(counts).sum();
+    }
+
+    /** Returns the bucket of a time. */
+    static int bucket(long nanos) {
+      long inRange = Math.max(1L << MIN_EXPONENT, Math.min(nanos, (1L << MAX_EXPONENT) - 1));
+      int exponent = 63 - Long.numberOfLeadingZeros(inRange);
+      int part = (int) (inRange >>> (exponent - PARTS)) & ((1 << PARTS) - 1);
+      return ((exponent - MIN_EXPONENT) << PARTS) + part;
+    }
+
+    /** Returns the upper end of a bucket, in ns. */
+    private static long end(int bucket) {
+      int exponent = (bucket >> PARTS) + MIN_EXPONENT;
+      long parts = (1 << PARTS) + (bucket & ((1 << PARTS) - 1)) + 1;
+      return parts << (exponent - PARTS);
+    }
+
+    /** Returns the number of times. */
+    public long count() {
+      return count;
+    }
+
+    /**
+     * Returns the time that a share of the times did not exceed.
+     *
+     * @param percent 0 to 100; 50 for the median
+     * @return the upper end of the range of the time; zero without any time
+     * @throws IllegalArgumentException if the share is out of range
+     */
+    public Duration percentile(double percent) {
+      if (!(percent >= 0 && percent <= 100)) {
+        throw new IllegalArgumentException("percent must be 0 to 100, is " + percent);
+      }
+      long rank = (long) Math.ceil(count * percent / 100);
+      long seen = 0;
+      for (int i = 0; i < counts.length; i++) {
+        seen += counts[i];
+        if (seen >= rank && seen > 0) {
+          return Duration.ofNanos(end(i));
+        }
+      }
+      return Duration.ZERO;
+    }
+
+    /** Receives the buckets of a histogram. */
+    @FunctionalInterface
+    public interface BucketVisitor {
+      /**
+       * Called for a bucket that is not empty.
+       *
+       * @param upTo the upper end of its range
+       * @param count the number of times in it
+       */
+      void bucket(Duration upTo, long count);
+    }
+
+    /** Calls a visitor for each bucket that is not empty, from short to long times. */
+    public void forEach(BucketVisitor visitor) {
+      for (int i = 0; i < counts.length; i++) {
+        if (counts[i] > 0) {
+          visitor.bucket(Duration.ofNanos(end(i)), counts[i]);
+        }
+      }
+    }
+
+    @Override
+    public String toString() {
+      return "Histogram[count="
+          + count
+          + ", median="
+          + percentile(50)
+          + ", 99%="
+          + percentile(99)
+          + "]";
+    }
+  }
+}

@@ -7,6 +7,7 @@
 #   src/bench/run.sh strace   the system calls of 20,000 exchanges, if strace is installed
 #   src/bench/run.sh load     the mock server under load
 #   src/bench/run.sh jmh ...  JMH, with its options
+#   src/bench/run.sh robots [ROBOTS [SILENT [SECONDS]]]  many robots watched by one process
 #
 # Two more look for defects instead of measuring; they exit with 1 if they find one:
 #
@@ -52,6 +53,7 @@ case ${1:-all} in
   strace) system_calls ;;
   load) "${run[@]}" $ours.MockLoad ;;
   jmh) jmh "${@:2}" ;;
+  robots) "${run[@]:0:1}" -Xmx96m "${run[@]:1}" $ours.ManyRobots "${@:2}" ;;
   soak) "${run[@]}" $ours.Soak "${@:2}" ;;
   mutation) "${run[@]}" $ours.MutationRun "${@:2}" ;;
   all)
@@ -67,7 +69,7 @@ case ${1:-all} in
     uptime
     ;;
   *)
-    echo "usage: $0 [all|ratio|strace|load|jmh|soak|mutation]" >&2
+    echo "usage: $0 [all|ratio|strace|load|jmh|robots|soak|mutation]" >&2
     exit 64
     ;;
 esac

@@ -1,0 +1,154 @@
+package no.hials.crosscom.bench;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.protocol.Codec;
+
+/**
+ * Stands in for many KUKAVARPROXYs, in one thread: answers each read after 5 ms, and never on the
+ * first connections if told so. It runs in a process of its own, so that it does not count.
+ */
+public final class RobotsStandIn {
+  private static final long DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
+
+  /** A connection, and its request under way. */
+  private static final class Robot {
+    private final SocketChannel channel;
+    private final boolean silent;
+    private final ByteBuffer request = ByteBuffer.allocate(512);
+
+    Robot(SocketChannel channel, boolean silent) {
+      this.channel = channel;
+      this.silent = silent;
+    }
+  }
+
+  /** An answer that waits for its time. */
+  private record Waiting(Robot robot, byte[] answer, long due) {}
+
+  private final Selector selector = Selector.open();
+  private final Deque<Waiting> waiting = new ArrayDeque<>();
+  private final int silent;
+  private int accepted;
+
+  private RobotsStandIn(int silent) throws IOException {
+    this.silent = silent;
+  }
+
+  /**
+   * Prints its port, and serves until its input ends.
+   *
+   * @param args the number of connections that are never answered
+   * @throws IOException if it cannot listen
+   */
+  public static void main(String[] args) throws IOException {
+    new RobotsStandIn(Integer.parseInt(args[0])).run();
+  }
+
+  private void run() throws IOException {
+    ServerSocketChannel server = ServerSocketChannel.open();
+    server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 4096);
+    server.configureBlocking(false);
+    server.register(selector, SelectionKey.OP_ACCEPT);
+    System.out.println(server.socket().getLocalPort());
+    endWithInput();
+    while (selector.isOpen()) {
+      selector.select(this::serve, timeToNext());
+      answerDue();
+    }
+  }
+
+  private void endWithInput() {
+    Thread watcher =
+        new Thread(
+            () -> {
+              try {
+                while (System.in.read() >= 0) {
+                  // wait for the end
+                }
+                selector.close();
+              } catch (IOException e) {
+                System.exit(1);
+              }
+            },
+            "input");
+    watcher.setDaemon(true);
+    watcher.start();
+  }
+
+  /** Returns the time to the next answer in ms, at least 1; 0 if none waits. */
+  private long timeToNext() {
+    Waiting next = waiting.peek();
+    return next == null
+        ? 0
+        : Math.max(1, TimeUnit.NANOSECONDS.toMillis(next.due - System.nanoTime()));
+  }
+
+  private void serve(SelectionKey key) {
+    try {
+      if (key.isAcceptable()) {
+        accept((ServerSocketChannel) key.channel());
+      } else {
+        read((Robot) key.attachment());
+      }
+    } catch (IOException e) {
+      key.cancel();
+    }
+  }
+
+  private void accept(ServerSocketChannel server) throws IOException {
+    SocketChannel channel = server.accept();
+    while (channel != null) {
+      channel.configureBlocking(false);
+      channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+      channel.register(selector, SelectionKey.OP_READ, new Robot(channel, accepted++ < silent));
+      channel = server.accept();
+    }
+  }
+
+  private void read(Robot robot) throws IOException {
+    if (robot.channel.read(robot.request) < 0) {
+      robot.channel.close();
+      return;
+    }
+    byte[] bytes = robot.request.array();
+    int have = robot.request.position();
+    if (have >= Codec.HEADER_LENGTH && have >= Codec.frameLength(bytes, 0)) {
+      robot.request.clear();
+      if (!robot.silent) {
+        String text = new String(bytes, 0, have, StandardCharsets.ISO_8859_1);
+        byte[] answer =
+            (text.contains("$AXIS_ACT") ? Operation.READ_E6AXIS : Operation.READ_INT).answer();
+        answer = answer.clone();
+        answer[0] = bytes[0];
+        answer[1] = bytes[1];
+        waiting.add(new Waiting(robot, answer, System.nanoTime() + DELAY_NANOS));
+      }
+    }
+  }
+
+  private void answerDue() {
+    long now = System.nanoTime();
+    for (Waiting next = waiting.peek();
+        next != null && next.due - now <= 0;
+        next = waiting.peek()) {
+      waiting.remove();
+      try {
+        next.robot.channel.write(ByteBuffer.wrap(next.answer));
+      } catch (IOException e) {
+        // the client has disconnected
+      }
+    }
+  }
+}

@@ -1,5 +1,6 @@
 package no.hials.crosscom;
 
+import java.util.Objects;
 import java.util.stream.Collectors;
 import no.hials.crosscom.internal.Versions;
 import no.hials.crosscom.protocol.AnswerFrame;
@@ -38,58 +39,92 @@ final class ServerDetector {
               .collect(Collectors.toSet()));
 
   private final ReconnectingConnection link;
-  private final byte[] askType = Codec.encode(new ReadRequest(0, "@PROXY_TYPE"));
-  private final byte[] askVersion = Codec.encode(new ReadRequest(0, "@PROXY_VERSION"));
-  private final byte[] askFeatures = Codec.encode(new ServerRequest(0, MessageType.FEATURES));
+  private final Question askType = new Question("@PROXY_TYPE");
+  private final Question askVersion = new Question("@PROXY_VERSION");
+  private final Question askFeatures =
+      new Question(
+          Codec.encode(new ServerRequest(0, MessageType.FEATURES)),
+          MessageType.FEATURES,
+          FEATURES_REQUEST);
 
   /** The connection of the server that the other fields describe. */
   private @Nullable Connection of;
 
   private @Nullable ServerType type;
+  private boolean typeUnclear;
   private @Nullable Version version;
   private boolean versionAsked;
   private @Nullable Features features;
+
+  /**
+   * A request that finds something out about the server.
+   *
+   * @param name the variable, or a phrase for the request
+   */
+  record Question(byte[] frame, MessageType type, String name) {
+    Question(String variable) {
+      this(Codec.encode(new ReadRequest(0, variable)), MessageType.READ, variable);
+    }
+  }
 
   ServerDetector(ReconnectingConnection link) {
     this.link = link;
   }
 
-  ServerType type() throws CrossComException {
+  /**
+   * Returns the next question to ask.
+   *
+   * <p>A failure does not show the type: old KUKAVARPROXYs always fail, and C3 Bridge may fail
+   * once; but only C3 Bridge knows message 14 (docs/reference/servers.md).
+   *
+   * @param withVersion whether the version is needed too
+   * @return null if all is known
+   */
+  @Nullable Question question(boolean withVersion) {
     if (of != link.connection()) {
       of = link.connection();
       type = null;
+      typeUnclear = false;
       version = null;
       versionAsked = false;
       features = null;
     }
     if (type == null) {
-      type = isC3Bridge() ? ServerType.C3_BRIDGE : ServerType.KUKAVARPROXY;
+      return typeUnclear ? askFeatures : askType;
     }
-    return type;
+    return withVersion && type == ServerType.C3_BRIDGE && !versionAsked ? askVersion : null;
   }
 
-  /**
-   * Asks for the type. A failure does not show it: old KUKAVARPROXYs always fail, and C3 Bridge may
-   * fail once; but only C3 Bridge knows message 14 (docs/reference/servers.md).
-   */
-  private boolean isC3Bridge() throws CrossComException {
-    AnswerFrame answer = send(askType, MessageType.READ, "@PROXY_TYPE");
-    return answer.success()
-        ? C3_BRIDGE.equalsIgnoreCase(answer.toString().strip())
-        : !send(askFeatures, MessageType.FEATURES, FEATURES_REQUEST).functionUnknown();
+  /** Takes the answer to the last question. */
+  void answered(Question question, AnswerFrame answer) {
+    if (question == askVersion) {
+      version = answer.success() ? Versions.parse(answer.toString().strip()) : null;
+      versionAsked = true;
+    } else if (question == askFeatures) {
+      type = answer.functionUnknown() ? ServerType.KUKAVARPROXY : ServerType.C3_BRIDGE;
+    } else if (!answer.success()) {
+      typeUnclear = true;
+    } else {
+      boolean bridge = C3_BRIDGE.equalsIgnoreCase(answer.toString().strip());
+      type = bridge ? ServerType.C3_BRIDGE : ServerType.KUKAVARPROXY;
+    }
   }
 
-  private AnswerFrame send(byte[] frame, MessageType message, String name)
-      throws CrossComException {
-    return link.send(frame, frame.length, message, Repeatability.READ, name).frame();
+  private void ask(boolean withVersion) throws CrossComException {
+    for (Question next = question(withVersion); next != null; next = question(withVersion)) {
+      byte[] frame = next.frame;
+      answered(
+          next, link.send(frame, frame.length, next.type, Repeatability.READ, next.name).frame());
+    }
+  }
+
+  ServerType type() throws CrossComException {
+    ask(false);
+    return Objects.requireNonNull(type);
   }
 
   @Nullable Version version() throws CrossComException {
-    if (type() == ServerType.C3_BRIDGE && !versionAsked) {
-      AnswerFrame answer = send(askVersion, MessageType.READ, "@PROXY_VERSION");
-      version = answer.success() ? Versions.parse(answer.toString().strip()) : null;
-      versionAsked = true;
-    }
+    ask(true);
     return version;
   }
 
@@ -100,7 +135,7 @@ final class ServerDetector {
     if (features == null) {
       TypedResponse response =
           link.send(
-                  askFeatures,
+                  askFeatures.frame,
                   MessageType.FEATURES,
                   Repeatability.READ,
                   FEATURES_REQUEST,

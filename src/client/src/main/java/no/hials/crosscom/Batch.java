@@ -1,6 +1,8 @@
 package no.hials.crosscom;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import no.hials.crosscom.CrossComAccessException.Operation;
 import no.hials.crosscom.KRL.KRLArray;
@@ -34,6 +36,7 @@ abstract class Batch {
   private final String noun;
   private final String done;
   private final List<Item> items = new ArrayList<>();
+  private final Deque<List<Item>> groups = new ArrayDeque<>();
   private @Nullable CrossComException broken;
 
   private Batch(
@@ -71,11 +74,18 @@ abstract class Batch {
 
   /** Runs the batch, and returns one result per variable. */
   final List<VariableResult> run() {
-    if (canSendSeveral()) {
-      runTogether();
-    } else {
-      oneByOne(items);
+    divide(canSendSeveral());
+    for (List<Item> group = nextGroup(); group != null; group = nextGroup()) {
+      if (group.size() == 1) {
+        alone(group.get(0));
+      } else {
+        send(group);
+      }
     }
+    return results();
+  }
+
+  final List<VariableResult> results() {
     return items.stream().map(item -> new VariableResult(item.variable, item.failure)).toList();
   }
 
@@ -94,54 +104,75 @@ abstract class Batch {
     }
   }
 
-  private void runTogether() {
-    List<Item> waiting = new ArrayList<>();
+  /** Divides the items into groups that share a message. */
+  final void divide(boolean together) {
+    List<Item> group = new ArrayList<>();
     long length = 0;
     for (Item item : items) {
-      long itemLength = length(item);
-      if (item.failure != null) {
-        continue;
-      }
-      if (waiting.size() == MAX_COUNT || length + itemLength > ROOM) {
-        send(waiting);
-        waiting.clear();
+      long itemLength = together ? length(item) : -1;
+      boolean alone = itemLength < 0 || itemLength > ROOM;
+      if (alone || group.size() == MAX_COUNT || length + itemLength > ROOM) {
+        add(group); // an item that goes alone keeps its place in the order
+        group.clear();
         length = 0;
       }
-      if (itemLength < 0 || itemLength > ROOM) {
-        send(waiting); // an item that goes alone keeps its place in the order
-        waiting.clear();
-        length = 0;
-        oneByOne(List.of(item));
-      } else {
-        waiting.add(item);
+      if (alone) {
+        groups.add(List.of(item));
+      } else if (item.failure == null) {
+        group.add(item);
         length += itemLength;
       }
     }
-    send(waiting);
+    add(group);
   }
 
+  private void add(List<Item> group) {
+    if (!group.isEmpty()) {
+      groups.add(List.copyOf(group));
+    }
+  }
+
+  /** Removes the next group of items that can still be tried; returns null at the end. */
+  final @Nullable List<Item> nextGroup() {
+    List<Item> group = groups.poll();
+    while (group != null && broken != null) {
+      CrossComException why = broken;
+      group.stream()
+          .filter(item -> item.failure == null)
+          .forEach(item -> item.failure = notTried(item, why));
+      group = groups.poll();
+    }
+    return group;
+  }
+
+  /** Lets a group come next. */
+  final void sendNext(List<Item> group) {
+    groups.addFirst(group);
+  }
+
+  /** Lets items come next, each in a message of its own. */
   final void oneByOne(List<Item> some) {
-    for (Item item : some) {
-      if (item.failure != null) {
-        continue;
+    for (int i = some.size() - 1; i >= 0; i--) {
+      sendNext(List.of(some.get(i)));
+    }
+  }
+
+  private void alone(Item item) {
+    if (item.failure != null) {
+      return;
+    }
+    try {
+      alone(item.variable);
+    } catch (CrossComAccessException | CrossComValueException e) {
+      item.failure = e;
+    } catch (CrossComException e) {
+      fail(List.of(item), e);
+    } catch (IllegalArgumentException e) {
+      // the server cannot take this name: the results of the other variables are kept
+      if (!(e.getCause() instanceof CrossComUnsupportedException unsupported)) {
+        throw e;
       }
-      if (broken != null) {
-        item.failure = notTried(item, broken);
-        continue;
-      }
-      try {
-        alone(item.variable);
-      } catch (CrossComAccessException | CrossComValueException e) {
-        item.failure = e;
-      } catch (CrossComException e) {
-        fail(List.of(item), e);
-      } catch (IllegalArgumentException e) {
-        // the server cannot take this name: the results of the other variables are kept
-        if (!(e.getCause() instanceof CrossComUnsupportedException unsupported)) {
-          throw e;
-        }
-        item.failure = unsupported;
-      }
+      item.failure = unsupported;
     }
   }
 
@@ -163,32 +194,28 @@ abstract class Batch {
         : new CrossComConnectionLostException(message, why, false);
   }
 
-  final void send(List<Item> some) {
-    if (some.size() < 2 || broken != null) {
-      oneByOne(some);
-      return;
-    }
-    String what = what(some);
-    MessageAnswer answered;
+  private void send(List<Item> group) {
     try {
-      answered = channel.exchange(request(some), MultipleResponse.class, what);
+      accept(group, channel.exchange(request(group), MultipleResponse.class, what(group)));
     } catch (CrossComUnsupportedException e) {
-      oneByOne(some); // reconnected meanwhile, to another server
-      return;
+      oneByOne(group); // reconnected meanwhile, to another server
     } catch (CrossComException e) {
-      fail(some, e);
-      return;
+      fail(group, e);
     }
+  }
+
+  /** Takes the answer to the request of a group. */
+  final void accept(List<Item> group, MessageAnswer answered) {
     List<AccessResult> results =
         answered.response() instanceof MultipleResponse several ? several.results() : List.of();
     Tail tail = answered.response().tail();
     boolean contradicts = !tail.success() && results.stream().allMatch(AccessResult::success);
-    if (results.size() != some.size() || contradicts) {
-      notEach(some, results.size(), tail);
+    if (results.size() != group.size() || contradicts) {
+      notEach(group, results.size(), tail);
       return;
     }
-    for (int i = 0; i < some.size(); i++) {
-      Item item = some.get(i);
+    for (int i = 0; i < group.size(); i++) {
+      Item item = group.get(i);
       try {
         take(item, results.get(i), answered.nanos());
       } catch (CrossComException e) {
@@ -267,8 +294,8 @@ abstract class Batch {
     void notEach(List<Item> some, int count, Tail tail) {
       if (tail.code() == ErrorCode.LONG_ANSWER.code()) {
         int half = some.size() / 2;
-        send(some.subList(0, half));
-        send(some.subList(half, some.size()));
+        sendNext(some.subList(half, some.size()));
+        sendNext(some.subList(0, half));
       } else {
         oneByOne(some);
       }

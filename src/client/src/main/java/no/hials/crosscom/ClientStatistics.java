@@ -56,7 +56,7 @@ public record ClientStatistics(
     /** Returns the upper end of a bucket, in ns. */
     private static long end(int bucket) {
       int exponent = (bucket >> PARTS) + MIN_EXPONENT;
-      long parts = (1 << PARTS) + (bucket & ((1 << PARTS) - 1)) + 1;
+      long parts = (1L << PARTS) + (bucket & ((1 << PARTS) - 1)) + 1;
       return parts << (exponent - PARTS);
     }
 

@@ -351,8 +351,8 @@ final class ReconnectingConnection {
     if (closed) {
       return new CrossComClosedException("the client was closed while it connected", e, false);
     }
-    CrossComConnectException failure =
-        ConnectAttempt.failure(config, e instanceof ExecutionException ? e.getCause() : e);
+    Throwable cause = e instanceof ExecutionException ? e.getCause() : null;
+    CrossComConnectException failure = ConnectAttempt.failure(config, cause == null ? e : cause);
     lostBy = failure;
     delayNextAttempt();
     if (started) {

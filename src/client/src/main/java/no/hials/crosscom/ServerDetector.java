@@ -6,6 +6,7 @@ import no.hials.crosscom.internal.Versions;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.Version;
@@ -30,8 +31,6 @@ final class ServerDetector {
   /** The first version of C3 Bridge; its messages need no further question. */
   private static final Version FIRST = new Version(1, 0, 0);
 
-  private static final String FEATURES_REQUEST = "request for the server's features";
-
   private static final Features KUKAVARPROXY =
       new Features(
           ServerType.KUKAVARPROXY.types().stream()
@@ -39,13 +38,6 @@ final class ServerDetector {
               .collect(Collectors.toSet()));
 
   private final ReconnectingConnection link;
-  private final Question askType = new Question("@PROXY_TYPE");
-  private final Question askVersion = new Question("@PROXY_VERSION");
-  private final Question askFeatures =
-      new Question(
-          Codec.encode(new ServerRequest(0, MessageType.FEATURES)),
-          MessageType.FEATURES,
-          FEATURES_REQUEST);
 
   /** The connection of the server that the other fields describe. */
   private @Nullable Connection of;
@@ -56,14 +48,39 @@ final class ServerDetector {
   private boolean versionAsked;
   private @Nullable Features features;
 
-  /**
-   * A request that finds something out about the server.
-   *
-   * @param name the variable, or a phrase for the request
-   */
-  record Question(byte[] frame, MessageType type, String name) {
-    Question(String variable) {
-      this(Codec.encode(new ReadRequest(0, variable)), MessageType.READ, variable);
+  /** A request that finds something out about the server. */
+  enum Question {
+    /** Asks for the type. */
+    TYPE(new ReadRequest(0, "@PROXY_TYPE"), "@PROXY_TYPE"),
+    /** Asks for the version of C3 Bridge. */
+    VERSION(new ReadRequest(0, "@PROXY_VERSION"), "@PROXY_VERSION"),
+    /** Asks for the messages that the server supports. */
+    FEATURES(new ServerRequest(0, MessageType.FEATURES), "request for the server's features");
+
+    @SuppressWarnings("ImmutableEnumChecker") // nobody changes it
+    private final byte[] frame;
+
+    private final MessageType message;
+    private final String phrase;
+
+    Question(Request request, String phrase) {
+      this.frame = Codec.encode(request);
+      this.message = request.type();
+      this.phrase = phrase;
+    }
+
+    /** Returns the request, which is not to be changed. */
+    byte[] frame() {
+      return frame;
+    }
+
+    MessageType message() {
+      return message;
+    }
+
+    /** Returns the variable, or a phrase for the request. */
+    String phrase() {
+      return phrase;
     }
   }
 
@@ -90,17 +107,17 @@ final class ServerDetector {
       features = null;
     }
     if (type == null) {
-      return typeUnclear ? askFeatures : askType;
+      return typeUnclear ? Question.FEATURES : Question.TYPE;
     }
-    return withVersion && type == ServerType.C3_BRIDGE && !versionAsked ? askVersion : null;
+    return withVersion && type == ServerType.C3_BRIDGE && !versionAsked ? Question.VERSION : null;
   }
 
   /** Takes the answer to the last question. */
   void answered(Question question, AnswerFrame answer) {
-    if (question == askVersion) {
+    if (question == Question.VERSION) {
       version = answer.success() ? Versions.parse(answer.toString().strip()) : null;
       versionAsked = true;
-    } else if (question == askFeatures) {
+    } else if (question == Question.FEATURES) {
       type = answer.functionUnknown() ? ServerType.KUKAVARPROXY : ServerType.C3_BRIDGE;
     } else if (!answer.success()) {
       typeUnclear = true;
@@ -114,7 +131,8 @@ final class ServerDetector {
     for (Question next = question(withVersion); next != null; next = question(withVersion)) {
       byte[] frame = next.frame;
       answered(
-          next, link.send(frame, frame.length, next.type, Repeatability.READ, next.name).frame());
+          next,
+          link.send(frame, frame.length, next.message, Repeatability.READ, next.phrase).frame());
     }
   }
 
@@ -135,14 +153,14 @@ final class ServerDetector {
     if (features == null) {
       TypedResponse response =
           link.send(
-                  askFeatures.frame,
+                  Question.FEATURES.frame,
                   MessageType.FEATURES,
                   Repeatability.READ,
-                  FEATURES_REQUEST,
+                  Question.FEATURES.phrase,
                   FeaturesResponse.class)
               .response();
       if (!(response instanceof FeaturesResponse known) || !response.tail().success()) {
-        throw new CrossComRefusedException(FEATURES_REQUEST, response.tail().code());
+        throw new CrossComRefusedException(Question.FEATURES.phrase, response.tail().code());
       }
       features = known.features();
     }

@@ -37,6 +37,7 @@ class ConnectingTest extends RobotTest {
   }
 
   @Test
+  @SuppressWarnings("try") // closing is what is tested
   void aLazyClientWithoutAServerSaysWhyAndHasNoAddress() throws Exception {
     int port = robot.port();
     robot.close();

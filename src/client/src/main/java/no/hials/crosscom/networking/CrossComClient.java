@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.SocketException;
 import java.net.UnknownHostException;
+import java.util.Objects;
 
 /**
  * The client of version 0.1.
@@ -63,7 +64,7 @@ public final class CrossComClient implements Closeable {
 
   /** Returns the address of the controller. */
   public InetAddress getInetAddress() {
-    return client.getInetAddress();
+    return Objects.requireNonNull(client.getInetAddress()); // the constructor has connected
   }
 
   /** Returns the server's port. */

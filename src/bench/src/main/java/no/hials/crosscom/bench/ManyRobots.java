@@ -106,7 +106,8 @@ public final class ManyRobots {
       counting = false;
       double cores = (system.getProcessCpuTime() - cpu) / (double) (System.nanoTime() - start);
       double expected = (robots - silent) * seconds * 1e9 / period.toNanos();
-      double inTime = 100.0 * (samples.get() - late.get()) / Math.max(samples.get(), expected);
+      double inTime =
+          100.0 * (samples.get() - late.get()) / Math.max((double) samples.get(), expected);
       out.printf(
           Locale.ROOT,
           "%d robots, %d of them silent, every %d ms: %d threads, %.0f MB resident, %.2f cores, "

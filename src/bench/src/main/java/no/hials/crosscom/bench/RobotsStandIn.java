@@ -35,7 +35,7 @@ public final class RobotsStandIn {
   }
 
   /** An answer that waits for its time. */
-  private record Waiting(Robot robot, byte[] answer, long due) {}
+  private record Waiting(Robot robot, ByteBuffer answer, long due) {}
 
   private final Selector selector = Selector.open();
   private final Deque<Waiting> waiting = new ArrayDeque<>();
@@ -133,7 +133,7 @@ public final class RobotsStandIn {
         answer = answer.clone();
         answer[0] = bytes[0];
         answer[1] = bytes[1];
-        waiting.add(new Waiting(robot, answer, System.nanoTime() + DELAY_NANOS));
+        waiting.add(new Waiting(robot, ByteBuffer.wrap(answer), System.nanoTime() + DELAY_NANOS));
       }
     }
   }
@@ -145,7 +145,7 @@ public final class RobotsStandIn {
         next = waiting.peek()) {
       waiting.remove();
       try {
-        next.robot.channel.write(ByteBuffer.wrap(next.answer));
+        next.robot.channel.write(next.answer);
       } catch (IOException e) {
         // the client has disconnected
       }

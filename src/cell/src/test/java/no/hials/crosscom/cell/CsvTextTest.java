@@ -3,6 +3,7 @@ package no.hials.crosscom.cell;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class CsvTextTest {
@@ -23,7 +24,11 @@ class CsvTextTest {
         "-1,5",
         "1.5.=",
         "+1E",
-        "-0x1F"
+        "-0x1F",
+        "x;=1",
+        "=1;;''+1",
+        "a; \"@SUM",
+        "x;-3.5"
       })
   void readsTheTextThatItGuarded(String text) {
     assertThat(CsvText.exact(CsvText.guarded(text))).isEqualTo(text);
@@ -36,8 +41,37 @@ class CsvTextTest {
   }
 
   @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "x;=1           | x;'=1",
+        "x; +cmd;y;@SUM | x;' +cmd;y;'@SUM",
+        "=1;-1          | '=1;'-1",
+        "x;\"=1\"        | x;'\"=1\"",
+        "x;'=1          | x;''=1"
+      })
+  void guardsWhatMayBeAFormulaAfterASemicolon(String text, String guarded) {
+    assertThat(CsvText.guarded(text)).isEqualTo(guarded);
+  }
+
+  @ParameterizedTest
   @ValueSource(
-      strings = {"-3.5", "1E5", "-1.00000E-07", "+2", ".5", "-.5", "", "#T1", "a=b", "'a", "TRUE"})
+      strings = {
+        "-3.5",
+        "1E5",
+        "-1.00000E-07",
+        "+2",
+        ".5",
+        "-.5",
+        "",
+        "#T1",
+        "a=b",
+        "'a",
+        "TRUE",
+        "x;y;",
+        "x;a=b"
+      })
   void leavesNumbersAndOtherTextsAsTheyAre(String text) {
     assertThat(CsvText.guarded(text)).isEqualTo(text);
     assertThat(CsvText.exact(text)).isEqualTo(text);

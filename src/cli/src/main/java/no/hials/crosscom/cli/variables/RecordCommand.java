@@ -61,8 +61,8 @@ import picocli.CommandLine.Option;
       "The columns are set at the start. A field that is not initialised at the start has no"
           + " column; a field that is not initialised later is empty. Control characters are"
           + " written as \\x1B. A text that a spreadsheet would take for a formula, as it begins"
-          + " with = + - @, tab or CR, has an apostrophe before it. Only one command can record to"
-          + " a file.",
+          + " with = + - @, tab or CR, has an apostrophe before it; so has such a part after a"
+          + " semicolon. Only one command can record to a file.",
       "",
       "Notes in the status column:",
       "  missed N           N periods before this row were skipped",

@@ -146,6 +146,19 @@ class RecordCommandTest {
   }
 
   @Test
+  void guardsAFormulaAfterASemicolonWhichSomeSpreadsheetsTakeForASeparator() throws IOException {
+    String name = "MYSTRING[]";
+    String formula = "x;=cmd|'/c calc'!A0";
+    server.fault(
+        request -> name.equals(request.name()), Fault.answer('"' + formula + '"', Tail.SUCCESS));
+
+    record("--count", "1", name);
+
+    assertThat(Files.readString(file)).contains(",x;'=cmd|'/c calc'!A0,");
+    assertThat(RecordedData.read(file).series().get(0).texts()).containsExactly(formula);
+  }
+
+  @Test
   void writesNumbersWithoutAGuard() throws IOException {
     server.enqueue(value("-3.5"), value("-3.5"), value("1E5"), value("-1E-07"));
 

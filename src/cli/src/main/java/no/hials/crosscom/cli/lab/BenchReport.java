@@ -17,9 +17,9 @@ import no.hials.crosscom.cli.base.Table;
 import no.hials.crosscom.lab.bench.Bench;
 import no.hials.crosscom.lab.bench.BenchAccess;
 import no.hials.crosscom.lab.bench.BenchTally;
-import no.hials.crosscom.lab.plot.Axis;
 import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.lab.plot.Panel;
+import no.hials.crosscom.lab.plot.Quantity;
 import no.hials.crosscom.lab.plot.Series;
 import org.HdrHistogram.Histogram;
 
@@ -199,7 +199,11 @@ final class BenchReport {
             + Printable.count(access.bytes(), "byte")
             + ")";
     return Panel.of(
-        title, new Axis("access time", "ms"), new Axis("accesses", ""), Panel.Scale.FREE, series);
+        title,
+        new Quantity("access time", "ms"),
+        new Quantity("accesses", ""),
+        Panel.Scale.FREE,
+        series);
   }
 
   /** Creates a vertical line; only its name if it is beyond the axis. */

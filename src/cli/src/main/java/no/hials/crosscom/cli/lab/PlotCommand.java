@@ -13,11 +13,11 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.lab.plot.Axis;
 import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.lab.plot.Panel;
 import no.hials.crosscom.lab.plot.PathCharts;
 import no.hials.crosscom.lab.plot.PlotData;
+import no.hials.crosscom.lab.plot.Quantity;
 import no.hials.crosscom.lab.plot.Series;
 import no.hials.crosscom.lab.plot.Track;
 import org.jspecify.annotations.Nullable;
@@ -152,7 +152,7 @@ public final class PlotCommand extends ConsoleCommand {
     return column.unit() + (variable.equals(column.name()) ? "" : " " + variable);
   }
 
-  private static Panel panel(Axis x, List<PlotData.Column> columns) {
+  private static Panel panel(Quantity x, List<PlotData.Column> columns) {
     String unit = columns.get(0).unit();
     Set<String> variables =
         columns.stream().map(c -> variable(c.name())).collect(Collectors.toSet());
@@ -167,7 +167,7 @@ public final class PlotCommand extends ConsoleCommand {
     return Panel.of(
         "",
         x,
-        new Axis(name, unit),
+        new Quantity(name, unit),
         Panel.Scale.FREE,
         columns.stream().map(c -> Series.of(c.name(), Series.Style.LINE, c.x(), c.y())).toList());
   }

@@ -9,9 +9,9 @@ import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.State;
 import no.hials.crosscom.control.Trace;
-import no.hials.crosscom.lab.plot.Axis;
 import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.lab.plot.Panel;
+import no.hials.crosscom.lab.plot.Quantity;
 import no.hials.crosscom.lab.plot.Series;
 
 /**
@@ -118,6 +118,6 @@ final class Endurance implements Experiment {
     Panel histogram = Plots.accessHistogram(cycles);
     return Chart.stacked(
         settings.title("endurance: circles by ACTUATOR"),
-        List.of(Plots.overTime("each cycle", new Axis("time", "ms"), series), histogram));
+        List.of(Plots.overTime("each cycle", new Quantity("time", "ms"), series), histogram));
   }
 }

@@ -14,9 +14,9 @@ import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.kinematics.Axes;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.UnreachableException;
-import no.hials.crosscom.lab.plot.Axis;
 import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.lab.plot.Panel;
+import no.hials.crosscom.lab.plot.Quantity;
 import no.hials.crosscom.lab.plot.Series;
 
 /**
@@ -211,19 +211,19 @@ final class FollowLine implements Experiment {
     panels.add(
         overTime(
             "deviation from the line",
-            new Axis("distance", "mm"),
+            new Quantity("distance", "mm"),
             motions,
             motion -> motion.each(FollowLine::deviation)));
     panels.add(
         overTime(
             "tracking error",
-            new Axis("distance", "mm"),
+            new Quantity("distance", "mm"),
             motions,
             motion -> lag(motion, settings.lapSeconds())));
     panels.add(
         overTime(
             "rotation of the tool, which should be none",
-            new Axis("angle", "°"),
+            new Quantity("angle", "°"),
             motions,
             motion -> motion.each(tool -> tool.angle(START))));
     for (int i = 0; i < AXES; i++) {
@@ -231,14 +231,14 @@ final class FollowLine implements Experiment {
       panels.add(
           overTime(
               "A" + (i + 1),
-              new Axis("A" + (i + 1), "°"),
+              new Quantity("A" + (i + 1), "°"),
               motions,
               motion -> motion.axes.stream().mapToDouble(axes -> axes.get(axis)).toArray()));
     }
     panels.add(
         overTime(
             "access times of each cycle, reading and writing",
-            new Axis("time", "ms"),
+            new Quantity("time", "ms"),
             motions,
             motion -> Plots.values(motion.run.cycles(), cycle -> cycle.read() + cycle.write())));
     return panels;
@@ -257,11 +257,15 @@ final class FollowLine implements Experiment {
           Series.of(motion.name, Series.Style.LINE, motion.each(Frame::y), motion.each(Frame::z)));
     }
     return Panel.of(
-        "path from the front", new Axis("Y", "mm"), new Axis("Z", "mm"), Panel.Scale.EQUAL, series);
+        "path from the front",
+        new Quantity("Y", "mm"),
+        new Quantity("Z", "mm"),
+        Panel.Scale.EQUAL,
+        series);
   }
 
   private static Panel overTime(
-      String title, Axis y, List<Motion> motions, Function<Motion, double[]> values) {
+      String title, Quantity y, List<Motion> motions, Function<Motion, double[]> values) {
     return Plots.overTime(
         title,
         y,

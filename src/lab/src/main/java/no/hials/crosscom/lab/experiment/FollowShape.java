@@ -7,9 +7,9 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.Trace;
-import no.hials.crosscom.lab.plot.Axis;
 import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.lab.plot.Panel;
+import no.hials.crosscom.lab.plot.Quantity;
 import no.hials.crosscom.lab.plot.Series;
 
 /**
@@ -94,30 +94,30 @@ record FollowShape(ControlMethod control, Shape shape) implements Experiment {
     return List.of(
         Panel.of(
             "path",
-            new Axis(right, control.unit()),
-            new Axis(up, control.unit()),
+            new Quantity(right, control.unit()),
+            new Quantity(up, control.unit()),
             Panel.Scale.EQUAL,
             List.of(
                 path("desired", cycles, desiredRight, desiredUp),
                 path("actual", cycles, actualRight, actualUp))),
         Plots.overTime(
             "tracking error",
-            new Axis("distance", control.unit()),
+            new Quantity("distance", control.unit()),
             List.of(Plots.line("", cycles, cycle -> error(cycle, settings)))),
         Plots.overTime(
             right,
-            new Axis(right, control.unit()),
+            new Quantity(right, control.unit()),
             List.of(
                 Plots.line("desired", cycles, desiredRight),
                 Plots.line("actual", cycles, actualRight))),
         Plots.overTime(
             up,
-            new Axis(up, control.unit()),
+            new Quantity(up, control.unit()),
             List.of(
                 Plots.line("desired", cycles, desiredUp), Plots.line("actual", cycles, actualUp))),
         Plots.overTime(
             "sent: " + control.program().target().name(),
-            new Axis("increment", control.unit()),
+            new Quantity("increment", control.unit()),
             List.of(
                 Plots.line(right, cycles, cycle -> cycle.sent().get(first)),
                 Plots.line(up, cycles, cycle -> cycle.sent().get(first + 1)))),

@@ -5,13 +5,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import no.hials.crosscom.control.Trace;
-import no.hials.crosscom.lab.plot.Axis;
 import no.hials.crosscom.lab.plot.Panel;
+import no.hials.crosscom.lab.plot.Quantity;
 import no.hials.crosscom.lab.plot.Series;
 
 /** Creates the panels that several experiments share. */
 final class Plots {
-  static final Axis TIME = new Axis("time", "s");
+  static final Quantity TIME = new Quantity("time", "s");
   private static final double LONGEST_SHOWN = 25;
   private static final double BIN = 0.5;
 
@@ -30,7 +30,7 @@ final class Plots {
     return Series.of(name, Series.Style.LINE, times(cycles), values(cycles, value));
   }
 
-  static Panel overTime(String title, Axis y, List<Series> series) {
+  static Panel overTime(String title, Quantity y, List<Series> series) {
     return Panel.of(title, TIME, y, Panel.Scale.FREE, series);
   }
 
@@ -40,7 +40,7 @@ final class Plots {
     double dt = period.toNanos() / 1e6;
     return overTime(
         "access times of each cycle",
-        new Axis("time of the access", "ms"),
+        new Quantity("time of the access", "ms"),
         List.of(
             Series.of("period", Series.Style.GUIDE, ends, new double[] {dt, dt}),
             line("reading", cycles, Trace.Cycle::read),
@@ -54,8 +54,8 @@ final class Plots {
     series.add(histogram("writing", values(cycles, Trace.Cycle::write)));
     return Panel.of(
         "how often an access took how long",
-        new Axis("time of the access", "ms"),
-        new Axis("cycles", ""),
+        new Quantity("time of the access", "ms"),
+        new Quantity("cycles", ""),
         Panel.Scale.FREE,
         series);
   }

@@ -13,7 +13,12 @@ import java.util.List;
  * @param scale how the scales of the axes relate
  */
 public record Panel(
-    String title, Axis x, Axis y, List<Series> series, List<PanelText> labels, Scale scale) {
+    String title,
+    Quantity x,
+    Quantity y,
+    List<Series> series,
+    List<PanelText> labels,
+    Scale scale) {
 
   /** How the scales of the two axes relate. */
   public enum Scale {
@@ -53,7 +58,7 @@ public record Panel(
    * @param series the series, the first one at the back
    * @return the panel
    */
-  public static Panel of(String title, Axis x, Axis y, Scale scale, List<Series> series) {
+  public static Panel of(String title, Quantity x, Quantity y, Scale scale, List<Series> series) {
     return new Panel(title, x, y, series, List.of(), scale);
   }
 

@@ -21,7 +21,8 @@ public final class PathCharts {
    * @param ys the y coordinates, as many; the path has a gap where x or y is NaN
    * @return the chart
    */
-  public static Chart plane(String title, String name, Axis x, Axis y, double[] xs, double[] ys) {
+  public static Chart plane(
+      String title, String name, Quantity x, Quantity y, double[] xs, double[] ys) {
     boolean same = x.unit().equals(y.unit()) && !x.unit().isEmpty();
     List<Series> series = new ArrayList<>();
     series.add(Series.of(name, Series.Style.LINE, xs, ys));
@@ -39,9 +40,9 @@ public final class PathCharts {
    * @return the chart
    */
   public static Chart space(String title, String unit, List<Track> tracks) {
-    Axis x = new Axis("X", unit);
-    Axis y = new Axis("Y", unit);
-    Axis z = new Axis("Z", unit);
+    Quantity x = new Quantity("X", unit);
+    Quantity y = new Quantity("Y", unit);
+    Quantity z = new Quantity("Z", unit);
     return new Chart(
         title,
         List.of(
@@ -64,7 +65,7 @@ public final class PathCharts {
   }
 
   private static Panel view(
-      String title, Axis x, Axis y, List<Track> tracks, Function<Track, Flat> projection) {
+      String title, Quantity x, Quantity y, List<Track> tracks, Function<Track, Flat> projection) {
     return Panel.of(title, x, y, Panel.Scale.EQUAL, series(tracks, projection));
   }
 
@@ -136,7 +137,7 @@ public final class PathCharts {
       String name = i == 0 ? "its shadow" : "";
       series.add(1 + i, Series.of(name, Series.Style.GUIDE, shadow.u, shadow.v));
     }
-    Axis none = new Axis("", "");
+    Quantity none = new Quantity("", "");
     return new Panel("isometric", none, none, series, axisNames(x, y, z), Panel.Scale.VIEW);
   }
 

@@ -35,10 +35,10 @@ public final class PlotData {
           .withZone(ZoneOffset.UTC);
 
   private final String title;
-  private final Axis x;
+  private final Quantity x;
   private final List<Column> columns;
 
-  private PlotData(String title, Axis x, List<Column> columns) {
+  private PlotData(String title, Quantity x, List<Column> columns) {
     this.title = title;
     this.x = x;
     this.columns = columns;
@@ -72,8 +72,8 @@ public final class PlotData {
       return unit;
     }
 
-    public Axis axis() {
-      return new Axis(name, unit);
+    public Quantity axis() {
+      return new Quantity(name, unit);
     }
 
     /** Returns the numbers of the first column, for {@link #y}. */
@@ -115,7 +115,7 @@ public final class PlotData {
   }
 
   /** Returns the axis of the first column. */
-  public Axis x() {
+  public Quantity x() {
     return x;
   }
 
@@ -168,7 +168,7 @@ public final class PlotData {
     for (RecordedData.RecordedColumn series : data.accessTimes()) {
       columns.add(new Column(series.name(), "ms", series.seconds(), series.values(), "", true));
     }
-    return new PlotData(title(file, data.start()), new Axis("time", "s"), columns);
+    return new PlotData(title(file, data.start()), new Quantity("time", "s"), columns);
   }
 
   private static String title(Path file, Instant start) {
@@ -202,14 +202,14 @@ public final class PlotData {
     List<Column> columns = new ArrayList<>();
     Units units = new Units();
     for (int i = 1; i < header.size(); i++) {
-      Axis axis = axis(header.get(i));
+      Quantity axis = axis(header.get(i));
       String unit = axis.unit().isEmpty() ? units.of(axis.name()) : axis.unit();
       columns.add(column(axis.name(), unit, x, texts(body, i)));
     }
-    Axis first = axis(header.get(0));
+    Quantity first = axis(header.get(0));
     boolean seconds = first.name().equals(RecordedData.SECONDS) && first.unit().isEmpty();
     String name = String.valueOf(file.getFileName());
-    return new PlotData(name, seconds ? new Axis("time", "s") : first, columns);
+    return new PlotData(name, seconds ? new Quantity("time", "s") : first, columns);
   }
 
   /**
@@ -226,11 +226,11 @@ public final class PlotData {
     }
   }
 
-  private static Axis axis(String header) {
+  private static Quantity axis(String header) {
     Matcher matcher = NAME_AND_UNIT.matcher(header);
     return matcher.matches()
-        ? new Axis(matcher.group(1), matcher.group(2))
-        : new Axis(header, header.endsWith("_ms") ? "ms" : "");
+        ? new Quantity(matcher.group(1), matcher.group(2))
+        : new Quantity(header, header.endsWith("_ms") ? "ms" : "");
   }
 
   private static List<String> texts(List<CsvRecord> rows, int column) {

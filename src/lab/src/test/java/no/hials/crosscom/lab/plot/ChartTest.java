@@ -26,8 +26,8 @@ import org.w3c.dom.NodeList;
 class ChartTest {
   private static final int BLUE = 0x0072B2;
   private static final int VERMILION = 0xD55E00;
-  private static final Axis TIME = new Axis("time", "s");
-  private static final Axis LENGTH = new Axis("position", "mm");
+  private static final Quantity TIME = new Quantity("time", "s");
+  private static final Quantity LENGTH = new Quantity("position", "mm");
   private static final Chart.Size SIZE = new Chart.Size(400, 300);
 
   @TempDir private Path folder;
@@ -146,7 +146,7 @@ class ChartTest {
     double[] x = {-max, max};
     double[] y = {-1e15, 1e15};
     Series series = Series.of("a", Series.Style.LINE, x, y);
-    Axis axis = new Axis("v", "");
+    Quantity axis = new Quantity("v", "");
 
     Chart.stacked("", List.of(Panel.of("", axis, axis, scale, List.of(series)))).write(file, SIZE);
 
@@ -205,7 +205,7 @@ class ChartTest {
     double[] x = {0, 100, 100, 0, 0};
     double[] y = {0, 0, 100, 100, 0};
 
-    PathCharts.plane("", "square", new Axis("X", "mm"), new Axis("Y", "mm"), x, y)
+    PathCharts.plane("", "square", new Quantity("X", "mm"), new Quantity("Y", "mm"), x, y)
         .write(file, new Chart.Size(600, 300));
 
     List<Double> numbers = numbers(lines(Pictures.svg(file), BLUE).get(1));

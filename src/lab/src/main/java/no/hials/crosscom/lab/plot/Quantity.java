@@ -6,7 +6,7 @@ package no.hials.crosscom.lab.plot;
  * @param name the name of the quantity, such as {@code time}
  * @param unit its unit, such as {@code s}; empty if it has no unit or the unit is unknown
  */
-public record Axis(String name, String unit) {
+public record Quantity(String name, String unit) {
 
   /**
    * Returns the label of the axis.

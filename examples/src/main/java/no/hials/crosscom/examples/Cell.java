@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.control.Safety;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
@@ -21,7 +21,7 @@ final class Cell implements Closeable {
    * The start position of the simulated robot. It is not the home position, from where a straight
    * path passes a singularity.
    */
-  static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);
+  static final Axis START = Axis.of(0, -90, 90, 0, 45, 0);
 
   private final @Nullable MockServer mock;
   private final CrossComClient client;

@@ -8,7 +8,7 @@ import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.VariableResult;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.mock.MockServer;
@@ -65,7 +65,7 @@ public final class DigitalTwin {
       for (VariableResult result : client.readVariables(axes, position)) {
         result.orThrow();
       }
-      Frame twin = model.forward(Axes.of(axes.asArrayA1ToA6()));
+      Frame twin = model.forward(Axis.of(axes.asArrayA1ToA6()));
       double apart =
           twin.distance(
               new Frame(

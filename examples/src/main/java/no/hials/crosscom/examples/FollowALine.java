@@ -9,7 +9,7 @@ import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.State;
 import no.hials.crosscom.control.Twist;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.KrlFileException;
@@ -68,7 +68,7 @@ public final class FollowALine {
     }
 
     @Override
-    public Axes velocity(State state) {
+    public Axis velocity(State state) {
       Frame actual = robot.forward(state.axes());
       if (start == null) {
         start = actual; // the line starts at the robot's position

@@ -8,7 +8,7 @@ import java.util.List;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.PathPlayer;
 import no.hials.crosscom.control.Safety;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.simulator.KrlFileException;
 
 /**
@@ -34,15 +34,15 @@ public final class PlayAPath {
       throws IOException, KrlFileException, InterruptedException {
     try (Cell cell = Cell.of(args, "play_path.src", "JOV_RESULT")) {
       PathPlayer player = new PathPlayer(cell.client(), Safety.create(cell::limit));
-      Axes start = Axes.of(cell.client().readJointAngles());
-      List<Axes> points = new ArrayList<>();
+      Axis start = Axis.of(cell.client().readJointAngles());
+      List<Axis> points = new ArrayList<>();
       for (int i = 1; i <= 10; i++) {
         // A1 to 5 degrees and back, A5 by 0.5 degrees a point
         double swing = 0.2 * i * (10 - i);
-        points.add(start.plus(Axes.of(swing, 0, 0, 0, 0.5 * i, 0)));
+        points.add(start.plus(Axis.of(swing, 0, 0, 0, 0.5 * i, 0)));
       }
       player.playAxes(points, LIMIT); // returns when the robot is at the last point
-      Axes end = Axes.of(cell.client().readJointAngles());
+      Axis end = Axis.of(cell.client().readJointAngles());
       System.out.println("came to " + Arrays.toString(end.toArray()) + " degrees");
 
       points.add(start.with(0, 169)); // too close to the end of A1's range

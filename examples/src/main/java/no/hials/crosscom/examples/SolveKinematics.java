@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.Locale;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
@@ -15,7 +15,7 @@ import no.hials.crosscom.mock.MockServer;
  * $POS_ACT}. It needs the simulation, since it places the robot.
  */
 public final class SolveKinematics {
-  private static final Axes AXES = Axes.of(30, -80, 100, 10, 60, -20);
+  private static final Axis AXES = Axis.of(30, -80, 100, 10, 60, -20);
 
   private SolveKinematics() {}
 
@@ -30,7 +30,7 @@ public final class SolveKinematics {
     RobotModel model = RobotModel.kr6r900sixx();
     Frame flange = model.forward(AXES);
     System.out.println("computed: " + text(flange));
-    for (Axes solution : model.inverse(flange)) {
+    for (Axis solution : model.inverse(flange)) {
       String name = "S " + model.status(solution) + ", T " + model.turn(solution);
       boolean possible = model.axesOutsideLimits(solution).isEmpty();
       System.out.println(name + ": " + text(solution) + (possible ? "" : " beyond a limit"));
@@ -89,7 +89,7 @@ public final class SolveKinematics {
         f.c());
   }
 
-  private static String text(Axes axes) {
+  private static String text(Axis axes) {
     StringBuilder text = new StringBuilder();
     for (double angle : axes.toArray()) {
       text.append(String.format(Locale.ROOT, "%.3f ", angle));

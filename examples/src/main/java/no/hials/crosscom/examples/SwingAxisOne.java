@@ -11,7 +11,7 @@ import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
@@ -73,7 +73,7 @@ public final class SwingAxisOne {
         Law.jointVelocity(
             state -> {
               double phase = 2 * Math.PI * TURNS_A_SECOND * state.time();
-              return Axes.ZERO.with(0, SPEED * Math.sin(phase));
+              return Axis.ZERO.with(0, SPEED * Math.sin(phase));
             });
     try (ControlLoop loop = ControlLoop.start(client, config, swing)) {
       StopReason end = loop.await();
@@ -85,7 +85,7 @@ public final class SwingAxisOne {
       }
     }
 
-    Law tooFast = Law.jointVelocity(state -> Axes.ZERO.with(0, 90));
+    Law tooFast = Law.jointVelocity(state -> Axis.ZERO.with(0, 90));
     try (ControlLoop loop = ControlLoop.start(client, config, tooFast)) {
       System.out.println("too fast: " + loop.await());
     }

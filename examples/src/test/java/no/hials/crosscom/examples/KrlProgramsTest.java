@@ -13,7 +13,7 @@ import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
@@ -43,7 +43,7 @@ class KrlProgramsTest {
     controller.load(KRL.resolve("config.dat"));
     controller.setMode(OperatingMode.AUT);
     // not with A5 at 0, where a straight path would pass a singularity
-    controller.place(Axes.of(0, -90, 90, 0, 45, 0));
+    controller.place(Axis.of(0, -90, 90, 0, 45, 0));
     client = new CrossComClient(server.host(), server.port());
   }
 

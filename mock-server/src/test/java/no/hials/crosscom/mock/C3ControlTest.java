@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.time.Duration;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
@@ -40,7 +40,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 final class C3ControlTest {
   private static final Duration SHORT = Duration.ofMillis(240);
   private static final Duration LONG = Duration.ofSeconds(60);
-  private static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);
+  private static final Axis START = Axis.of(0, -90, 90, 0, 45, 0);
 
   @KukaController(server = ServerType.C3_BRIDGE, clock = "stepped")
   private MockServer server;
@@ -344,7 +344,7 @@ final class C3ControlTest {
       assertThat(controller.standing()).isFalse();
       assertThat(release(PendantKey.JOG, 1)).isEqualTo(ErrorCode.SUCCESS);
       untilStanding();
-      Axes there = controller.axes();
+      Axis there = controller.axes();
       assertThat(there.get(0)).isStrictlyBetween(1.0, controller.model().maximum(0));
       assertThat(there.with(0, 0)).isEqualTo(START);
       // the motion has ended

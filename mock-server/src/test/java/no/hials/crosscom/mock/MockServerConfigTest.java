@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
@@ -91,7 +91,7 @@ class MockServerConfigTest {
     InetAddress any = InetAddress.getByAddress(new byte[4]);
     RobotModel otherLimits =
         RobotModel.kr6r900sixx()
-            .withLimits(Axes.of(-9, -9, -9, -9, -9, -9), Axes.of(9, 9, 9, 9, 9, 9));
+            .withLimits(Axis.of(-9, -9, -9, -9, -9, -9), Axis.of(9, 9, 9, 9, 9, 9));
     assertThat(
             options(
                 MockServerConfig.create(

@@ -1,6 +1,6 @@
 package no.hials.crosscom.control;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.RobotModel;
 
 /**
@@ -9,7 +9,7 @@ import no.hials.crosscom.kinematics.RobotModel;
  * @param minimum the smallest angles, degrees
  * @param maximum the largest angles, degrees
  */
-public record AxisLimits(Axes minimum, Axes maximum) {
+public record AxisLimits(Axis minimum, Axis maximum) {
   /** Checks that each minimum is less than its maximum. */
   public AxisLimits {
     for (int i = 0; i < 6; i++) {
@@ -32,6 +32,6 @@ public record AxisLimits(Axes minimum, Axes maximum) {
       minimum[i] = model.minimum(i);
       maximum[i] = model.maximum(i);
     }
-    return new AxisLimits(Axes.of(minimum), Axes.of(maximum));
+    return new AxisLimits(Axis.of(minimum), Axis.of(maximum));
   }
 }

@@ -13,7 +13,7 @@ import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.VariableResult;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.code.OperatingMode;
@@ -130,9 +130,9 @@ final class Channel {
   }
 
   /** Returns the last axis positions read. */
-  Axes joints() throws ControlRefusedException {
+  Axis joints() throws ControlRefusedException {
     try {
-      return Axes.of(axes.asArrayA1ToA6());
+      return Axis.of(axes.asArrayA1ToA6());
     } catch (IllegalStateException e) {
       throw failed(e);
     }
@@ -140,8 +140,8 @@ final class Channel {
 
   /** Reads the software limits of the controller's axes. */
   AxisLimits readAxisLimits() throws ControlRefusedException {
-    Axes minimum = readSix("$SOFTN_END[]");
-    Axes maximum = readSix("$SOFTP_END[]");
+    Axis minimum = readSix("$SOFTN_END[]");
+    Axis maximum = readSix("$SOFTP_END[]");
     try {
       return new AxisLimits(minimum, maximum);
     } catch (IllegalArgumentException e) {
@@ -150,7 +150,7 @@ final class Channel {
     }
   }
 
-  private Axes readSix(String name) throws ControlRefusedException {
+  private Axis readSix(String name) throws ControlRefusedException {
     KRLRealArray array = new KRLRealArray(name);
     read(array);
     double[] values = array.getValue();
@@ -159,7 +159,7 @@ final class Channel {
           StopKind.ACCESS,
           name + " must have at least 6 elements, has " + (values == null ? 0 : values.length));
     }
-    return new Axes(values[0], values[1], values[2], values[3], values[4], values[5]);
+    return new Axis(values[0], values[1], values[2], values[3], values[4], values[5]);
   }
 
   /** Checks that the last mode read is allowed. */

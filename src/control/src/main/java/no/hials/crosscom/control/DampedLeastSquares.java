@@ -1,6 +1,6 @@
 package no.hials.crosscom.control;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.RobotModel;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
@@ -46,7 +46,7 @@ public final class DampedLeastSquares {
    * @param flange the velocity of the flange, along and about the axes of {@code $ROBROOT}
    * @return degrees/s
    */
-  public Axes velocity(Axes axes, Twist flange) {
+  public Axis velocity(Axis axes, Twist flange) {
     double[][] rows = model.jacobian(axes);
     for (int row = 0; row < SIX; row++) {
       for (int column = 0; column < SIX; column++) {
@@ -65,6 +65,6 @@ public final class DampedLeastSquares {
     }
     CommonOps_DDRM.solve(square, twist, solution); // positive definite due to the damping
     CommonOps_DDRM.multTransA(jacobian, solution, velocities);
-    return Axes.of(velocities.data);
+    return Axis.of(velocities.data);
   }
 }

@@ -3,7 +3,7 @@ package no.hials.crosscom.control;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
 
@@ -24,7 +24,7 @@ final class Guard {
   }
 
   /** Checks axes against the limits: actual positions without the margin, targets with it. */
-  void check(Axes axes, boolean actual) throws ControlRefusedException {
+  void check(Axis axes, boolean actual) throws ControlRefusedException {
     double margin = actual ? 0 : safety.axisMargin();
     for (int i = 0; i < 6; i++) {
       double least = axisLimits.minimum().get(i) + margin;

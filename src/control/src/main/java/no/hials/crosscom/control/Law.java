@@ -1,6 +1,6 @@
 package no.hials.crosscom.control;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
@@ -48,7 +48,7 @@ public sealed interface Law {
      * @return the desired axis positions at the end of this period, degrees
      * @throws Exception to stop the robot
      */
-    Axes position(State state) throws Exception;
+    Axis position(State state) throws Exception;
   }
 
   /** Computes the axis velocities: {@code q_t = q_a + w_d * dt}. */
@@ -61,7 +61,7 @@ public sealed interface Law {
      * @return the desired axis velocities, degrees/s
      * @throws Exception to stop the robot
      */
-    Axes velocity(State state) throws Exception;
+    Axis velocity(State state) throws Exception;
   }
 
   /** Returns a lambda as a law of this kind. */

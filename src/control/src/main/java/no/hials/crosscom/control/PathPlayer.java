@@ -9,7 +9,7 @@ import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
@@ -67,12 +67,12 @@ public final class PathPlayer {
    *     if the motion did not finish
    * @throws InterruptedException if the wait was interrupted; the watchdog stops the robot
    */
-  public void playAxes(List<Axes> points, Duration limit)
+  public void playAxes(List<Axis> points, Duration limit)
       throws ControlRefusedException, InterruptedException {
     check(points, limit);
     Guard guard = Preflight.check(channel, safety, false);
     List<KRLVariable> variables = new ArrayList<>();
-    for (Axes point : points) {
+    for (Axis point : points) {
       guard.check(point, false);
       KRLAxis variable = new KRLAxis("JOV_PATH_AXIS[" + (variables.size() + 1) + "]");
       variable.setA1ToA6(point.toArray());

@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLFrame;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
@@ -209,7 +209,7 @@ abstract sealed class Space<P> {
   }
 
   /** Positions of the axes. */
-  static final class Joint extends Space<Axes> {
+  static final class Joint extends Space<Axis> {
     private final KRLAxis target;
 
     Joint(Channel channel, LoopConfig config, Law law, String target) {
@@ -238,7 +238,7 @@ abstract sealed class Space<P> {
     }
 
     @Override
-    Axes actual() throws ControlRefusedException {
+    Axis actual() throws ControlRefusedException {
       return channel.joints();
     }
 
@@ -249,32 +249,32 @@ abstract sealed class Space<P> {
     }
 
     @Override
-    void check(Guard guard, Axes place, boolean actual) throws ControlRefusedException {
+    void check(Guard guard, Axis place, boolean actual) throws ControlRefusedException {
       guard.check(place, actual);
     }
 
     @Override
-    Axes ask(State state, Axes actual) throws Exception {
+    Axis ask(State state, Axis actual) throws Exception {
       if (!(law instanceof Law.JointVelocity velocity)) {
         return ((Law.JointPosition) law).position(state);
       }
-      Axes speed = velocity.velocity(state);
+      Axis speed = velocity.velocity(state);
       double[] numbers = actual.toArray();
       for (int i = 0; i < numbers.length; i++) {
         numbers[i] += speed.get(i) * period;
       }
-      return Axes.of(numbers);
+      return Axis.of(numbers);
     }
 
     @Override
-    void differences(Axes from, Axes to, double[] into) {
+    void differences(Axis from, Axis to, double[] into) {
       for (int i = 0; i < into.length; i++) {
         into[i] = Math.abs(to.get(i) - from.get(i));
       }
     }
 
     @Override
-    double[] numbers(Axes place) {
+    double[] numbers(Axis place) {
       return place.toArray();
     }
 
@@ -284,7 +284,7 @@ abstract sealed class Space<P> {
     }
 
     @Override
-    double[] increment(Axes from, Axes to, double part) {
+    double[] increment(Axis from, Axis to, double part) {
       double[] increment = to.minus(from).toArray();
       for (int i = 0; i < increment.length; i++) {
         increment[i] *= part;

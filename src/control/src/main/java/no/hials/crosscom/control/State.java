@@ -1,7 +1,7 @@
 package no.hials.crosscom.control;
 
 import no.hials.crosscom.control.input.Input;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
@@ -16,4 +16,4 @@ import no.hials.crosscom.kinematics.Frame;
  *     law, up to {@link Safety#checkInterval} old for a joint law
  * @param input the state of the input device; {@link Input#NONE} without a device
  */
-public record State(double time, double period, Axes axes, Frame position, Input input) {}
+public record State(double time, double period, Axis axes, Frame position, Input input) {}

@@ -3,7 +3,7 @@ package no.hials.crosscom.control;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLFrame;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
@@ -39,7 +39,7 @@ public final class TargetWriter {
    * @throws ControlRefusedException if a limit is violated, in which case nothing was written, or
    *     if an access failed
    */
-  public void writeAxes(String name, Axes axes) throws ControlRefusedException {
+  public void writeAxes(String name, Axis axes) throws ControlRefusedException {
     Preflight.check(channel, safety, false).check(axes, false);
     KRLAxis target = new KRLAxis(name);
     target.setA1ToA6(axes.toArray());

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
@@ -31,9 +31,9 @@ abstract class ControlTest {
   static final Duration LIMIT = Duration.ofMinutes(1);
 
   /** With A5 not at 0, where a straight path would pass a singularity. */
-  static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);
+  static final Axis START = Axis.of(0, -90, 90, 0, 45, 0);
 
-  static final Axes TURNING = Axes.ZERO.with(0, 10); // degrees/s
+  static final Axis TURNING = Axis.ZERO.with(0, 10); // degrees/s
 
   MockServer server;
   Controller controller;
@@ -154,7 +154,7 @@ abstract class ControlTest {
   void assertStandsForGood() {
     long requests = server.requestCount();
     assertThat(controller.stepUntil(controller::standing, LIMIT)).isTrue();
-    Axes stoodAt = controller.axes();
+    Axis stoodAt = controller.axes();
     controller.step(Duration.ofSeconds(2));
     assertThat(controller.axes().largestDifference(stoodAt)).isLessThan(1e-9);
     assertThat(server.requestCount()).isEqualTo(requests);

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.code.ProgramState;
@@ -33,7 +33,7 @@ class ConvenienceTest extends ControlTest {
   @Test
   void aPathOfAxesIsPlayedToItsEnd() throws Exception {
     run("play_path.src");
-    List<Axes> points = new ArrayList<>();
+    List<Axis> points = new ArrayList<>();
     for (int i = 1; i <= 50; i++) {
       points.add(START.with(0, 20 * Math.sin(i / 8.0)).with(4, 45 + i / 5.0));
     }

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.Codec;
@@ -71,7 +71,7 @@ class FeedbackAgeTest extends ControlTest {
   }
 
   /** A slow motion, whose tracking error stays within its limit. */
-  static final Law SLOW = Law.jointVelocity(s -> Axes.ZERO.with(0, 2));
+  static final Law SLOW = Law.jointVelocity(s -> Axis.ZERO.with(0, 2));
 
   void assertStopsAtOldPositions(int mostCycles) throws Exception {
     run("ext_move_axis.src");

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.time.Duration;
 import java.util.List;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -60,7 +60,7 @@ class FollowingTest extends ControlTest {
 
   private void assertStands() {
     assertThat(controller.stepUntil(controller::standing, LIMIT)).isTrue();
-    Axes stoodAt = controller.axes();
+    Axis stoodAt = controller.axes();
     controller.step(Duration.ofSeconds(2));
     assertThat(controller.axes().largestDifference(stoodAt)).isLessThan(1e-9);
     assertThat(controller.messages()).isEmpty();
@@ -106,7 +106,7 @@ class FollowingTest extends ControlTest {
         follow(
             oneTurn(),
             Law.jointVelocity(
-                s -> Axes.ZERO.with(0, DEGREES * OMEGA * Math.cos(OMEGA * s.time()))));
+                s -> Axis.ZERO.with(0, DEGREES * OMEGA * Math.cos(OMEGA * s.time()))));
 
     // the program takes a cycle of 12 ms or slightly longer for an increment of v * dt
     assertThat(amplitude(cycles, 0)).isBetween(0.7 * DEGREES, 1.05 * DEGREES);
@@ -127,7 +127,7 @@ class FollowingTest extends ControlTest {
         start(
             config,
             Law.jointVelocity(
-                s -> Axes.ZERO.with(0, DEGREES * OMEGA * Math.cos(OMEGA * s.time()))))) {
+                s -> Axis.ZERO.with(0, DEGREES * OMEGA * Math.cos(OMEGA * s.time()))))) {
       assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       assertThat(amplitude(loop.trace().cycles(), 0)).isBetween(0.7 * DEGREES, 1.05 * DEGREES);
     }
@@ -201,7 +201,7 @@ class FollowingTest extends ControlTest {
         follow(
             oneTurn(Target.absolute("JOV_AXIS")),
             Law.jointVelocity(
-                s -> Axes.ZERO.with(0, DEGREES * OMEGA * Math.cos(OMEGA * s.time()))));
+                s -> Axis.ZERO.with(0, DEGREES * OMEGA * Math.cos(OMEGA * s.time()))));
 
     // slower than commanded: the robot brakes for each of the near targets
     assertThat(amplitude(cycles, 0)).isBetween(0.2 * DEGREES, 1.05 * DEGREES);
@@ -212,7 +212,7 @@ class FollowingTest extends ControlTest {
   @CsvSource({"follow_pos.src, JOV_POS, false", "actuator.src, MYPOS, true"})
   void aRotationIsFollowedAcrossTheWrapOfTheAngles(String file, String name, boolean increment)
       throws Exception {
-    controller.place(Axes.of(0, -90, 90, 0, 90, 0)); // A and C of the tool are at 180
+    controller.place(Axis.of(0, -90, 90, 0, 90, 0)); // A and C of the tool are at 180
     run(file);
     Frame start = position();
 
@@ -230,7 +230,7 @@ class FollowingTest extends ControlTest {
 
   @Test
   void aRotationIsFollowedThroughGimbalLock() throws Exception {
-    controller.place(Axes.of(0, -90, 90, 0, 2, 0)); // B of the tool is near 90
+    controller.place(Axis.of(0, -90, 90, 0, 2, 0)); // B of the tool is near 90
     run("actuator.src");
     Frame start = position();
 

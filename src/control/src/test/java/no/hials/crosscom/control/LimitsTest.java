@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.Tail;
@@ -25,7 +25,7 @@ class LimitsTest extends ControlTest {
     StopReason reason =
         runToStop(
             "ext_move_axis.src",
-            Law.jointVelocity(s -> Axes.ZERO.with(2, s.time() < 1 ? 10 : 30.1)));
+            Law.jointVelocity(s -> Axis.ZERO.with(2, s.time() < 1 ? 10 : 30.1)));
 
     assertReason(reason, StopKind.SPEED, "the speed of A3 must be at most 30 degrees/s, is 30.1");
     assertThat(controller.axes().a3()).isGreaterThan(95);
@@ -81,7 +81,7 @@ class LimitsTest extends ControlTest {
   void anAxisStopsBeforeItsLimit() throws Exception {
     controller.place(START.with(2, 145)); // the limit is 156
     StopReason reason =
-        runToStop("ext_move_axis.src", Law.jointVelocity(s -> Axes.ZERO.with(2, 10)));
+        runToStop("ext_move_axis.src", Law.jointVelocity(s -> Axis.ZERO.with(2, 10)));
 
     assertThat(reason.kind()).isEqualTo(StopKind.AXIS_LIMIT);
     assertThat(reason.message())
@@ -122,8 +122,8 @@ class LimitsTest extends ControlTest {
     assertThat(reason.kind()).isEqualTo(StopKind.AXIS_LIMIT);
   }
 
-  private static Axes five(double angle) {
-    return new Axes(angle, angle, angle, angle, angle, angle);
+  private static Axis five(double angle) {
+    return new Axis(angle, angle, angle, angle, angle, angle);
   }
 
   @Test
@@ -226,7 +226,7 @@ class LimitsTest extends ControlTest {
         start(
             config,
             Law.jointPosition(
-                s -> START.plus(new Axes(12 * s.time(), 0, 0, 0, 0, 6 * s.time()))))) {
+                s -> START.plus(new Axis(12 * s.time(), 0, 0, 0, 0, 6 * s.time()))))) {
       assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       assertThat(loop.statistics().saturated()).isPositive();
       assertThat(loop.trace().cycles())

@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 
 /** The measurements of a loop, and its costs. */
 class MeasuringTest extends ControlTest {
-  private static final Law TURNING = Law.jointVelocity(s -> Axes.ZERO.with(0, 10));
+  private static final Law TURNING = Law.jointVelocity(s -> Axis.ZERO.with(0, 10));
 
   private static LoopConfig forASecond() {
     return config(cfg -> cfg.duration(Duration.ofSeconds(1)));
@@ -37,7 +37,7 @@ class MeasuringTest extends ControlTest {
                   if (s.time() == 0.24) {
                     time.pass(Duration.ofMillis(30));
                   }
-                  return Axes.ZERO;
+                  return Axis.ZERO;
                 }))) {
       assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
       LoopStatistics statistics = loop.statistics();
@@ -136,7 +136,7 @@ class MeasuringTest extends ControlTest {
               if (s.time() == 0) {
                 server.clearRequests();
               }
-              return Axes.ZERO.with(0, 10);
+              return Axis.ZERO.with(0, 10);
             }));
 
     int inCycle = 0;
@@ -160,7 +160,7 @@ class MeasuringTest extends ControlTest {
                 cfg.duration(Duration.ofMillis(150))
                     .safety(
                         s -> inAutomatic(s).noWatchdog().maxFeedbackAge(Duration.ofSeconds(10))));
-    try (ControlLoop loop = ControlLoop.start(client, config, Law.jointVelocity(s -> Axes.ZERO))) {
+    try (ControlLoop loop = ControlLoop.start(client, config, Law.jointVelocity(s -> Axis.ZERO))) {
       assertThat(loop.ended().get().kind()).isEqualTo(StopKind.TIME_OVER);
       assertThat(loop.statistics().cycles()).isPositive();
     }
@@ -173,7 +173,7 @@ class MeasuringTest extends ControlTest {
         ControlLoop.start(
             client,
             config(cfg -> cfg.safety(s -> inAutomatic(s).noWatchdog())),
-            Law.jointVelocity(s -> Axes.ZERO));
+            Law.jointVelocity(s -> Axis.ZERO));
     loop.close();
 
     assertThat(loop.stopReason()).map(StopReason::kind).contains(StopKind.ASKED);
@@ -189,8 +189,8 @@ class MeasuringTest extends ControlTest {
       }
 
       @Override
-      public Axes velocity(State state) {
-        return Axes.ZERO;
+      public Axis velocity(State state) {
+        return Axis.ZERO;
       }
     }
 

@@ -12,7 +12,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.control.input.Input;
 import no.hials.crosscom.control.input.InputDevice;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
@@ -40,7 +40,7 @@ class StoppingTest extends ControlTest {
           boolean heard = seconds < 2 || seconds > 4;
           return new Input(List.of(1.0), List.of(), true, heard ? time.nanoTime() : 2_000_000_000L);
         };
-    Law law = Law.jointVelocity(s -> Axes.ZERO.with(0, 5 * s.input().axis(0)));
+    Law law = Law.jointVelocity(s -> Axis.ZERO.with(0, 5 * s.input().axis(0)));
     LoopConfig config =
         config(
             cfg ->
@@ -63,7 +63,7 @@ class StoppingTest extends ControlTest {
   @SuppressWarnings("NullAway") // on purpose
   void aLoopWithoutClientConfigurationOrLawIsNotStarted() {
     LoopConfig config = LoopConfig.create(LoopConfig.Builder::noInput);
-    Law law = Law.jointVelocity(s -> Axes.ZERO);
+    Law law = Law.jointVelocity(s -> Axis.ZERO);
 
     assertThatNullPointerException()
         .isThrownBy(() -> ControlLoop.start(null, config, law))
@@ -240,7 +240,7 @@ class StoppingTest extends ControlTest {
   }
 
   @SuppressWarnings("unchecked") // on purpose: T is not the type of the exception
-  private static <T extends Throwable> Axes throwUndeclared(Throwable thrown) throws T {
+  private static <T extends Throwable> Axis throwUndeclared(Throwable thrown) throws T {
     throw (T) thrown;
   }
 

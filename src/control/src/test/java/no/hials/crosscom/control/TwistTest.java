@@ -3,7 +3,7 @@ package no.hials.crosscom.control;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import org.junit.jupiter.api.Test;
@@ -56,29 +56,29 @@ class TwistTest {
 
   @Test
   void dampedLeastSquaresMovesTheFlangeAsWanted() {
-    Axes axes = Axes.of(10, -80, 100, 20, 50, -30);
+    Axis axes = Axis.of(10, -80, 100, 20, 50, -30);
     Twist wanted = new Twist(30, -20, 10, 3, 2, -5);
 
-    Axes velocity = new DampedLeastSquares(ROBOT, 0.01).velocity(axes, wanted);
+    Axis velocity = new DampedLeastSquares(ROBOT, 0.01).velocity(axes, wanted);
 
-    Axes moved = axes.plus(Axes.of(scaled(velocity, 1e-3)));
+    Axis moved = axes.plus(Axis.of(scaled(velocity, 1e-3)));
     Twist found = Twist.between(ROBOT.forward(axes), ROBOT.forward(moved)).times(1e3);
     assertThat(found.plus(wanted.times(-1)).speed()).isLessThan(0.05);
     assertThat(found.plus(wanted.times(-1)).rotationSpeed()).isLessThan(0.01);
   }
 
-  private static double[] scaled(Axes axes, double factor) {
+  private static double[] scaled(Axis axes, double factor) {
     return java.util.Arrays.stream(axes.toArray()).map(value -> value * factor).toArray();
   }
 
   @Test
   void dampedLeastSquaresKeepsTheAxesSlowInASingularity() {
-    Axes singular = Axes.of(0, -90, 90, 0, 0, 0);
+    Axis singular = Axis.of(0, -90, 90, 0, 0, 0);
     Twist acrossIt = new Twist(0, 0, 0, 10, 0, 10);
 
-    Axes damped = new DampedLeastSquares(ROBOT, 0.3).velocity(singular, acrossIt);
+    Axis damped = new DampedLeastSquares(ROBOT, 0.3).velocity(singular, acrossIt);
 
-    assertThat(damped.largestDifference(Axes.ZERO)).isLessThan(40);
-    assertThat(damped.largestDifference(Axes.ZERO)).isGreaterThan(1);
+    assertThat(damped.largestDifference(Axis.ZERO)).isLessThan(40);
+    assertThat(damped.largestDifference(Axis.ZERO)).isGreaterThan(1);
   }
 }

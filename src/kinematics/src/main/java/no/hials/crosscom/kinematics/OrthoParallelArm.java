@@ -29,8 +29,8 @@ record OrthoParallelArm(
     double c2,
     double c3,
     double c4,
-    Axes sign,
-    Axes offset) {
+    Axis sign,
+    Axis offset) {
   /**
    * Bit 0 of the Status: the wrist centre is behind A1
    * (docs/reference/kinematics.md#status-and-turn).
@@ -59,7 +59,7 @@ record OrthoParallelArm(
   private static final double WRIST_SINGULARITY = 1e-4;
 
   /** Returns the coordinate systems of A1 to A6, then of the flange. */
-  Transform[] chain(Axes axes) {
+  Transform[] chain(Axis axes) {
     Transform one = Transform.IDENTITY.translate(0, 0, c1);
     Transform two = one.rotateZ(theta(axes, 0)).translate(a1, 0, 0);
     Transform three = two.rotateY(theta(axes, 1)).translate(0, 0, c2);
@@ -73,11 +73,11 @@ record OrthoParallelArm(
   /**
    * Returns the Jacobian, per degree, with the rows in the order of {@link RobotModel#jacobian}.
    */
-  double[][] jacobian(Axes axes) {
+  double[][] jacobian(Axis axes) {
     Transform[] chain = chain(axes);
-    Vector flange = chain[Axes.COUNT].position();
-    double[][] rows = new double[6][Axes.COUNT];
-    for (int axis = 0; axis < Axes.COUNT; axis++) {
+    Vector flange = chain[Axis.COUNT].position();
+    double[][] rows = new double[6][Axis.COUNT];
+    for (int axis = 0; axis < Axis.COUNT; axis++) {
       Vector line = axis == 1 || axis == 2 || axis == 4 ? Vector.Y : Vector.Z;
       Vector turn = chain[axis].rotation().rotate(line).times(sign.get(axis));
       Vector way = turn.cross(flange.minus(chain[axis].position())).times(Math.toRadians(1));
@@ -89,7 +89,7 @@ record OrthoParallelArm(
     return rows;
   }
 
-  int status(Axes axes) {
+  int status(Axis axes) {
     double a3 = sign.a3() * (theta(axes, 2) + forearmAngle());
     int behind = forward(axes) < -LENGTH_TOLERANCE ? BEHIND : 0;
     int elbow = Numbers.normalised(a3) >= 0 ? ELBOW : 0;
@@ -98,7 +98,7 @@ record OrthoParallelArm(
   }
 
   /** Returns whether the wrist centre is on A1, where front and rear are the same. */
-  boolean overhead(Axes axes) {
+  boolean overhead(Axis axes) {
     return Math.abs(forward(axes)) <= LENGTH_TOLERANCE;
   }
 
@@ -132,7 +132,7 @@ record OrthoParallelArm(
    * reach. An angle that is free in a singularity is taken from {@code free}: A1 if the wrist
    * centre is on A1, and A4 if A5 is 0.
    */
-  Axes solve(Frame flange, int status, Axes free) {
+  Axis solve(Frame flange, int status, Axis free) {
     Transform target = Transform.of(flange);
     Vector wrist = wristCentre(target);
     double forward = forward(wrist, status);
@@ -152,7 +152,7 @@ record OrthoParallelArm(
             .inverse()
             .times(target.rotation());
     double[] wristAngles = wristAngles(hand, status, theta(free, 3));
-    return new Axes(
+    return new Axis(
         axis(0, theta1),
         axis(1, theta2),
         axis(2, theta3),
@@ -198,7 +198,7 @@ record OrthoParallelArm(
   }
 
   /** Returns the distance of the wrist centre in front of A1 for these axes, negative behind A1. */
-  private double forward(Axes axes) {
+  private double forward(Axis axes) {
     double theta2 = theta(axes, 1);
     double theta3 = theta(axes, 2) + forearmAngle();
     return a1
@@ -222,7 +222,7 @@ record OrthoParallelArm(
     return Math.toDegrees(Math.atan2(a2, c3));
   }
 
-  private double theta(Axes axes, int axis) {
+  private double theta(Axis axes, int axis) {
     return sign.get(axis) * (axes.get(axis) - offset.get(axis));
   }
 

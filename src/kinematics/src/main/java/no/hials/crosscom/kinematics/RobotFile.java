@@ -52,9 +52,9 @@ final class RobotFile {
   }
 
   RobotModel toModel() throws IOException {
-    Axes minimum = axes("minimum");
-    Axes maximum = axes("maximum");
-    for (int axis = 0; axis < Axes.COUNT; axis++) {
+    Axis minimum = axes("minimum");
+    Axis maximum = axes("maximum");
+    for (int axis = 0; axis < Axis.COUNT; axis++) {
       if (minimum.get(axis) >= maximum.get(axis)) {
         throw error(
             "minimum",
@@ -93,21 +93,21 @@ final class RobotFile {
         axes("offset"));
   }
 
-  private Axes axes(String key) throws IOException {
+  private Axis axes(String key) throws IOException {
     return axes(key, "six numbers", Double::isFinite);
   }
 
-  private Axes axes(String key, String expected, DoublePredicate rule) throws IOException {
+  private Axis axes(String key, String expected, DoublePredicate rule) throws IOException {
     String text = text(key);
     String[] words = text.split("\\s+", -1);
-    if (words.length != Axes.COUNT) {
+    if (words.length != Axis.COUNT) {
       throw error(key, expected, text);
     }
-    double[] six = new double[Axes.COUNT];
+    double[] six = new double[Axis.COUNT];
     for (int axis = 0; axis < six.length; axis++) {
       six[axis] = number(key, expected, words[axis], rule);
     }
-    return Axes.of(six);
+    return Axis.of(six);
   }
 
   private double number(String key) throws IOException {

@@ -56,20 +56,20 @@ public final class RobotModel {
 
   private final String name;
   private final OrthoParallelArm arm;
-  private final Axes minimum;
-  private final Axes maximum;
-  private final Axes maxSpeed;
-  private final Axes maxAcceleration;
-  private final Axes home;
+  private final Axis minimum;
+  private final Axis maximum;
+  private final Axis maxSpeed;
+  private final Axis maxAcceleration;
+  private final Axis home;
 
   RobotModel(
       String name,
       OrthoParallelArm arm,
-      Axes minimum,
-      Axes maximum,
-      Axes maxSpeed,
-      Axes maxAcceleration,
-      Axes home) {
+      Axis minimum,
+      Axis maximum,
+      Axis maxSpeed,
+      Axis maxAcceleration,
+      Axis home) {
     this.name = name;
     this.arm = arm;
     this.minimum = minimum;
@@ -133,7 +133,7 @@ public final class RobotModel {
   }
 
   /** Returns the home position, where a simulated robot starts. */
-  public Axes home() {
+  public Axis home() {
     return home;
   }
 
@@ -184,8 +184,8 @@ public final class RobotModel {
    * @param minimum the smallest angles allowed, degrees
    * @param maximum the largest angles allowed, degrees
    */
-  public RobotModel withLimits(Axes minimum, Axes maximum) {
-    for (int axis = 0; axis < Axes.COUNT; axis++) {
+  public RobotModel withLimits(Axis minimum, Axis maximum) {
+    for (int axis = 0; axis < Axis.COUNT; axis++) {
       if (minimum.get(axis) >= maximum.get(axis)) {
         throw new IllegalArgumentException(
             String.format(
@@ -205,7 +205,7 @@ public final class RobotModel {
    * @param axes the positions to check
    * @return the indices of the axes, ascending: 0 for A1 to 5 for A6
    */
-  public List<Integer> axesOutsideLimits(Axes axes) {
+  public List<Integer> axesOutsideLimits(Axis axes) {
     return axesOutsideLimits(axes, 0);
   }
 
@@ -216,10 +216,10 @@ public final class RobotModel {
    * @param margin the margin, degrees
    * @return the indices of the axes, ascending: 0 for A1 to 5 for A6
    */
-  public List<Integer> axesOutsideLimits(Axes axes, double margin) {
+  public List<Integer> axesOutsideLimits(Axis axes, double margin) {
     Numbers.finite("margin", margin);
     List<Integer> outside = new ArrayList<>();
-    for (int axis = 0; axis < Axes.COUNT; axis++) {
+    for (int axis = 0; axis < Axis.COUNT; axis++) {
       double angle = axes.get(axis);
       if (angle < minimum.get(axis) + margin || angle > maximum.get(axis) - margin) {
         outside.add(axis);
@@ -234,8 +234,8 @@ public final class RobotModel {
    * @param axes the positions, inside their limits or not
    * @return the flange in {@code $ROBROOT}
    */
-  public Frame forward(Axes axes) {
-    return arm.chain(axes)[Axes.COUNT].toFrame();
+  public Frame forward(Axis axes) {
+    return arm.chain(axes)[Axis.COUNT].toFrame();
   }
 
   /**
@@ -246,7 +246,7 @@ public final class RobotModel {
    * @param axes the positions
    * @return KRL's S, 0 to 7
    */
-  public int status(Axes axes) {
+  public int status(Axis axes) {
     return arm.status(axes);
   }
 
@@ -256,9 +256,9 @@ public final class RobotModel {
    * @param axes the positions
    * @return KRL's T, 0 to 63
    */
-  public int turn(Axes axes) {
+  public int turn(Axis axes) {
     int turn = 0;
-    for (int axis = 0; axis < Axes.COUNT; axis++) {
+    for (int axis = 0; axis < Axis.COUNT; axis++) {
       if (axes.get(axis) < 0) {
         turn |= 1 << axis;
       }
@@ -274,11 +274,11 @@ public final class RobotModel {
    * @return up to eight solutions in the order of their Status, each angle above -180 and up to 180
    *     degrees; empty if the flange is out of reach
    */
-  public List<Axes> inverse(Frame flange) {
-    List<Axes> solutions = new ArrayList<>();
+  public List<Axis> inverse(Frame flange) {
+    List<Axis> solutions = new ArrayList<>();
     for (int status = 0; status < SOLUTIONS; status++) {
       if (arm.outOfReach(flange, status) == null) {
-        Axes solution = arm.solve(flange, status, Axes.ZERO);
+        Axis solution = arm.solve(flange, status, Axis.ZERO);
         if (solutions.stream().allMatch(other -> other.largestDifference(solution) > SAME)) {
           solutions.add(solution);
         }
@@ -298,11 +298,11 @@ public final class RobotModel {
    * @return the positions, inside their limits
    * @throws UnreachableException without a solution
    */
-  public Axes inverse(Frame flange, int status, int turn) throws UnreachableException {
+  public Axis inverse(Frame flange, int status, int turn) throws UnreachableException {
     requireBits("Status", status, STATUS_BITS);
     requireBits("Turn", turn, TURN_BITS);
     requireReach(arm.outOfReach(flange, status));
-    double[] axes = arm.solve(flange, status, Axes.ZERO).toArray();
+    double[] axes = arm.solve(flange, status, Axis.ZERO).toArray();
     for (int axis = 0; axis < axes.length; axis++) {
       boolean negative = (turn & 1 << axis) != 0;
       if (Math.abs(axes[axis]) > TURN_TOLERANCE && negative != axes[axis] < 0) {
@@ -323,9 +323,9 @@ public final class RobotModel {
    * @return the positions, inside their limits
    * @throws UnreachableException without a solution
    */
-  public Axes inverse(Frame flange, Axes near) throws UnreachableException {
+  public Axis inverse(Frame flange, Axis near) throws UnreachableException {
     int side = arm.status(near) & ~OrthoParallelArm.WRIST;
-    @Nullable Axes nearest = nearest(flange, side, near);
+    @Nullable Axis nearest = nearest(flange, side, near);
     if (arm.overhead(near)) {
       nearest = nearer(nearest, nearest(flange, side ^ OrthoParallelArm.BEHIND, near), near);
     }
@@ -344,11 +344,11 @@ public final class RobotModel {
    *     0 to 2, mm/s) and about X, Y and Z (rows 3 to 5, degrees/s) at 1 degree/s of the axis, in
    *     the directions of {@code $ROBROOT}
    */
-  public double[][] jacobian(Axes axes) {
+  public double[][] jacobian(Axis axes) {
     return arm.jacobian(axes);
   }
 
-  private @Nullable Axes nearest(Frame flange, int side, Axes near) {
+  private @Nullable Axis nearest(Frame flange, int side, Axis near) {
     return arm.outOfReach(flange, side) == null
         ? nearer(
             around(arm.solve(flange, side, near), near),
@@ -357,7 +357,7 @@ public final class RobotModel {
         : null;
   }
 
-  private static @Nullable Axes nearer(@Nullable Axes one, @Nullable Axes other, Axes near) {
+  private static @Nullable Axis nearer(@Nullable Axis one, @Nullable Axis other, Axis near) {
     if (one == null || other == null) {
       return one == null ? other : one;
     }
@@ -365,15 +365,15 @@ public final class RobotModel {
   }
 
   /** Moves each axis by full revolutions until it is within 180 degrees of another position. */
-  private static Axes around(Axes axes, Axes near) {
+  private static Axis around(Axis axes, Axis near) {
     double[] six = axes.toArray();
     for (int axis = 0; axis < six.length; axis++) {
       six[axis] = Numbers.near(six[axis], near.get(axis));
     }
-    return Axes.of(six);
+    return Axis.of(six);
   }
 
-  private Axes insideLimits(double[] six) throws UnreachableException {
+  private Axis insideLimits(double[] six) throws UnreachableException {
     for (int axis = 0; axis < six.length; axis++) {
       double inside = Math.max(minimum.get(axis), Math.min(maximum.get(axis), six[axis]));
       if (Math.abs(six[axis] - inside) > LIMIT_TOLERANCE) {
@@ -388,7 +388,7 @@ public final class RobotModel {
       }
       six[axis] = inside;
     }
-    return Axes.of(six);
+    return Axis.of(six);
   }
 
   private static void requireReach(@Nullable String outOfReach) throws UnreachableException {

@@ -7,8 +7,8 @@ final class Checks {
 
   private Checks() {}
 
-  static Axes axes(ArgumentsAccessor row, int first) {
-    return Axes.of(six(row, first));
+  static Axis axes(ArgumentsAccessor row, int first) {
+    return Axis.of(six(row, first));
   }
 
   static Frame frame(ArgumentsAccessor row, int first) {

@@ -50,7 +50,7 @@ final class ForwardKinematicsTest {
   @Test
   void hasItsHighestSpeedsAndLimitsFromTheReference() {
     assertThat(ROBOT.name()).isEqualTo("KR 6 R900 sixx");
-    assertThat(ROBOT.home()).isEqualTo(Axes.of(0, -90, 90, 0, 0, 0));
+    assertThat(ROBOT.home()).isEqualTo(Axis.of(0, -90, 90, 0, 0, 0));
     assertThat(ROBOT.minimum(1)).isEqualTo(-190);
     assertThat(ROBOT.maximum(2)).isEqualTo(156);
     assertThat(ROBOT.maxSpeed(5)).isEqualTo(615);

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 final class InverseKinematicsTest {
-  private static final Axes BENT = Axes.of(20, -80, 100, 30, 60, 40);
+  private static final Axis BENT = Axis.of(20, -80, 100, 30, 60, 40);
 
   @ParameterizedTest
   @CsvSource({
@@ -28,7 +28,7 @@ final class InverseKinematicsTest {
   })
   void hasTheStatusOfTheReference(
       double a1, double a2, double a3, double a4, double a5, double a6, int status) {
-    assertThat(KR6.status(new Axes(a1, a2, a3, a4, a5, a6))).isEqualTo(status);
+    assertThat(KR6.status(new Axis(a1, a2, a3, a4, a5, a6))).isEqualTo(status);
   }
 
   @ParameterizedTest
@@ -39,24 +39,24 @@ final class InverseKinematicsTest {
   })
   void hasABitOfTheTurnForEachNegativeAxis(
       double a1, double a2, double a3, double a4, double a5, double a6, int turn) {
-    assertThat(KR6.turn(new Axes(a1, a2, a3, a4, a5, a6))).isEqualTo(turn);
+    assertThat(KR6.turn(new Axis(a1, a2, a3, a4, a5, a6))).isEqualTo(turn);
   }
 
   @ParameterizedTest
   @ValueSource(doubles = {-10, 350, -350, 10, 179.5, -180.5, 180, -180})
   void theTurnTellsApartTheTwoRevolutionsOfA6(double a6) throws Exception {
-    Axes axes = BENT.with(5, a6);
+    Axis axes = BENT.with(5, a6);
 
-    Axes found = KR6.inverse(KR6.forward(axes), KR6.status(axes), KR6.turn(axes));
+    Axis found = KR6.inverse(KR6.forward(axes), KR6.status(axes), KR6.turn(axes));
 
     assertThat(found.largestDifference(axes)).isLessThan(1e-9);
   }
 
   @Test
   void theTurnTakesA2BeyondMinus180() throws Exception {
-    Axes axes = Axes.of(0, -185, 20, 0, 40, 0);
+    Axis axes = Axis.of(0, -185, 20, 0, 40, 0);
 
-    Axes found = KR6.inverse(KR6.forward(axes), KR6.status(axes), KR6.turn(axes));
+    Axis found = KR6.inverse(KR6.forward(axes), KR6.status(axes), KR6.turn(axes));
 
     assertThat(found.largestDifference(axes)).isLessThan(1e-9);
   }
@@ -84,8 +84,8 @@ final class InverseKinematicsTest {
 
   @Test
   void anAxisThatRoundingPutsBeyondItsLimitIsAtTheLimit() throws Exception {
-    Axes beyond = BENT.with(0, 170.00009);
-    Axes farBeyond = BENT.with(0, 170.00011);
+    Axis beyond = BENT.with(0, 170.00009);
+    Axis farBeyond = BENT.with(0, 170.00011);
 
     assertThat(KR6.inverse(KR6.forward(beyond), BENT).a1()).isEqualTo(170);
     assertThatExceptionOfType(UnreachableException.class)
@@ -102,10 +102,10 @@ final class InverseKinematicsTest {
   })
   void aFrameOf32BitNumbersLeadsBackToTheAxes(
       double a1, double a2, double a3, double a4, double a5, double a6) throws Exception {
-    Axes axes = new Axes(a1, a2, a3, a4, a5, a6);
+    Axis axes = new Axis(a1, a2, a3, a4, a5, a6);
     Frame read = asReals(KR6.forward(axes));
 
-    Axes found = KR6.inverse(read, KR6.status(axes), KR6.turn(axes));
+    Axis found = KR6.inverse(read, KR6.status(axes), KR6.turn(axes));
 
     // At A3 = 4.8 the arm is almost straight, and small errors of the frame are large for the
     // elbow.
@@ -114,7 +114,7 @@ final class InverseKinematicsTest {
 
   @Test
   void namesTheAxisThatWouldPassItsLimit() {
-    Axes axes = Axes.of(0, 50, 40, 0, 30, 0);
+    Axis axes = Axis.of(0, 50, 40, 0, 30, 0);
     Frame flange = KR6.forward(axes);
 
     assertThatExceptionOfType(UnreachableException.class)
@@ -191,15 +191,15 @@ final class InverseKinematicsTest {
 
   @Test
   void followsAStraightLineWithoutAJump() throws Exception {
-    Axes start = Axes.of(-50, -60, 70, -20, 50, 200);
+    Axis start = Axis.of(-50, -60, 70, -20, 50, 200);
     Frame from = KR6.forward(start);
     Frame to = new Frame(from.x() - 30, -from.y(), from.z() + 200, 40, 35, from.c() - 30);
     int steps = 500;
 
-    Axes axes = start;
+    Axis axes = start;
     for (int step = 1; step <= steps; step++) {
       Frame flange = from.interpolate(to, (double) step / steps);
-      Axes next = KR6.inverse(flange, axes);
+      Axis next = KR6.inverse(flange, axes);
       assertThat(next.largestDifference(axes)).isLessThan(1);
       assertThat(KR6.forward(next).distance(flange)).isLessThan(1e-9);
       assertThat(KR6.forward(next).angle(flange)).isLessThan(1e-9);
@@ -210,13 +210,13 @@ final class InverseKinematicsTest {
 
   @Test
   void aPathGoesOnBeyond180DegreesAndEndsAtTheLimit() throws Exception {
-    Axes axes = BENT.with(5, 178);
+    Axis axes = BENT.with(5, 178);
     for (double a6 = 180; a6 <= 350; a6 += 2) {
       axes = KR6.inverse(KR6.forward(BENT.with(5, a6)), axes);
       assertThat(axes.a6()).isEqualTo(a6, within(1e-9));
     }
 
-    Axes end = axes;
+    Axis end = axes;
     assertThatExceptionOfType(UnreachableException.class)
         .isThrownBy(() -> KR6.inverse(KR6.forward(BENT.with(5, 352)), end))
         .withMessage("axis limit A6 350.0 exceeded, would be 352.0000 degrees");
@@ -225,10 +225,10 @@ final class InverseKinematicsTest {
   @Test
   void aPathNeverChangesTheElbow() throws Exception {
     // The solution with the other elbow is near.
-    Axes start = Axes.of(0, -60, Robots.STRAIGHT + 8, 0, 50, 0);
-    Axes other = Axes.of(0, -52, Robots.STRAIGHT - 8, 0, 58, 0);
+    Axis start = Axis.of(0, -60, Robots.STRAIGHT + 8, 0, 50, 0);
+    Axis other = Axis.of(0, -52, Robots.STRAIGHT - 8, 0, 58, 0);
 
-    Axes found = KR6.inverse(KR6.forward(other), start);
+    Axis found = KR6.inverse(KR6.forward(other), start);
 
     assertThat(found.a3()).isEqualTo(Robots.STRAIGHT + 8, within(1e-9));
   }

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 final class KinematicsPropertyTest {
 
   /** A robot and a position inside its limits. */
-  record Pose(RobotModel robot, Axes axes) {
+  record Pose(RobotModel robot, Axis axes) {
 
     /** Returns whether all solutions for the flange are away from singularities. */
     boolean isRegular() {
@@ -50,9 +50,9 @@ final class KinematicsPropertyTest {
         KinematicsPropertyTest::regularPose,
         pose -> {
           RobotModel robot = pose.robot();
-          Axes axes = pose.axes();
+          Axis axes = pose.axes();
 
-          Axes found = robot.inverse(robot.forward(axes), robot.status(axes), robot.turn(axes));
+          Axis found = robot.inverse(robot.forward(axes), robot.status(axes), robot.turn(axes));
 
           assertThat(found.largestDifference(axes)).isLessThan(1e-6);
         });
@@ -63,7 +63,7 @@ final class KinematicsPropertyTest {
     Samples.forAll(
         KinematicsPropertyTest::regularPose,
         pose -> {
-          Axes found = pose.robot().inverse(pose.robot().forward(pose.axes()), pose.axes());
+          Axis found = pose.robot().inverse(pose.robot().forward(pose.axes()), pose.axes());
 
           assertThat(found.largestDifference(pose.axes())).isLessThan(1e-6);
         });
@@ -77,7 +77,7 @@ final class KinematicsPropertyTest {
           RobotModel robot = pose.robot();
           Frame flange = robot.forward(pose.axes());
 
-          List<Axes> solutions = robot.inverse(flange);
+          List<Axis> solutions = robot.inverse(flange);
 
           assertThat(solutions).extracting(robot::status).isSorted().doesNotHaveDuplicates();
           assertThat(solutions)
@@ -149,7 +149,7 @@ final class KinematicsPropertyTest {
     RobotModel robot = random.nextBoolean() ? Robots.KR6 : Robots.INVENTED;
     return new Pose(
         robot,
-        new Axes(
+        new Axis(
             axis(random, robot, 0),
             axis(random, robot, 1),
             axis(random, robot, 2),

@@ -26,7 +26,7 @@ final class RobotModelTest {
   void anotherModelIsAFile() {
     RobotModel robot = Robots.INVENTED;
     // The arm stretched upwards: A1 to A6 at the offsets of the file.
-    Frame stretched = robot.forward(Axes.of(10, -90, 90, 5, 0, -20));
+    Frame stretched = robot.forward(Axis.of(10, -90, 90, 5, 0, -20));
 
     assertThat(robot.name()).isEqualTo("Invented R700");
     assertThat(stretched.x()).isEqualTo(30 + 20, within(1e-9));
@@ -78,13 +78,13 @@ final class RobotModelTest {
   @Test
   void findsTheAxesOutsideTheirLimits() {
     assertThat(KR6.axesOutsideLimits(KR6.home())).isEmpty();
-    assertThat(KR6.axesOutsideLimits(Axes.of(-170, 45, 0, 0, 0, 350))).isEmpty();
-    assertThat(KR6.axesOutsideLimits(Axes.of(-170.1, 45, 0, 0, 0, 350.1))).containsExactly(0, 5);
+    assertThat(KR6.axesOutsideLimits(Axis.of(-170, 45, 0, 0, 0, 350))).isEmpty();
+    assertThat(KR6.axesOutsideLimits(Axis.of(-170.1, 45, 0, 0, 0, 350.1))).containsExactly(0, 5);
   }
 
   @Test
   void findsTheAxesThatDoNotKeepAMargin() {
-    Axes axes = Axes.of(-165, 40.1, 0, 0, 0, 0);
+    Axis axes = Axis.of(-165, 40.1, 0, 0, 0, 0);
 
     assertThat(KR6.axesOutsideLimits(axes, 5)).containsExactly(1);
     assertThat(KR6.axesOutsideLimits(axes, 5.1)).containsExactly(0, 1);
@@ -94,16 +94,16 @@ final class RobotModelTest {
   @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY})
   void refusesAMarginThatIsNotFinite(double margin) {
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> KR6.axesOutsideLimits(Axes.ZERO, margin))
+        .isThrownBy(() -> KR6.axesOutsideLimits(Axis.ZERO, margin))
         .withMessage("margin must be finite, is " + margin);
   }
 
   @Test
   void narrowerLimitsHoldForTheInverse() throws Exception {
-    Axes axes = Axes.of(20, -80, 100, 30, 60, 40);
+    Axis axes = Axis.of(20, -80, 100, 30, 60, 40);
     Frame flange = KR6.forward(axes);
-    Axes widest = Axes.of(190, 190, 190, 190, 190, 360);
-    RobotModel narrow = KR6.withLimits(Axes.ZERO.minus(widest), widest.with(0, 15));
+    Axis widest = Axis.of(190, 190, 190, 190, 190, 360);
+    RobotModel narrow = KR6.withLimits(Axis.ZERO.minus(widest), widest.with(0, 15));
 
     assertThat(KR6.inverse(flange, axes).a1()).isEqualTo(20, within(1e-9));
     assertThatExceptionOfType(UnreachableException.class)
@@ -116,7 +116,7 @@ final class RobotModelTest {
   @Test
   void refusesLimitsThatLeaveNoRoom() {
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> KR6.withLimits(Axes.ZERO, Axes.of(1, 1, 0, 1, 1, 1)))
+        .isThrownBy(() -> KR6.withLimits(Axis.ZERO, Axis.of(1, 1, 0, 1, 1, 1)))
         .withMessage("the minimum of A3 must be less than its maximum, are 0.0 and 0.0");
   }
 

@@ -13,21 +13,21 @@ import org.junit.jupiter.params.provider.ValueSource;
 final class SingularityTest {
 
   /** A5 = 0: only the sum of A4 and A6 determines the flange. */
-  private static final Axes WRIST = Axes.of(20, -80, 100, 30, 0, 40);
+  private static final Axis WRIST = Axis.of(20, -80, 100, 30, 0, 40);
 
   /** The wrist centre 800 mm above A2's level, on A1, and the flange 80 mm above it. */
   private static final Frame OVERHEAD = new Frame(0, 0, 1280, 0, 0, 0);
 
   @Test
   void theWristGetsA4AtZeroByStatusAndTurn() throws Exception {
-    Axes found = KR6.inverse(KR6.forward(WRIST), 6, 2);
+    Axis found = KR6.inverse(KR6.forward(WRIST), 6, 2);
 
-    assertThat(found.largestDifference(Axes.of(20, -80, 100, 0, 0, 70))).isLessThan(1e-6);
+    assertThat(found.largestDifference(Axis.of(20, -80, 100, 0, 0, 70))).isLessThan(1e-6);
   }
 
   @Test
   void theWristKeepsA4OnAPath() throws Exception {
-    Axes found = KR6.inverse(KR6.forward(WRIST), WRIST.with(5, 45));
+    Axis found = KR6.inverse(KR6.forward(WRIST), WRIST.with(5, 45));
 
     assertThat(found.largestDifference(WRIST)).isLessThan(1e-6);
   }
@@ -36,7 +36,7 @@ final class SingularityTest {
   void theWristKeepsA4OnAPathWhen32BitsHaveLostTheZeroOfA5() throws Exception {
     Frame flange = KR6.forward(WRIST.with(4, 5e-5));
 
-    Axes found = KR6.inverse(flange, WRIST);
+    Axis found = KR6.inverse(flange, WRIST);
 
     assertThat(found.a4()).isEqualTo(30, within(1e-9));
     assertThat(found.a5()).isZero();
@@ -45,9 +45,9 @@ final class SingularityTest {
 
   @Test
   void aPathThroughTheWristSingularityLetsA5ChangeSides() throws Exception {
-    Axes axes = WRIST.with(4, 10);
+    Axis axes = WRIST.with(4, 10);
     for (int step = 99; step >= -100; step--) {
-      Axes expected = WRIST.with(4, step / 10.0);
+      Axis expected = WRIST.with(4, step / 10.0);
       axes = KR6.inverse(KR6.forward(expected), axes);
       assertThat(axes.largestDifference(expected)).isLessThan(1e-6);
     }
@@ -55,7 +55,7 @@ final class SingularityTest {
 
   @Test
   void overheadGetsA1AtZeroByStatusAndTurn() throws Exception {
-    Axes found = KR6.inverse(OVERHEAD, 2, 2);
+    Axis found = KR6.inverse(OVERHEAD, 2, 2);
 
     assertThat(found.a1()).isZero();
     assertThat(KR6.forward(found).distance(OVERHEAD)).isLessThan(1e-6);
@@ -68,7 +68,7 @@ final class SingularityTest {
 
   @Test
   void overheadKeepsA1OnAPathThroughIt() throws Exception {
-    Axes axes = KR6.inverse(OVERHEAD, 2, 2).with(0, 30);
+    Axis axes = KR6.inverse(OVERHEAD, 2, 2).with(0, 30);
     Vector forward = Rotation.aboutZ(-30).rotate(new Vector(1, 0, 0));
 
     for (double way : new double[] {0, 5, 0, -5}) {
@@ -82,7 +82,7 @@ final class SingularityTest {
 
   @Test
   void theStraightArmIsReachedFromItsOwnFrame() throws Exception {
-    Axes straight = Axes.of(10, -40, Robots.STRAIGHT, 0, 30, 0);
+    Axis straight = Axis.of(10, -40, Robots.STRAIGHT, 0, 30, 0);
     Frame flange = KR6.forward(straight);
 
     // With a straight arm the error of A3 is the square root of the rounding error.
@@ -105,9 +105,9 @@ final class SingularityTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 90, 180, -180, 1e-9, 1e300})
   void noPoseGivesANumberThatIsNone(double angle) {
-    // Frame and Axes refuse NaN, so results are finite.
+    // Frame and Axis refuse NaN, so results are finite.
     for (int axis = 0; axis < 6; axis++) {
-      Axes axes = Axes.ZERO.with(axis, angle);
+      Axis axes = Axis.ZERO.with(axis, angle);
       for (RobotModel robot : new RobotModel[] {KR6, INVENTED}) {
         Frame flange = robot.forward(axes);
         assertThat(robot.inverse(flange)).isNotEmpty();
@@ -121,7 +121,7 @@ final class SingularityTest {
   @Test
   void aFlangeTurnedFullyBackHasSolutions() {
     // A5 = 180, outside the limits of every robot: only the difference of A4 and A6 matters.
-    Frame flange = KR6.forward(Axes.of(20, -80, 100, 30, 180, 40));
+    Frame flange = KR6.forward(Axis.of(20, -80, 100, 30, 180, 40));
 
     assertThat(KR6.inverse(flange)).hasSize(8).allSatisfy(axes -> assertBringsBack(axes, flange));
   }
@@ -131,7 +131,7 @@ final class SingularityTest {
     assertThat(KR6.inverse(new Frame(1e308, -1e308, 1e308, 1e308, 1e308, 1e308))).isEmpty();
   }
 
-  private static void assertBringsBack(Axes axes, Frame flange) {
+  private static void assertBringsBack(Axis axes, Frame flange) {
     assertThat(KR6.forward(axes).distance(flange)).isLessThan(0.01);
     assertThat(KR6.forward(axes).angle(flange)).isLessThan(0.001);
   }

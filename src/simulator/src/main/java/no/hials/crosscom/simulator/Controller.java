@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.function.BooleanSupplier;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Statement.MotionKind;
@@ -320,7 +320,7 @@ public final class Controller implements AutoCloseable {
    *
    * @return the commanded axis angles, in degrees, as in {@code $AXIS_ACT}
    */
-  public Axes axes() {
+  public Axis axes() {
     return core.axes();
   }
 
@@ -341,7 +341,7 @@ public final class Controller implements AutoCloseable {
    * @throws IllegalArgumentException if it is outside the software limits
    * @throws IllegalStateException if a program is active
    */
-  public void place(Axes axes) {
+  public void place(Axis axes) {
     core.place(axes);
   }
 

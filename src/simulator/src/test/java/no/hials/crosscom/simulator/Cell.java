@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.util.function.BooleanSupplier;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
@@ -13,7 +13,7 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 
 /** A controller in mode AUT whose time a test lets pass; A5 is not at 0, where it is singular. */
 final class Cell implements AutoCloseable {
-  static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);
+  static final Axis START = Axis.of(0, -90, 90, 0, 45, 0);
   private static final Duration LIMIT = Duration.ofMinutes(5);
 
   final Controller controller;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.AfterEach;
@@ -113,7 +113,7 @@ class ControllerInterruptTest {
         });
     assertThat(controller.messages()).isEmpty();
     assertThat(least[0]).isEqualTo(25);
-    assertThat(controller.axes()).isEqualTo(Axes.of(90, -90, 90, 0, 45, 10));
+    assertThat(controller.axes()).isEqualTo(Axis.of(90, -90, 90, 0, 45, 10));
   }
 
   @Test
@@ -165,7 +165,7 @@ class ControllerInterruptTest {
     assertThat(cell.get("MYINTS[1]")).isEqualTo("1");
     assertThat(least[0]).isEqualTo(25);
     assertThat(most[0]).isEqualTo(7);
-    assertThat(controller.axes()).isEqualTo(Axes.of(90, -90, 90, 0, 45, 0));
+    assertThat(controller.axes()).isEqualTo(Axis.of(90, -90, 90, 0, 45, 0));
   }
 
   @Test
@@ -181,7 +181,7 @@ class ControllerInterruptTest {
     cell.set("$FLAG[1]", "TRUE");
     cell.runToTheEnd();
     assertThat(cell.get("MYBOOL")).isEqualTo("FALSE");
-    assertThat(controller.axes()).isEqualTo(Axes.of(90, -90, 90, 0, 45, 0));
+    assertThat(controller.axes()).isEqualTo(Axis.of(90, -90, 90, 0, 45, 0));
   }
 
   @Test
@@ -195,7 +195,7 @@ class ControllerInterruptTest {
     cell.until(() -> robot.state() != ProgramState.ACTIVE);
     assertThat(robot.state()).isEqualTo(ProgramState.END);
     assertThat(cell.get("MYINT")).isEqualTo("1");
-    assertThat(controller.axes()).isEqualTo(Axes.of(60, -90, 90, 0, 45, 0));
+    assertThat(controller.axes()).isEqualTo(Axis.of(60, -90, 90, 0, 45, 0));
   }
 
   @Test
@@ -244,7 +244,7 @@ class ControllerInterruptTest {
     assertThat(a(5)).isBetween(25.1, 39.9);
     robot.start();
     cell.until(() -> robot.state() == ProgramState.END);
-    assertThat(controller.axes()).isEqualTo(Axes.of(90, -90, 90, 0, 45, 0));
+    assertThat(controller.axes()).isEqualTo(Axis.of(90, -90, 90, 0, 45, 0));
   }
 
   // triggers

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.AfterEach;
@@ -116,7 +116,7 @@ class ControllerModesTest {
 
   @Test
   void keepsTheToolBelowTheTeachLimitInT1() throws Exception {
-    controller.place(Axes.of(0, -10, 10, 0, 45, 0));
+    controller.place(Axis.of(0, -10, 10, 0, 45, 0));
     controller.setMode(OperatingMode.T1);
     // 7 % of 360 degrees/s would be about 0.4 m/s at this reach
     assertThat(fastest("$VEL_ACT", "PTP {A1 60}")).isBetween(0.21, 0.2205);

@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -50,7 +50,7 @@ class ControllerMotionTest {
   @Test
   void ptpGoesToAxesAndKeepsThoseThatAreNotGiven() throws Exception {
     cell.run("PTP {A1 10,A5 30}");
-    assertThat(controller.axes()).isEqualTo(Axes.of(10, -90, 90, 0, 30, 0));
+    assertThat(controller.axes()).isEqualTo(Axis.of(10, -90, 90, 0, 30, 0));
     assertThat(cell.get("$AXIS_ACT")).startsWith("{E6AXIS: A1 10.0000, A2 -90.0000,");
   }
 
@@ -59,7 +59,7 @@ class ControllerMotionTest {
     // a pose of the axes 30, -80, 100, 10, 60, -20 (docs/reference/kinematics.md#check-poses)
     cell.run("PTP {X 448.564,Y -272.871,Z 659.533,A 134.8594,B 12.2559,C -174.3395,S 2,T 34}");
     assertAt(448.564, -272.871, 659.533);
-    assertThat(controller.axes().largestDifference(Axes.of(30, -80, 100, 10, 60, -20)))
+    assertThat(controller.axes().largestDifference(Axis.of(30, -80, 100, 10, 60, -20)))
         .isLessThan(0.01);
     assertThat(cell.get("$POS_ACT.S")).isEqualTo("2");
     assertThat(cell.get("$POS_ACT.T")).isEqualTo("34");
@@ -113,7 +113,7 @@ class ControllerMotionTest {
   @Test
   void ptpRelAddsToAxesAndToThePosition() throws Exception {
     cell.run("PTP_REL {A1 10}\nPTP_REL {A1 -3,A6 5}");
-    assertThat(controller.axes()).isEqualTo(Axes.of(7, -90, 90, 0, 45, 5));
+    assertThat(controller.axes()).isEqualTo(Axis.of(7, -90, 90, 0, 45, 5));
     controller.place(Cell.START);
     double x = pos("X");
     double z = pos("Z");
@@ -218,7 +218,7 @@ class ControllerMotionTest {
 
   @Test
   void followsTheOverrideAtRunTime() throws Exception {
-    controller.place(Axes.of(-160, -90, 90, 0, 45, 0));
+    controller.place(Axis.of(-160, -90, 90, 0, 45, 0));
     cell.start("PTP {A1 160}");
     cell.cycles(55);
     assertThat(cell.real("$VEL_AXIS_ACT[1]")).isCloseTo(100, within(0.5));
@@ -248,7 +248,7 @@ class ControllerMotionTest {
   // what cannot be
 
   private void assertStops(String body, int number, String text) throws KrlFileException {
-    Axes before = controller.axes();
+    Axis before = controller.axes();
     cell.start("MYINT=1\n" + body + "\nMYINT=2");
     cell.until(() -> controller.robot().state() != ProgramState.ACTIVE);
     assertThat(controller.robot().state()).isEqualTo(ProgramState.STOP);
@@ -377,7 +377,7 @@ class ControllerMotionTest {
 
   @Test
   void placesTheRobotAtOnce() {
-    controller.place(Axes.of(10, -80, 80, 0, 30, 0));
+    controller.place(Axis.of(10, -80, 80, 0, 30, 0));
     assertThat(cell.component("$AXIS_ACT", "A1")).isEqualTo(10);
     assertThat(cell.component("$AXIS_FOR", "A1")).isEqualTo(10);
     assertThat(cell.component("$AXIS_BACK", "A1")).isEqualTo(10);
@@ -386,7 +386,7 @@ class ControllerMotionTest {
 
   @Test
   void placesTheRobotWithinItsLimitsOnly() {
-    assertThatThrownBy(() -> controller.place(Axes.of(0, 46, 0, 0, 0, 0)))
+    assertThatThrownBy(() -> controller.place(Axis.of(0, 46, 0, 0, 0, 0)))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("place: A2 must be within its software limits, would be 46.0");
     assertThat(controller.axes()).isEqualTo(Cell.START);
@@ -423,7 +423,7 @@ class ControllerMotionTest {
     cell.cycles(20);
     controller.robot().cancel();
     cell.untilStanding();
-    Axes stood = controller.axes();
+    Axis stood = controller.axes();
     cell.run("WAIT SEC 1");
     assertThat(controller.axes()).isEqualTo(stood);
     cell.run("PTP {A1 0}");

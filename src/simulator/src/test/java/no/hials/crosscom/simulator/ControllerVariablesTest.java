@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import java.time.Duration;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -99,9 +99,9 @@ class ControllerVariablesTest {
   @Test
   void knowsTheHomePosition() {
     cell.set("$H_POS", "{A1 0,A2 -90,A3 90,A4 0,A5 45,A6 0}");
-    controller.place(Axes.of(2, -88, 90, 0, 43, 0));
+    controller.place(Axis.of(2, -88, 90, 0, 43, 0));
     assertThat(cell.get("$IN_HOME")).isEqualTo("TRUE");
-    controller.place(Axes.of(2.01, -88, 90, 0, 43, 0));
+    controller.place(Axis.of(2.01, -88, 90, 0, 43, 0));
     assertThat(cell.get("$IN_HOME")).isEqualTo("FALSE");
   }
 
@@ -300,7 +300,7 @@ class ControllerVariablesTest {
     cell.cycles(20);
     Path file = folder.resolve("state.dat");
     controller.variables().save(file);
-    Axes saved = controller.axes();
+    Axis saved = controller.axes();
     String outputs = cell.get("$ROB_STOPPED");
     assertThat(outputs).isEqualTo("FALSE");
     VariableTable variables = VariableTable.krc4();

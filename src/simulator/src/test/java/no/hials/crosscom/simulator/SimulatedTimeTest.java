@@ -10,7 +10,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.Test;
@@ -85,10 +85,10 @@ class SimulatedTimeTest {
       PTP {A1 0,A2 -90,A3 90,A4 0,A5 45,A6 0}\
       """;
 
-  private static List<Axes> trajectory() throws Exception {
+  private static List<Axis> trajectory() throws Exception {
     try (Cell cell = new Cell()) {
       cell.start(MIXED);
-      List<Axes> axes = new ArrayList<>();
+      List<Axis> axes = new ArrayList<>();
       cell.until(
           () -> {
             axes.add(cell.controller.axes());
@@ -101,13 +101,13 @@ class SimulatedTimeTest {
 
   @Test
   void theSameProgramGivesTheSameTrajectoryBitByBit() throws Exception {
-    List<Axes> first = trajectory();
+    List<Axis> first = trajectory();
     assertThat(first).hasSizeGreaterThan(100).isEqualTo(trajectory());
   }
 
   @Test
   void everyClockGivesTheSameTrajectory() throws Exception {
-    List<Axes> stepped = trajectory();
+    List<Axis> stepped = trajectory();
     try (Controller controller = Cell.with(VariableTable.krc4(), SimulationClock.unlimited())) {
       controller.place(Cell.START);
       controller.setMode(OperatingMode.AUT);

@@ -7,7 +7,7 @@ import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.State;
 import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.control.input.Input;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 
 /** The coordinates that an input device moves, and the KRL program that follows. */
@@ -90,12 +90,12 @@ enum DriveSpace {
     return new Twist(way.x(), way.y(), way.z(), turn.x(), turn.y(), turn.z());
   }
 
-  static Axes axes(Input input, double speed) {
+  static Axis axes(Input input, double speed) {
     double[] axes = new double[6];
     for (int i = 0; i < axes.length; i++) {
       axes[i] = speed * input.axis(i);
     }
-    return Axes.of(axes);
+    return Axis.of(axes);
   }
 
   /** Shows six numbers with their names. */

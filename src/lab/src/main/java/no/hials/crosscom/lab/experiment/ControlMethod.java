@@ -2,7 +2,7 @@ package no.hials.crosscom.lab.experiment;
 
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.Twist;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 
 /** The four kinds of control of the papers, each with the plane in which it draws figures. */
@@ -38,7 +38,7 @@ enum ControlMethod {
       return Law.jointPosition(
           state -> {
             Shape.Point p = shape.at((state.time() + state.period()) / lap).times(DEGREES);
-            return KrlPrograms.START.plus(Axes.of(p.u(), p.v(), 0, 0, 0, 0));
+            return KrlPrograms.START.plus(Axis.of(p.u(), p.v(), 0, 0, 0, 0));
           });
     }
   },
@@ -50,7 +50,7 @@ enum ControlMethod {
       return Law.jointVelocity(
           state -> {
             Shape.Point w = shape.velocity(state.time() / lap).times(DEGREES / lap);
-            return Axes.of(w.u(), w.v(), 0, 0, 0, 0);
+            return Axis.of(w.u(), w.v(), 0, 0, 0, 0);
           });
     }
   };

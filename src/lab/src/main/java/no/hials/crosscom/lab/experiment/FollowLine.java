@@ -11,7 +11,7 @@ import no.hials.crosscom.control.DampedLeastSquares;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.Trace;
 import no.hials.crosscom.control.Twist;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lab.plot.Chart;
@@ -37,15 +37,15 @@ final class FollowLine implements Experiment {
   private static final Twist WAY = Twist.linear(0, 240, 0);
 
   /** Half way: near the singularity of the wrist at A5 = 0. */
-  private static final Axes HALF_WAY = Axes.of(0, -90, 90, 0, 10, 0);
+  private static final Axis HALF_WAY = Axis.of(0, -90, 90, 0, 10, 0);
 
-  private static final Axes START_AXES = start();
+  private static final Axis START_AXES = start();
   private static final Frame START = SimulatedRobot.MODEL.forward(START_AXES);
   private static final int AXES = 6;
   private static final int HEIGHT = 1700;
 
   /** The positions of axes and tool in a run. */
-  private record Motion(String name, Run run, List<Axes> axes, List<Frame> tool) {
+  private record Motion(String name, Run run, List<Axis> axes, List<Frame> tool) {
     double[] times() {
       return Plots.times(run.cycles());
     }
@@ -114,9 +114,9 @@ final class FollowLine implements Experiment {
   /**
    * Returns the start, computed backwards from half way so that the arm has the same configuration.
    */
-  private static Axes start() {
+  private static Axis start() {
     Frame middle = SimulatedRobot.MODEL.forward(HALF_WAY);
-    Axes axes = HALF_WAY;
+    Axis axes = HALF_WAY;
     int steps = 50;
     for (int i = 1; i <= steps; i++) {
       axes = inverse(WAY.move(middle, -0.5 * i / steps), axes);
@@ -124,7 +124,7 @@ final class FollowLine implements Experiment {
     return axes;
   }
 
-  private static Axes inverse(Frame tool, Axes near) {
+  private static Axis inverse(Frame tool, Axis near) {
     try {
       return SimulatedRobot.MODEL.inverse(tool, near);
     } catch (UnreachableException e) {
@@ -145,19 +145,19 @@ final class FollowLine implements Experiment {
   // a run measures either the axes or the tool; the other is computed
 
   private static Motion ofAxes(Run run) {
-    List<Axes> axes = run.cycles().stream().map(FollowLine::axes).toList();
+    List<Axis> axes = run.cycles().stream().map(FollowLine::axes).toList();
     List<Frame> tool = axes.stream().map(SimulatedRobot.MODEL::forward).toList();
     return new Motion(OWN, run, axes, tool);
   }
 
-  private static Axes axes(Trace.Cycle cycle) {
-    return Axes.of(cycle.actual().stream().mapToDouble(Double::doubleValue).toArray());
+  private static Axis axes(Trace.Cycle cycle) {
+    return Axis.of(cycle.actual().stream().mapToDouble(Double::doubleValue).toArray());
   }
 
   private static Motion ofTool(Run run) {
     List<Frame> tool = new ArrayList<>();
-    List<Axes> axes = new ArrayList<>();
-    Axes near = START_AXES;
+    List<Axis> axes = new ArrayList<>();
+    Axis near = START_AXES;
     for (Trace.Cycle cycle : run.cycles()) {
       List<Double> p = cycle.actual();
       Frame frame = new Frame(p.get(0), p.get(1), p.get(2), p.get(3), p.get(4), p.get(5));

@@ -3,7 +3,7 @@ package no.hials.crosscom.lab.experiment;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
@@ -11,7 +11,7 @@ import no.hials.crosscom.simulator.KrlFileException;
 /** Prepares a simulated controller to follow a client, as a person would prepare a real one. */
 public final class KrlPrograms {
   /** A5 is not 0, because there the tool cannot move straight in every direction. */
-  public static final Axes START = Axes.of(0, -90, 90, 0, 45, 0);
+  public static final Axis START = Axis.of(0, -90, 90, 0, 45, 0);
 
   private static final String FOLDER = "/no/hials/crosscom/lab/krl/";
 
@@ -26,7 +26,7 @@ public final class KrlPrograms {
    * @param program the program's file without its ending, such as {@code actuator}
    * @throws IOException if a file cannot be read
    */
-  public static void start(Controller controller, Axes start, String program) throws IOException {
+  public static void start(Controller controller, Axis start, String program) throws IOException {
     controller.place(start);
     try {
       load(controller, "config.dat");

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 
@@ -27,7 +27,7 @@ final class RobotProcess {
   private RobotProcess() {}
 
   /** Starts the process with the Java and the class path of this process. */
-  static Process start(String latency, Axes start, RobotProgram program) throws IOException {
+  static Process start(String latency, Axis start, RobotProgram program) throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(THRIFT);
@@ -54,7 +54,7 @@ final class RobotProcess {
   public static void main(String... args) throws IOException {
     Latency latency = Latency.parse(args[0], 1);
     String program = RobotProgram.valueOf(args[1]).name().toLowerCase(Locale.ROOT);
-    Axes start = Axes.of(Arrays.stream(args).skip(2).mapToDouble(Double::parseDouble).toArray());
+    Axis start = Axis.of(Arrays.stream(args).skip(2).mapToDouble(Double::parseDouble).toArray());
     CountDownLatch ended = new CountDownLatch(1);
     Runtime.getRuntime().addShutdownHook(new Thread(() -> await(ended), "until-the-input-ends"));
     try (MockServer server = MockServer.start(cfg -> cfg.latency(latency).recordedRequests(0))) {

@@ -3,7 +3,7 @@ package no.hials.crosscom.lab.experiment;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.Target;
 import no.hials.crosscom.control.Twist;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 
 /** The programs of {@code krl} that move by increments, as the programs of the papers did. */
 enum RobotProgram {
@@ -16,7 +16,7 @@ enum RobotProgram {
   EXT_MOVE_AXIS("MYAXIS") {
     @Override
     Law standing() {
-      return Law.jointVelocity(state -> Axes.ZERO);
+      return Law.jointVelocity(state -> Axis.ZERO);
     }
   };
 

@@ -14,7 +14,7 @@ import no.hials.crosscom.control.LoopStatistics;
 import no.hials.crosscom.control.Safety;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Trace;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import org.jspecify.annotations.Nullable;
 
@@ -47,7 +47,7 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
       String name,
       Experiment.Settings settings,
       Experiment.CycleObserver observer,
-      Axes start,
+      Axis start,
       RobotProgram program,
       Law law)
       throws ControlRefusedException, IOException {
@@ -64,7 +64,7 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
       String name,
       Experiment.Settings settings,
       Experiment.CycleObserver observer,
-      Axes start,
+      Axis start,
       RobotProgram program,
       Law standing,
       Law law)

@@ -9,7 +9,7 @@ import java.util.concurrent.locks.LockSupport;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.KRLInt;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.RobotModel;
 
 /**
@@ -38,7 +38,7 @@ final class SimulatedRobot implements AutoCloseable {
    * @param program the program to run
    * @throws IOException if the robot cannot be started or reached
    */
-  static SimulatedRobot start(String latency, Axes start, RobotProgram program) throws IOException {
+  static SimulatedRobot start(String latency, Axis start, RobotProgram program) throws IOException {
     Process process = RobotProcess.start(latency, start, program);
     try {
       SimulatedRobot robot = new SimulatedRobot(process, client(process));

@@ -7,7 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.KrlExecutionException;
@@ -47,10 +47,10 @@ final class AdvanceRun {
     void failed(int number, String text);
 
     /** Called when a motion starts, with its base (in the robot's root) and tool. */
-    void started(Axes from, Axes to, Frame base, Frame tool);
+    void started(Axis from, Axis to, Frame base, Frame tool);
 
     /** Called when the robot leaves its path for an interrupt. */
-    void leftPath(Axes axes);
+    void leftPath(Axis axes);
   }
 
   /** A step that waits until the robot stands, in the order of the requests. */
@@ -107,7 +107,7 @@ final class AdvanceRun {
     this.triggers = triggers;
     this.listener = listener;
     model = robot;
-    Axes start = access.position("$AXIS_ACT", robot.home());
+    Axis start = access.position("$AXIS_ACT", robot.home());
     resolver = new MotionResolver(access, robot, start);
     interpolator = new Interpolator(robot, start);
     readLimits();
@@ -127,8 +127,8 @@ final class AdvanceRun {
 
   /** Reads the software limits, which clients and data lists can change. */
   void readLimits() {
-    Axes low = robot.home();
-    Axes high = robot.home();
+    Axis low = robot.home();
+    Axis high = robot.home();
     for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       low = low.with(i, access.number("$SOFTN_END[" + (i + 1) + "]", robot.minimum(i)));
       high = high.with(i, access.number("$SOFTP_END[" + (i + 1) + "]", robot.maximum(i)));
@@ -147,7 +147,7 @@ final class AdvanceRun {
     interpolator.robot(model);
   }
 
-  private static boolean isOf(RobotModel model, Axes low, Axes high) {
+  private static boolean isOf(RobotModel model, Axis low, Axis high) {
     for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       if (model.minimum(i) != low.get(i) || model.maximum(i) != high.get(i)) {
         return false;
@@ -261,7 +261,7 @@ final class AdvanceRun {
   }
 
   /** Puts the robot at a position immediately. */
-  void place(Axes axes) {
+  void place(Axis axes) {
     interpolator = new Interpolator(model, axes);
     discardAll();
     listener.started(axes, axes, resolver.base(), resolver.tool());

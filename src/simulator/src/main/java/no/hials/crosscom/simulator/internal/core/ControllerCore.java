@@ -8,7 +8,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.lang.Position;
@@ -260,7 +260,7 @@ public final class ControllerCore {
         });
   }
 
-  public void place(Axes axes) {
+  public void place(Axis axes) {
     change(
         () -> {
           requireIdle(robot, "place");
@@ -277,7 +277,7 @@ public final class ControllerCore {
         });
   }
 
-  public Axes axes() {
+  public Axis axes() {
     return locked(() -> motions.interpolator().axes());
   }
 
@@ -444,12 +444,12 @@ public final class ControllerCore {
     }
 
     @Override
-    public void started(Axes from, Axes to, Frame base, Frame tool) {
+    public void started(Axis from, Axis to, Frame base, Frame tool) {
       variables.started(from, to, base, tool);
     }
 
     @Override
-    public void leftPath(Axes axes) {
+    public void leftPath(Axis axes) {
       variables.leftPath(axes);
     }
   }

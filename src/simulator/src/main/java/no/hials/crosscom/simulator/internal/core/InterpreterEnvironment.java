@@ -2,7 +2,7 @@ package no.hials.crosscom.simulator.internal.core;
 
 import java.util.Optional;
 import java.util.function.LongSupplier;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Position;
@@ -98,7 +98,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
 
   @Override
   public Optional<KrlStruct> forward(KrlStruct axes) {
-    Axes position = PositionValues.toAxes(axes, motions.interpolator().axes());
+    Axis position = PositionValues.toAxes(axes, motions.interpolator().axes());
     MotionResolver resolver = motions.resolver();
     Frame flange = motions.model().forward(position);
     Frame tcp = resolver.base().inverse().times(flange).times(resolver.tool());
@@ -110,7 +110,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
   @Override
   public Optional<KrlStruct> inverse(KrlStruct position, KrlStruct start) {
     try {
-      Axes near = PositionValues.toAxes(start, motions.interpolator().axes());
+      Axis near = PositionValues.toAxes(start, motions.interpolator().axes());
       return Optional.of(PositionValues.e6Axis(motions.resolver().inverse(position, near)));
     } catch (UnreachableException e) {
       return Optional.empty();

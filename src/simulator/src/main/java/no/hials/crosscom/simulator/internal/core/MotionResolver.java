@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.core;
 import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.Set;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
@@ -46,11 +46,11 @@ final class MotionResolver {
   private RobotModel robot;
 
   /** The end of the last planned motion. */
-  private Axes last;
+  private Axis last;
 
   private long planned;
 
-  MotionResolver(SystemVariableAccess access, RobotModel robot, Axes start) {
+  MotionResolver(SystemVariableAccess access, RobotModel robot, Axis start) {
     this.access = access;
     this.robot = robot;
     this.last = start;
@@ -62,7 +62,7 @@ final class MotionResolver {
   }
 
   /** Sets the start position of the next motion. */
-  void startAt(Axes axes) {
+  void startAt(Axis axes) {
     last = axes;
   }
 
@@ -92,11 +92,11 @@ final class MotionResolver {
 
   private MotionCommand pointToPoint(MotionOrder order) throws KrlExecutionException {
     KrlStruct target = order.target();
-    Axes axes;
+    Axis axes;
     if (PositionValues.isAxes(target)) {
       axes =
           order.kind().relative()
-              ? last.plus(PositionValues.toAxes(target, Axes.ZERO))
+              ? last.plus(PositionValues.toAxes(target, Axis.ZERO))
               : PositionValues.toAxes(target, last);
     } else {
       axes = inverse(order, frame(order, target));
@@ -110,7 +110,7 @@ final class MotionResolver {
    * increment, the arm keeps its configuration (docs/reference/kinematics.md#status-and-turn; for
    * PTP_REL assumed).
    */
-  private Axes inverse(MotionOrder order, Frame tcp) throws KrlExecutionException {
+  private Axis inverse(MotionOrder order, Frame tcp) throws KrlExecutionException {
     try {
       if (order.kind().relative()) {
         return robot.inverse(tcp.times(tool().inverse()), last);
@@ -177,7 +177,7 @@ final class MotionResolver {
    * Returns the axes that bring the tool to a position: with its Status and Turn, or else near
    * other axes.
    */
-  Axes inverse(KrlStruct position, Axes near) throws UnreachableException {
+  Axis inverse(KrlStruct position, Axis near) throws UnreachableException {
     Frame from = base().inverse().times(robot.forward(near)).times(tool());
     Frame flange = base().times(PositionValues.toFrame(position, from)).times(tool().inverse());
     OptionalDouble status = PositionValues.number(position, "S");
@@ -195,8 +195,8 @@ final class MotionResolver {
         percent(access.axes("$VEL_AXIS", 100)), percent(access.axes("$ACC_AXIS", 100)));
   }
 
-  private static Axes percent(Axes axes) {
-    Axes result = axes;
+  private static Axis percent(Axis axes) {
+    Axis result = axes;
     for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       result = result.with(i, Math.max(LEAST_PERCENT, Math.min(100, axes.get(i))));
     }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -58,7 +58,7 @@ final class PositionValues {
     return new KrlStruct("E6POS", fields);
   }
 
-  static KrlStruct e6Axis(Axes axes) {
+  static KrlStruct e6Axis(Axis axes) {
     List<KrlStruct.Field> fields = new ArrayList<>();
     for (int i = 0; i < ROBOT_AXES; i++) {
       fields.add(real("A" + (i + 1), axes.get(i)));
@@ -107,8 +107,8 @@ final class PositionValues {
   }
 
   /** Converts an aggregate to an axis position; missing fields come from another position. */
-  static Axes toAxes(KrlStruct struct, Axes missing) {
-    Axes axes = missing;
+  static Axis toAxes(KrlStruct struct, Axis missing) {
+    Axis axes = missing;
     for (int i = 0; i < ROBOT_AXES; i++) {
       OptionalDouble angle = number(struct, "A" + (i + 1));
       if (angle.isPresent()) {

@@ -2,7 +2,7 @@ package no.hials.crosscom.simulator.internal.core;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
@@ -82,16 +82,16 @@ final class SystemVariableAccess {
   }
 
   /** Reads the first six elements of an array. */
-  Axes axes(String array, double otherwise) {
+  Axis axes(String array, double otherwise) {
     double[] numbers = new double[PositionValues.ROBOT_AXES];
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = number(array + "[" + (i + 1) + "]", otherwise);
     }
-    return Axes.of(numbers);
+    return Axis.of(numbers);
   }
 
   /** Reads the aggregate of an axis position. */
-  Axes position(String name, Axes otherwise) {
+  Axis position(String name, Axis otherwise) {
     return read(name) instanceof KrlStruct struct
         ? PositionValues.toAxes(struct, otherwise)
         : otherwise;

@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.code.Interpreter;
@@ -80,8 +80,8 @@ final class SystemVariables {
    * @param idle whether all motions have ended
    */
   record State(
-      Axes axes,
-      Axes axisVelocity,
+      Axis axes,
+      Axis axisVelocity,
       double pathVelocity,
       boolean standing,
       int planned,
@@ -107,13 +107,13 @@ final class SystemVariables {
   private volatile Pointer submitPointer = NO_POINTER;
 
   /** The end and the start of the current motion, and the position at an interrupt. */
-  private volatile Axes target;
+  private volatile Axis target;
 
-  private volatile Axes origin;
-  private volatile Axes interrupted;
+  private volatile Axis origin;
+  private volatile Axis interrupted;
 
   /** The position where an interrupt has put the motions aside. */
-  private volatile Axes left;
+  private volatile Axis left;
 
   /** The base and the tool of the current motion; null between motions. */
   private volatile @Nullable Frame mainBase;
@@ -205,7 +205,7 @@ final class SystemVariables {
    * In the base and with the tool of the main run
    * (docs/reference/system-variables.md#position-and-motion).
    */
-  private KrlStruct position(Axes axes) {
+  private KrlStruct position(Axis axes) {
     Frame tcp = baseOfMainRun().inverse().times(robot.forward(axes)).times(toolOfMainRun());
     return PositionValues.e6Pos(tcp, robot.status(axes), robot.turn(axes));
   }
@@ -294,14 +294,14 @@ final class SystemVariables {
 
   // called by the core
 
-  void started(Axes from, Axes to, Frame inBase, Frame withTool) {
+  void started(Axis from, Axis to, Frame inBase, Frame withTool) {
     origin = from;
     target = to;
     mainBase = inBase;
     mainTool = withTool;
   }
 
-  void leftPath(Axes axes) {
+  void leftPath(Axis axes) {
     left = axes;
   }
 
@@ -369,9 +369,9 @@ final class SystemVariables {
   }
 
   /** Within $H_POS_TOL of every axis of the home position. */
-  private boolean atHome(Axes axes) {
-    Axes tolerance = access.position("$H_POS_TOL", Axes.ZERO);
-    Axes away = access.position("$H_POS", robot.home()).minus(axes);
+  private boolean atHome(Axis axes) {
+    Axis tolerance = access.position("$H_POS_TOL", Axis.ZERO);
+    Axis away = access.position("$H_POS", robot.home()).minus(axes);
     for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       if (Math.abs(away.get(i)) > tolerance.get(i)) {
         return false;

@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
 
@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * @param path those of the TCP on a LIN or CIRC, else null
  * @param tool the TCP
  */
-record AccelerationLimits(Axes axes, @Nullable PathRates path, Frame tool) {
+record AccelerationLimits(Axis axes, @Nullable PathRates path, Frame tool) {
   /** Returns the limits of the current segment; in a blend the higher of both. */
   static AccelerationLimits of(PathSegment segment, @Nullable PathSegment next) {
     AccelerationLimits limits = of(segment);
@@ -19,7 +19,7 @@ record AccelerationLimits(Axes axes, @Nullable PathRates path, Frame tool) {
   }
 
   /** Limits the axes only by their highest accelerations, whatever the program has set. */
-  AccelerationLimits withoutPath(Axes most) {
+  AccelerationLimits withoutPath(Axis most) {
     return new AccelerationLimits(most, null, tool);
   }
 
@@ -44,11 +44,11 @@ record AccelerationLimits(Axes axes, @Nullable PathRates path, Frame tool) {
             Math.max(one.turnAcceleration(), other.turnAcceleration()));
   }
 
-  private static Axes higher(Axes one, Axes other) {
+  private static Axis higher(Axis one, Axis other) {
     double[] six = one.toArray();
     for (int axis = 0; axis < six.length; axis++) {
       six[axis] = Math.max(six[axis], other.get(axis));
     }
-    return Axes.of(six);
+    return Axis.of(six);
   }
 }

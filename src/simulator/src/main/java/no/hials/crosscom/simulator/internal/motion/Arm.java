@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
@@ -33,7 +33,7 @@ final class Arm {
     this.robot = robot;
     this.unlimited =
         robot.withLimits(
-            new Axes(-FAR, -FAR, -FAR, -FAR, -FAR, -FAR), new Axes(FAR, FAR, FAR, FAR, FAR, FAR));
+            new Axis(-FAR, -FAR, -FAR, -FAR, -FAR, -FAR), new Axis(FAR, FAR, FAR, FAR, FAR, FAR));
   }
 
   double maxSpeed(int axis) {
@@ -44,17 +44,17 @@ final class Arm {
     return robot.maxAcceleration(axis);
   }
 
-  Frame forward(Axes axes) {
+  Frame forward(Axis axes) {
     return robot.forward(axes);
   }
 
-  Frame tcp(Axes axes, Frame tool) {
+  Frame tcp(Axis axes, Frame tool) {
     Frame flange = robot.forward(axes);
     return tool.equals(Frame.IDENTITY) ? flange : flange.times(tool);
   }
 
   /** Returns the axes nearest to others, inside the limits or not. */
-  Axes inverse(Frame tcp, Frame flangeInTool, Axes near) throws MotionRefusedException {
+  Axis inverse(Frame tcp, Frame flangeInTool, Axis near) throws MotionRefusedException {
     boolean isFlange = flangeInTool.equals(Frame.IDENTITY);
     try {
       return unlimited.inverse(isFlange ? tcp : tcp.times(flangeInTool), near);
@@ -64,23 +64,23 @@ final class Arm {
   }
 
   /** Returns the first axis that is beyond a software limit. */
-  Optional<AxisLimit> beyondLimit(Axes axes) {
+  Optional<AxisLimit> beyondLimit(Axis axes) {
     List<Integer> outside = robot.axesOutsideLimits(axes, -TOLERANCE);
     return outside.isEmpty() ? Optional.empty() : Optional.of(limit(outside.get(0), axes));
   }
 
-  private AxisLimit limit(int axis, Axes axes) {
+  private AxisLimit limit(int axis, Axis axes) {
     double value = axes.get(axis);
     double limit = value > robot.maximum(axis) ? robot.maximum(axis) : robot.minimum(axis);
     return new AxisLimit(axis, limit, value);
   }
 
   /** Moves axes that are beyond a limit to the limit. */
-  Axes clamped(Axes axes) {
+  Axis clamped(Axis axes) {
     double[] six = axes.toArray();
     for (int axis = 0; axis < AXES; axis++) {
       six[axis] = Math.max(robot.minimum(axis), Math.min(robot.maximum(axis), six[axis]));
     }
-    return Axes.of(six);
+    return Axis.of(six);
   }
 }

@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 
 /**
  * The speeds and accelerations of the axes in a PTP motion ({@code $VEL_AXIS}, {@code $ACC_AXIS}).
@@ -8,7 +8,7 @@ import no.hials.crosscom.kinematics.Axes;
  * @param velocity the part of each axis' highest speed, above 0 to 100 %
  * @param acceleration the part of each axis' highest acceleration, above 0 to 100 %
  */
-public record AxisRates(Axes velocity, Axes acceleration) {
+public record AxisRates(Axis velocity, Axis acceleration) {
   public AxisRates {
     requirePercentages("velocity", velocity);
     requirePercentages("acceleration", acceleration);
@@ -18,11 +18,11 @@ public record AxisRates(Axes velocity, Axes acceleration) {
     return new AxisRates(all(velocity), all(acceleration));
   }
 
-  private static Axes all(double value) {
-    return new Axes(value, value, value, value, value, value);
+  private static Axis all(double value) {
+    return new Axis(value, value, value, value, value, value);
   }
 
-  private static void requirePercentages(String what, Axes percentages) {
+  private static void requirePercentages(String what, Axis percentages) {
     for (double value : percentages.toArray()) {
       if (!(value > 0 && value <= 100)) {
         throw new IllegalArgumentException(

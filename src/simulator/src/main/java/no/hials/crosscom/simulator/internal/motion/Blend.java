@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Distance;
@@ -31,11 +31,11 @@ final class Blend {
     this.arm = arm;
   }
 
-  Axes axes(PathCursor at) throws MotionRefusedException {
+  Axis axes(PathCursor at) throws MotionRefusedException {
     return arm.clamped(unlimited(at));
   }
 
-  private Axes unlimited(PathCursor at) throws MotionRefusedException {
+  private Axis unlimited(PathCursor at) throws MotionRefusedException {
     PathSegment segment = at.requireSegment();
     PathSegment next = at.next();
     if (next == null) {
@@ -48,14 +48,14 @@ final class Blend {
         && from.tool().equals(to.tool())) {
       Frame first = from.curve().at(segment.profile().position(at.time()));
       Frame second = to.curve().at(next.profile().position(at.nextTime()));
-      Axes near = sum(segment.near(at.time()), next.near(at.nextTime()), to.start());
+      Axis near = sum(segment.near(at.time()), next.near(at.nextTime()), to.start());
       Frame tcp = sum(first, second, to.curve().at(0));
       return arm.inverse(tcp, from.flangeInTool(), near);
     }
     return sum(segment.at(at.time()), next.at(at.nextTime()), next.path().start());
   }
 
-  private static Axes sum(Axes first, Axes second, Axes corner) {
+  private static Axis sum(Axis first, Axis second, Axis corner) {
     return first.plus(second.minus(corner));
   }
 

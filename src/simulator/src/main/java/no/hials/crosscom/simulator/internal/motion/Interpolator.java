@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Faulted;
@@ -54,16 +54,16 @@ public final class Interpolator {
   private Blend way;
   private final List<PathSegment> planned = new ArrayList<>();
   private PathCursor cursor = PathCursor.NOWHERE;
-  private Axes plannedEnd;
-  private Axes last;
-  private Axes now;
+  private Axis plannedEnd;
+  private Axis last;
+  private Axis now;
   private Frame tool = Frame.IDENTITY;
   private Brake brake = Brake.NONE;
   private boolean cancelled;
   private double rate;
   private @Nullable SuspendedPlan returning;
 
-  public Interpolator(RobotModel robot, Axes start) {
+  public Interpolator(RobotModel robot, Axis start) {
     widest = robot;
     arm = new Arm(robot);
     planner = new TrajectoryPlanner(arm);
@@ -79,8 +79,8 @@ public final class Interpolator {
     arm = new Arm(limited);
     planner = new TrajectoryPlanner(arm);
     blend = new Blend(arm);
-    Axes low = limited.home();
-    Axes high = limited.home();
+    Axis low = limited.home();
+    Axis high = limited.home();
     for (int axis = 0; axis < Arm.AXES; axis++) {
       low = low.with(axis, Math.min(widest.minimum(axis), limited.minimum(axis)));
       high = high.with(axis, Math.max(widest.maximum(axis), limited.maximum(axis)));
@@ -118,7 +118,7 @@ public final class Interpolator {
    * Returns the end of the planned motions, where the next one will start; of a path that leaves
    * the limits, its last point within them.
    */
-  public Axes plannedEnd() {
+  public Axis plannedEnd() {
     return plannedEnd;
   }
 
@@ -134,7 +134,7 @@ public final class Interpolator {
    * Returns the start of the main run's motion ({@code $AXIS_BACK}); between motions the current
    * axes.
    */
-  public Axes currentStart() {
+  public Axis currentStart() {
     PathSegment segment = currentSegment();
     return segment == null ? now : segment.path().start();
   }
@@ -142,7 +142,7 @@ public final class Interpolator {
   /**
    * Returns the end of the main run's motion ({@code $AXIS_FOR}); between motions the current axes.
    */
-  public Axes currentEnd() {
+  public Axis currentEnd() {
     PathSegment segment = currentSegment();
     return segment == null ? now : segment.path().end();
   }
@@ -258,7 +258,7 @@ public final class Interpolator {
   }
 
   /** Returns the current axes, degrees. */
-  public Axes axes() {
+  public Axis axes() {
     return now;
   }
 
@@ -268,15 +268,15 @@ public final class Interpolator {
   }
 
   /** Returns the mean speeds of the axes in the last cycle, degrees/s; 0 if the robot stands. */
-  public Axes axisVelocity() {
+  public Axis axisVelocity() {
     if (standing()) {
-      return Axes.ZERO;
+      return Axis.ZERO;
     }
     double[] speeds = now.minus(last).toArray();
     for (int axis = 0; axis < speeds.length; axis++) {
       speeds[axis] /= CYCLE;
     }
-    return Axes.of(speeds);
+    return Axis.of(speeds);
   }
 
   /** Returns the mean speed of the TCP in the last cycle, m/s; 0 if the robot stands. */
@@ -320,7 +320,7 @@ public final class Interpolator {
       double part = rate;
       double horizon;
       PathCursor.Step step;
-      Axes there;
+      Axis there;
       int attempts = 0;
       do {
         horizon = Math.max(SpeedGovernor.SHORTEST, part);
@@ -345,11 +345,11 @@ public final class Interpolator {
     return cursor.advance(part * CYCLE, returning == null ? planned : List.of());
   }
 
-  private Axes axes(PathCursor.Step step) throws MotionRefusedException {
+  private Axis axes(PathCursor.Step step) throws MotionRefusedException {
     return step.ended() == null ? way.axes(step.cursor()) : step.ended().path().end();
   }
 
-  private void take(PathCursor.Step step, Axes there, List<MotionEvent> events) {
+  private void take(PathCursor.Step step, Axis there, List<MotionEvent> events) {
     last = now;
     now = there;
     cursor = step.cursor();

@@ -1,28 +1,28 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 
 /**
  * The axes along a motion, over a parameter from 0 to 1 or to the point where the path has to end.
  */
 sealed interface JointPath permits JointPath.OfAxes, JointPath.OfTcp {
-  Axes at(double parameter) throws MotionRefusedException;
+  Axis at(double parameter) throws MotionRefusedException;
 
   /** Returns axes near enough to those at a parameter to start an inverse from. */
-  Axes near(double parameter);
+  Axis near(double parameter);
 
-  Axes start();
+  Axis start();
 
-  Axes end();
+  Axis end();
 
   /** Returns the accelerations for brakes and changes of the override, degrees/s². */
-  Axes accelerations();
+  Axis accelerations();
 
   /** A straight line in the axes, of a PTP. */
-  record OfAxes(Axes start, Axes end, Axes accelerations) implements JointPath {
+  record OfAxes(Axis start, Axis end, Axis accelerations) implements JointPath {
     @Override
-    public Axes at(double parameter) {
+    public Axis at(double parameter) {
       if (parameter >= 1) {
         return end;
       }
@@ -30,11 +30,11 @@ sealed interface JointPath permits JointPath.OfAxes, JointPath.OfTcp {
       for (int axis = 0; axis < six.length; axis++) {
         six[axis] += parameter * (end.get(axis) - start.get(axis));
       }
-      return Axes.of(six);
+      return Axis.of(six);
     }
 
     @Override
-    public Axes near(double parameter) {
+    public Axis near(double parameter) {
       return at(parameter);
     }
   }
@@ -47,25 +47,25 @@ sealed interface JointPath permits JointPath.OfAxes, JointPath.OfTcp {
       Frame flangeInTool,
       PathRates rates,
       boolean byPose,
-      Axes accelerations)
+      Axis accelerations)
       implements JointPath {
     @Override
-    public Axes at(double parameter) throws MotionRefusedException {
+    public Axis at(double parameter) throws MotionRefusedException {
       return sampler.at(parameter);
     }
 
     @Override
-    public Axes near(double parameter) {
+    public Axis near(double parameter) {
       return sampler.near(parameter);
     }
 
     @Override
-    public Axes start() {
+    public Axis start() {
       return sampler.axes().get(0);
     }
 
     @Override
-    public Axes end() {
+    public Axis end() {
       return sampler.lastAxes();
     }
   }

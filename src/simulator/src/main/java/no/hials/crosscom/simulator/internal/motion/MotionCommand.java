@@ -1,7 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.OptionalDouble;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 
 /** One motion of a program, as the advance run has resolved it. */
@@ -22,7 +22,7 @@ public sealed interface MotionCommand {
    * @param rates the speeds of the axes
    */
   record PointToPoint(
-      long id, Axes target, AxisRates rates, Frame tool, ApproximationZone approximation)
+      long id, Axis target, AxisRates rates, Frame tool, ApproximationZone approximation)
       implements MotionCommand {}
 
   /**

@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 
 /** An event of a motion in a cycle. */
 public sealed interface MotionEvent {
@@ -17,5 +17,5 @@ public sealed interface MotionEvent {
    *
    * @param axes the position of the robot: the last point of the path within the limits
    */
-  record Faulted(MotionCommand motion, MotionProblem problem, Axes axes) implements MotionEvent {}
+  record Faulted(MotionCommand motion, MotionProblem problem, Axis axes) implements MotionEvent {}
 }

@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.Singularity;
 import org.jspecify.annotations.Nullable;
@@ -28,9 +28,9 @@ final class PathSampler {
   private final Arm arm;
   private final Solver solver;
   private final List<Double> found = new ArrayList<>();
-  private final List<Axes> foundAxes = new ArrayList<>();
+  private final List<Axis> foundAxes = new ArrayList<>();
   private double[] parameters = {};
-  private List<Axes> axes = List.of();
+  private List<Axis> axes = List.of();
   private @Nullable MotionProblem problem;
 
   private PathSampler(Arm arm, Solver solver) {
@@ -43,7 +43,7 @@ final class PathSampler {
    *
    * @param fewest the number of points even if the axes hardly turn
    */
-  static PathSampler of(Arm arm, Solver solver, Axes start, int fewest) {
+  static PathSampler of(Arm arm, Solver solver, Axis start, int fewest) {
     PathSampler sampler = new PathSampler(arm, solver);
     sampler.put(0, start);
     for (int i = 1; i <= fewest && sampler.problem == null; i++) {
@@ -62,7 +62,7 @@ final class PathSampler {
     return parameters.clone();
   }
 
-  List<Axes> axes() {
+  List<Axis> axes() {
     return axes;
   }
 
@@ -75,22 +75,22 @@ final class PathSampler {
     return parameters[parameters.length - 1];
   }
 
-  Axes lastAxes() {
+  Axis lastAxes() {
     return foundAxes.get(foundAxes.size() - 1);
   }
 
   /** Returns the axes between the first and the last point. */
-  Axes at(double parameter) throws MotionRefusedException {
+  Axis at(double parameter) throws MotionRefusedException {
     return arm.clamped(solver.axes(parameter, near(parameter)));
   }
 
   /** Returns the axes at the last point before a parameter. */
-  Axes near(double parameter) {
+  Axis near(double parameter) {
     int index = Arrays.binarySearch(parameters, parameter);
     return axes.get(index >= 0 ? index : -index - 2);
   }
 
-  private void put(double parameter, Axes at) {
+  private void put(double parameter, Axis at) {
     found.add(parameter);
     foundAxes.add(arm.clamped(at));
   }
@@ -100,7 +100,7 @@ final class PathSampler {
     double from = found.get(found.size() - 1);
     MotionProblem inTheWay;
     try {
-      Axes there = solver.axes(to, lastAxes());
+      Axis there = solver.axes(to, lastAxes());
       inTheWay = inTheWay(there, to - from > CLOSEST ? STEP : JUMP);
       if (inTheWay == null) {
         put(to, there);
@@ -116,10 +116,10 @@ final class PathSampler {
     return before == null ? extend(to) : before;
   }
 
-  private @Nullable MotionProblem inTheWay(Axes there, double mostTurn) {
+  private @Nullable MotionProblem inTheWay(Axis there, double mostTurn) {
     double turn = there.largestDifference(lastAxes());
     if (turn > mostTurn) {
-      Axes turns = there.minus(lastAxes());
+      Axis turns = there.minus(lastAxes());
       int axis = 0;
       while (Math.abs(turns.get(axis)) < turn) {
         axis++;
@@ -132,7 +132,7 @@ final class PathSampler {
   /** Continues without limits, to find the furthest angle of the axis. */
   private AxisLimit furthest(AxisLimit limit) {
     AxisLimit furthest = limit;
-    Axes last = lastAxes();
+    Axis last = lastAxes();
     double from = found.get(found.size() - 1);
     try {
       for (int i = 1; i <= BEYOND; i++) {

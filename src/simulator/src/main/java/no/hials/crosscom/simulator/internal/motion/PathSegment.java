@@ -1,7 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.Objects;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
 
@@ -32,11 +32,11 @@ record PathSegment(
     return profile.duration();
   }
 
-  Axes at(double time) throws MotionRefusedException {
+  Axis at(double time) throws MotionRefusedException {
     return path.at(profile.position(time));
   }
 
-  Axes near(double time) {
+  Axis near(double time) {
     return path.near(profile.position(time));
   }
 

@@ -1,7 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.Locale;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 
 /** Computes the axes, inside their limits or not, for a parameter of a path. */
@@ -11,12 +11,12 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
    *
    * @throws MotionRefusedException if none exist
    */
-  Axes axes(double parameter, Axes near) throws MotionRefusedException;
+  Axis axes(double parameter, Axis near) throws MotionRefusedException;
 
   /** Keeps the TCP and its orientation on the curve. */
   record ByPose(Arm arm, Curve curve, Frame flangeInTool) implements Solver {
     @Override
-    public Axes axes(double parameter, Axes near) throws MotionRefusedException {
+    public Axis axes(double parameter, Axis near) throws MotionRefusedException {
       return arm.inverse(curve.at(parameter), flangeInTool, near);
     }
   }
@@ -25,7 +25,7 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
    * Turns A4 to A6 evenly from start to end, and keeps the TCP on the curve: A1 to A3 are found by
    * Newton's method.
    */
-  record ByWrist(Arm arm, Curve curve, Frame tool, Axes start, Axes end) implements Solver {
+  record ByWrist(Arm arm, Curve curve, Frame tool, Axis start, Axis end) implements Solver {
     private static final int ITERATIONS = 20;
 
     /** The step for the derivatives, degrees. */
@@ -38,10 +38,10 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
     private static final double MAX_STEP = 20;
 
     @Override
-    public Axes axes(double parameter, Axes near) throws MotionRefusedException {
+    public Axis axes(double parameter, Axis near) throws MotionRefusedException {
       Point wanted = Point.of(curve.at(parameter));
-      Axes wrist = start.plus(times(end.minus(start), parameter));
-      Axes found = new Axes(near.a1(), near.a2(), near.a3(), wrist.a4(), wrist.a5(), wrist.a6());
+      Axis wrist = start.plus(times(end.minus(start), parameter));
+      Axis found = new Axis(near.a1(), near.a2(), near.a3(), wrist.a4(), wrist.a5(), wrist.a6());
       for (int i = 0; i < ITERATIONS; i++) {
         Point here = position(found);
         Point missing = wanted.minus(here);
@@ -54,7 +54,7 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
     }
 
     /** Solves for the small turns of A1 to A3 that move the TCP by the missing distance. */
-    private Axes step(Axes from, Point here, Point missing) throws MotionRefusedException {
+    private Axis step(Axis from, Point here, Point missing) throws MotionRefusedException {
       Point[] columns = new Point[3];
       for (int axis = 0; axis < columns.length; axis++) {
         Point moved = position(from.with(axis, from.get(axis) + STEP));
@@ -72,10 +72,10 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
         throw unreachable(here.plus(missing));
       }
       double part = Math.min(1, MAX_STEP / largest);
-      return new Axes(turns[0] * part, turns[1] * part, turns[2] * part, 0, 0, 0);
+      return new Axis(turns[0] * part, turns[1] * part, turns[2] * part, 0, 0, 0);
     }
 
-    private Point position(Axes axes) {
+    private Point position(Axis axes) {
       return Point.of(arm.tcp(axes, tool));
     }
 
@@ -90,8 +90,8 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
                   point.z())));
     }
 
-    private static Axes times(Axes axes, double factor) {
-      return new Axes(
+    private static Axis times(Axis axes, double factor) {
+      return new Axis(
           axes.a1() * factor,
           axes.a2() * factor,
           axes.a3() * factor,

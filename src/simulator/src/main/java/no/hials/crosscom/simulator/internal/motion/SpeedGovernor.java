@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
 
@@ -25,8 +25,8 @@ final class SpeedGovernor {
   private final Arm arm;
   private final double cycle;
   private final AccelerationLimits limits;
-  private final Axes last;
-  private final Axes now;
+  private final Axis last;
+  private final Axis now;
   private final @Nullable Frame tcp;
   private final SpeedLimit speedLimit;
   private final double pathStep;
@@ -45,8 +45,8 @@ final class SpeedGovernor {
       Arm arm,
       double cycle,
       AccelerationLimits limits,
-      Axes last,
-      Axes now,
+      Axis last,
+      Axis now,
       SpeedLimit speedLimit) {
     this.speedLimit = speedLimit;
     this.arm = arm;
@@ -74,7 +74,7 @@ final class SpeedGovernor {
    * @param horizon the look ahead, in parts of a cycle
    * @param ahead the axes after the horizon
    */
-  double rate(double wanted, double before, double horizon, Axes ahead) {
+  double rate(double wanted, double before, double horizon, Axis ahead) {
     least = 0;
     most = 1;
     for (int axis = 0; axis < Arm.AXES; axis++) {
@@ -100,7 +100,7 @@ final class SpeedGovernor {
   }
 
   /** Returns the distance of the TCP or the flange, whichever moves further, mm. */
-  private double furthest(Axes ahead) {
+  private double furthest(Axis ahead) {
     double tool = arm.tcp(now, limits.tool()).distance(arm.tcp(ahead, limits.tool()));
     return Math.max(tool, arm.forward(now).distance(arm.forward(ahead)));
   }

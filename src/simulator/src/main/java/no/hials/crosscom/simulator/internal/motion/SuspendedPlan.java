@@ -1,7 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.List;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,10 +11,10 @@ import org.jspecify.annotations.Nullable;
  * @param before the plan to which the robot was returning when it was interrupted again
  */
 public record SuspendedPlan(
-    Axes axes,
+    Axis axes,
     PathCursor cursor,
     List<PathSegment> planned,
-    Axes plannedEnd,
+    Axis plannedEnd,
     @Nullable SuspendedPlan before) {
   public SuspendedPlan {
     planned = List.copyOf(planned);

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Circular;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Linear;
@@ -27,22 +27,22 @@ final class TrajectoryPlanner {
   private static final double SHARE = 0.5;
 
   private final Arm arm;
-  private final Axes accelerations;
+  private final Axis accelerations;
 
   TrajectoryPlanner(Arm arm) {
     this.arm = arm;
     double[] six = new double[Arm.AXES];
     Arrays.setAll(six, arm::maxAcceleration);
-    this.accelerations = Axes.of(six);
+    this.accelerations = Axis.of(six);
   }
 
   /** Returns the highest accelerations of the axes, degrees/s². */
-  Axes accelerations() {
+  Axis accelerations() {
     return accelerations;
   }
 
   /** Plans a motion that starts at the end of the one before. */
-  PathSegment plan(MotionCommand motion, Axes start) throws MotionRefusedException {
+  PathSegment plan(MotionCommand motion, Axis start) throws MotionRefusedException {
     if (motion instanceof PointToPoint ptp) {
       return pointToPoint(ptp, start);
     }
@@ -52,12 +52,12 @@ final class TrajectoryPlanner {
   }
 
   /** Plans the return to where the robot left a path. */
-  PathSegment back(Axes start, Axes target, AxisRates rates) {
+  PathSegment back(Axis start, Axis target, AxisRates rates) {
     // the limits may have changed since
     return segment(null, target, rates, start);
   }
 
-  private PathSegment pointToPoint(PointToPoint motion, Axes start) throws MotionRefusedException {
+  private PathSegment pointToPoint(PointToPoint motion, Axis start) throws MotionRefusedException {
     Optional<AxisLimit> beyond = arm.beyondLimit(motion.target());
     if (beyond.isPresent()) {
       throw new MotionRefusedException(beyond.get());
@@ -66,7 +66,7 @@ final class TrajectoryPlanner {
   }
 
   private PathSegment segment(
-      @Nullable MotionCommand motion, Axes end, AxisRates rates, Axes start) {
+      @Nullable MotionCommand motion, Axis end, AxisRates rates, Axis start) {
     double[] most = new double[Arm.AXES];
     double speed = Double.POSITIVE_INFINITY;
     double acceleration = Double.POSITIVE_INFINITY;
@@ -77,11 +77,11 @@ final class TrajectoryPlanner {
       acceleration = Math.min(acceleration, most[axis] / way);
     }
     double length = start.largestDifference(end) < NOWHERE ? 0 : 1;
-    JointPath path = new JointPath.OfAxes(start, end, Axes.of(most));
+    JointPath path = new JointPath.OfAxes(start, end, Axis.of(most));
     return new PathSegment(motion, path, Trapezoid.of(length, speed, acceleration), null, 0);
   }
 
-  private PathSegment linear(Linear motion, Axes start) {
+  private PathSegment linear(Linear motion, Axis start) {
     Frame from = arm.tcp(start, motion.tool());
     Frame to =
         motion.orientation() == OrientationControl.CONSTANT
@@ -90,7 +90,7 @@ final class TrajectoryPlanner {
     return along(motion, new Curve.Line(from, to), motion.rates(), motion.orientation(), start);
   }
 
-  private PathSegment circular(Circular motion, Axes start) throws MotionRefusedException {
+  private PathSegment circular(Circular motion, Axis start) throws MotionRefusedException {
     Frame from = arm.tcp(start, motion.tool());
     Frame orientation =
         motion.orientation() == OrientationControl.CONSTANT ? from : motion.target();
@@ -104,7 +104,7 @@ final class TrajectoryPlanner {
       Curve curve,
       PathRates rates,
       OrientationControl orientation,
-      Axes start) {
+      Axis start) {
     Frame flangeInTool = motion.tool().inverse();
     Solver solver = solver(curve, motion.tool(), flangeInTool, orientation, start);
     int points = (int) (Math.max(curve.length(), curve.angle()) / POINT_DISTANCE);
@@ -123,13 +123,13 @@ final class TrajectoryPlanner {
   }
 
   private Solver solver(
-      Curve curve, Frame tool, Frame flangeInTool, OrientationControl orientation, Axes start) {
+      Curve curve, Frame tool, Frame flangeInTool, OrientationControl orientation, Axis start) {
     Solver byPose = new Solver.ByPose(arm, curve, flangeInTool);
     if (orientation != OrientationControl.JOINT) {
       return byPose;
     }
     try {
-      Axes end = arm.inverse(curve.at(1), flangeInTool, start);
+      Axis end = arm.inverse(curve.at(1), flangeInTool, start);
       return new Solver.ByWrist(arm, curve, tool, start, end);
     } catch (MotionRefusedException e) {
       // out of reach: with this solver the robot moves as far as it can
@@ -163,13 +163,13 @@ final class TrajectoryPlanner {
    *
    * @return whether any was lowered
    */
-  private boolean limit(double[] parameters, List<Axes> points, double[] speeds, double[] ramps) {
+  private boolean limit(double[] parameters, List<Axis> points, double[] speeds, double[] ramps) {
     boolean lower = false;
     for (int i = 1; i < parameters.length - 1; i++) {
       double before = parameters[i] - parameters[i - 1];
       double after = parameters[i + 1] - parameters[i];
-      Axes in = points.get(i).minus(points.get(i - 1));
-      Axes out = points.get(i + 1).minus(points.get(i));
+      Axis in = points.get(i).minus(points.get(i - 1));
+      Axis out = points.get(i + 1).minus(points.get(i));
       for (int axis = 0; axis < Arm.AXES; axis++) {
         double rateIn = in.get(axis) / before;
         double rateOut = out.get(axis) / after;

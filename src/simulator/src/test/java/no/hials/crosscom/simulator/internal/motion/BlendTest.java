@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
@@ -19,14 +19,14 @@ import org.junit.jupiter.api.Test;
 
 class BlendTest {
   private static final RobotModel ROBOT = Ride.ROBOT;
-  private static final Axes HOME = ROBOT.home();
-  private static final Axes START = new Axes(0, -90, 90, 0, 60, 0);
+  private static final Axis HOME = ROBOT.home();
+  private static final Axis START = new Axis(0, -90, 90, 0, 60, 0);
   private static final Frame FROM = ROBOT.forward(START);
 
   @Test
   void flowsThroughAChainOfSmallAxisIncrements() throws MotionRefusedException {
     Ride ride = Ride.fromHome();
-    Axes target = HOME;
+    Axis target = HOME;
     for (int i = 0; i < 60; i++) {
       // As a loop with $ADVANCE=1 does: one motion is planned while another one runs.
       while (ride.system.planned() < 1) {
@@ -49,7 +49,7 @@ class BlendTest {
   @Test
   void flowsThroughAChainOfTheSmallestIncrements() throws MotionRefusedException {
     Ride ride = Ride.fromHome();
-    Axes target = HOME;
+    Axis target = HOME;
     for (int i = 0; i < 200; i++) {
       while (ride.system.planned() < 1) {
         target = target.with(5, target.a6() + 0.001);
@@ -87,7 +87,7 @@ class BlendTest {
   @Test
   void passesACornerOfAxesWithoutStanding() throws MotionRefusedException {
     Ride ride = Ride.fromHome();
-    Axes corner = HOME.with(0, 60);
+    Axis corner = HOME.with(0, 60);
     ride.ptp(corner, Ride.FULL, new AxisDistance(50));
     ride.ptp(corner.with(1, -40));
     ride.toTheEnd();
@@ -106,7 +106,7 @@ class BlendTest {
   @Test
   void beginsWithinThePartOfTheAxisDistance() throws MotionRefusedException {
     Ride ride = Ride.fromHome();
-    Axes corner = HOME.with(0, 60);
+    Axis corner = HOME.with(0, 60);
     ride.ptp(corner, Ride.FULL, new AxisDistance(10));
     ride.ptp(corner.with(1, -40));
     ride.toTheEnd();
@@ -269,7 +269,7 @@ class BlendTest {
   @Test
   void standsOnTheTargetIfTheNextMotionComesTooLate() throws MotionRefusedException {
     Ride ride = Ride.fromHome();
-    Axes corner = HOME.with(0, 20);
+    Axis corner = HOME.with(0, 20);
     ride.ptp(corner, Ride.FULL, new AxisDistance(50));
     // 20 degrees take 21.5 cycles; the blend would begin after half of them.
     ride.cycles(12);
@@ -283,7 +283,7 @@ class BlendTest {
   @Test
   void standsOnTheTargetBeforeAMotionThatLeadsNowhere() throws MotionRefusedException {
     Ride ride = Ride.fromHome();
-    Axes corner = HOME.with(0, 20);
+    Axis corner = HOME.with(0, 20);
     ride.ptp(corner, Ride.FULL, new AxisDistance(50));
     ride.ptp(corner, Ride.FULL, new AxisDistance(50));
     ride.ptp(HOME);

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.OptionalDouble;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Faulted;
@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 
 class FaultedMotionTest {
   private static final RobotModel ROBOT = Ride.ROBOT;
-  private static final Axes START = new Axes(0, -90, 90, 0, 60, 0);
+  private static final Axis START = new Axis(0, -90, 90, 0, 60, 0);
   private static final Frame FROM = ROBOT.forward(START);
 
   @Test
@@ -75,7 +75,7 @@ class FaultedMotionTest {
   @Test
   void standsBeforeAnAxisWouldHaveToJump() throws MotionRefusedException {
     // A little off the axis of A1, so that A1 would have to make half a turn in no time.
-    Axes start = new Axes(0, -130, 130, 0, 90, 0);
+    Axis start = new Axis(0, -130, 130, 0, 90, 0);
     Frame from = ROBOT.forward(start);
     Ride ride = new Ride(start);
     Frame wrist = from.times(new Frame(0, 0, -80, 0, 0, 0));
@@ -105,7 +105,7 @@ class FaultedMotionTest {
   @Test
   void doesNotReachWithTheWristAxesTurningEvenly() throws MotionRefusedException {
     // Both ends can be reached, but not what lies between them with the tool turned away.
-    Axes start = new Axes(-80, -5, 10, 0, 0, 0);
+    Axis start = new Axis(-80, -5, 10, 0, 0, 0);
     Frame tool = new Frame(300, 0, 100, 0, 0, 0);
     Ride ride = new Ride(start);
     Frame to = ROBOT.forward(start.with(0, 80).with(5, 180)).times(tool);
@@ -139,8 +139,8 @@ class FaultedMotionTest {
     assertThat(ride.system.axes()).isEqualTo(START);
   }
 
-  private static Axes limits(int sign, double first) {
-    return new Axes(
+  private static Axis limits(int sign, double first) {
+    return new Axis(
         sign * first,
         sign < 0 ? -190 : 45,
         sign < 0 ? -120 : 156,

@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
@@ -14,9 +14,9 @@ import org.junit.jupiter.api.Test;
 
 class InterruptTest {
   private static final RobotModel ROBOT = Ride.ROBOT;
-  private static final Axes START = new Axes(0, -90, 90, 0, 60, 0);
+  private static final Axis START = new Axis(0, -90, 90, 0, 60, 0);
   private static final Frame FROM = ROBOT.forward(START);
-  private static final Axes ASIDE = new Axes(-40, -80, 80, 10, 40, 20);
+  private static final Axis ASIDE = new Axis(-40, -80, 80, 10, 40, 20);
   private static final AxisRates BACK = AxisRates.of(50, 50);
 
   @Test
@@ -26,7 +26,7 @@ class InterruptTest {
     MotionCommand first = ride.lin(to);
     MotionCommand second = ride.ptp(START);
     SuspendedPlan suspended = interruptAfter(20, ride);
-    Axes left = ride.system.axes();
+    Axis left = ride.system.axes();
     assertThat(suspended.axes()).isEqualTo(left);
     assertThat(ride.system.finished()).isTrue();
     assertThat(ride.system.plannedEnd()).isEqualTo(left);
@@ -79,7 +79,7 @@ class InterruptTest {
   @Test
   void goesBackToTheMiddleOfABlend() throws MotionRefusedException {
     Ride ride = new Ride(START);
-    Axes corner = START.with(0, 40);
+    Axis corner = START.with(0, 40);
     ride.ptp(corner, Ride.FULL, new AxisDistance(50));
     ride.ptp(corner.with(1, -60), Ride.FULL, new AxisDistance(50));
     ride.ptp(START);

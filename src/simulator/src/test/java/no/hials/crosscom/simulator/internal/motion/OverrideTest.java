@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
@@ -14,10 +14,10 @@ import org.junit.jupiter.api.Test;
 
 class OverrideTest {
   private static final RobotModel ROBOT = Ride.ROBOT;
-  private static final Axes HOME = ROBOT.home();
-  private static final Axes START = new Axes(0, -90, 90, 0, 60, 0);
+  private static final Axis HOME = ROBOT.home();
+  private static final Axis START = new Axis(0, -90, 90, 0, 60, 0);
   private static final Frame FROM = ROBOT.forward(START);
-  private static final Axes FAR = new Axes(120, -30, 60, 80, -50, 100);
+  private static final Axis FAR = new Axis(120, -30, 60, 80, -50, 100);
 
   /** The tolerance of the system itself. */
   private static final double TOLERANCE = 1.021;
@@ -75,7 +75,7 @@ class OverrideTest {
     assertThat(cycles).isGreaterThan(3);
     assertThat(ride.system.finished()).isFalse();
     assertThat(ride.system.pathVelocity()).isZero();
-    Axes held = ride.system.axes();
+    Axis held = ride.system.axes();
     ride.cycles(10);
     assertThat(ride.system.axes()).isEqualTo(held);
     ride.released = true;
@@ -146,7 +146,7 @@ class OverrideTest {
     ride.cycles(20);
     ride.system.brake(false);
     ride.toStanding();
-    Axes held = ride.system.axes();
+    Axis held = ride.system.axes();
     ride.cycles(5);
 
     assertThat(ride.system.axes()).isEqualTo(held);
@@ -267,10 +267,10 @@ class OverrideTest {
   }
 
   /** Asserts that all axes have moved by the same part of their distance. */
-  private static void assertIsStraight(List<Axes> positions) {
-    for (Axes position : positions) {
+  private static void assertIsStraight(List<Axis> positions) {
+    for (Axis position : positions) {
       double part = (position.a1() - HOME.a1()) / (FAR.a1() - HOME.a1());
-      Axes way = FAR.minus(HOME);
+      Axis way = FAR.minus(HOME);
       for (int axis = 1; axis < 6; axis++) {
         assertThat(position.get(axis))
             .isCloseTo(HOME.get(axis) + part * way.get(axis), within(1e-9));

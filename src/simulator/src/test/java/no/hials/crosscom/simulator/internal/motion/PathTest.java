@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.OptionalDouble;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.NotACircle;
@@ -16,7 +16,7 @@ class PathTest {
   private static final ApproximationZone EXACT = new ApproximationZone.Exact();
 
   /** Away from singularities. */
-  private static final Axes START = new Axes(0, -90, 90, 0, 60, 0);
+  private static final Axis START = new Axis(0, -90, 90, 0, 60, 0);
 
   private static final Frame TOOL = new Frame(30, -20, 100, 10, 20, 30);
 
@@ -83,7 +83,7 @@ class PathTest {
     ride.lin(to, TOOL, Ride.PATH, OrientationControl.VAR, EXACT);
     ride.toTheEnd();
 
-    for (Axes axes : ride.positions) {
+    for (Axis axes : ride.positions) {
       Frame tcp = ROBOT.forward(axes).times(TOOL);
       double part = Math.min(1, from.distance(tcp) / from.distance(to));
       assertThat(tcp.distance(from.interpolate(to, part))).isLessThan(0.001);
@@ -105,15 +105,15 @@ class PathTest {
 
   @Test
   void turnsTheWristAxesEvenlyIfToldTo() throws MotionRefusedException {
-    Axes start = new Axes(10, -80, 100, 20, 30, 10);
+    Axis start = new Axis(10, -80, 100, 20, 30, 10);
     Ride ride = new Ride(start);
     Frame from = ROBOT.forward(start).times(TOOL);
-    Frame to = ROBOT.forward(new Axes(-20, -70, 95, -60, -40, 50)).times(TOOL);
+    Frame to = ROBOT.forward(new Axis(-20, -70, 95, -60, -40, 50)).times(TOOL);
     ride.lin(to, TOOL, Ride.PATH, OrientationControl.JOINT, EXACT);
     ride.toTheEnd();
 
-    Axes end = ride.system.axes();
-    for (Axes axes : ride.positions) {
+    Axis end = ride.system.axes();
+    for (Axis axes : ride.positions) {
       double part = (axes.a4() - start.a4()) / (end.a4() - start.a4());
       assertThat(axes.a5()).isCloseTo(start.a5() + part * (end.a5() - start.a5()), within(1e-6));
       assertThat(axes.a6()).isCloseTo(start.a6() + part * (end.a6() - start.a6()), within(1e-6));
@@ -201,11 +201,11 @@ class PathTest {
 
   @Test
   void slowsDownBesideASingularitySoThatNoAxisExceedsItsSpeed() throws MotionRefusedException {
-    Axes start = new Axes(0, -90, 90, 20, 20, 0);
+    Axis start = new Axis(0, -90, 90, 20, 20, 0);
     Frame from = ROBOT.forward(start);
     Ride ride = new Ride(start);
     // The axis of the flange passes that of A4 with little between them: A4 has to swing round.
-    Frame to = ROBOT.forward(new Axes(0, -90, 90, 170, 10, -150));
+    Frame to = ROBOT.forward(new Axis(0, -90, 90, 170, 10, -150));
     ride.lin(to, Frame.IDENTITY, new PathRates(2, 10, 400, 1000), OrientationControl.VAR, EXACT);
     int cycles = ride.toTheEnd();
 
@@ -224,13 +224,13 @@ class PathTest {
 
   @Test
   void goesStraightThroughTheSingularityOfTheWrist() throws MotionRefusedException {
-    Axes start = new Axes(0, -90, 90, 0, 30, 0);
+    Axis start = new Axis(0, -90, 90, 0, 30, 0);
     Ride ride = new Ride(start);
-    Frame to = ROBOT.forward(new Axes(0, -90, 90, 0, -30, 0));
+    Frame to = ROBOT.forward(new Axis(0, -90, 90, 0, -30, 0));
     ride.lin(to);
     ride.toTheEnd();
 
-    assertThat(ride.system.axes().largestDifference(new Axes(0, -90, 90, 0, -30, 0)))
+    assertThat(ride.system.axes().largestDifference(new Axis(0, -90, 90, 0, -30, 0)))
         .isLessThan(1e-6);
   }
 

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Passed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 
 class PointToPointTest {
   private static final RobotModel ROBOT = Ride.ROBOT;
-  private static final Axes HOME = ROBOT.home();
+  private static final Axis HOME = ROBOT.home();
   private static final ApproximationZone EXACT = new ApproximationZone.Exact();
 
   @Test
@@ -52,11 +52,11 @@ class PointToPointTest {
   @Test
   void startsAndEndsAllAxesTogether() throws MotionRefusedException {
     Ride ride = new Ride(HOME);
-    Axes target = new Axes(60, -60, 100, -45, 30, 90);
+    Axis target = new Axis(60, -60, 100, -45, 30, 90);
     ride.ptp(target);
     ride.toTheEnd();
 
-    for (Axes position : ride.positions) {
+    for (Axis position : ride.positions) {
       double part = (position.a1() - HOME.a1()) / (target.a1() - HOME.a1());
       for (int axis = 1; axis < 6; axis++) {
         double way = target.get(axis) - HOME.get(axis);
@@ -68,8 +68,8 @@ class PointToPointTest {
 
   @Test
   void keepsEveryAxisWithinItsSpeedAndAcceleration() throws MotionRefusedException {
-    Ride ride = new Ride(new Axes(-150, -180, 150, -180, -110, -340));
-    ride.ptp(new Axes(150, 30, -110, 180, 110, 340));
+    Ride ride = new Ride(new Axis(-150, -180, 150, -180, -110, -340));
+    ride.ptp(new Axis(150, 30, -110, 180, 110, 340));
     ride.toTheEnd();
 
     boolean oneIsAtItsLimit = false;
@@ -102,7 +102,7 @@ class PointToPointTest {
             new Started(first), new Passed(first), new Started(second), new Passed(second));
     assertThat(ride.system.current()).isEmpty();
     assertThat(ride.system.standing()).isTrue();
-    assertThat(ride.system.axisVelocity()).isEqualTo(Axes.ZERO);
+    assertThat(ride.system.axisVelocity()).isEqualTo(Axis.ZERO);
     assertThat(ride.system.currentEnd()).isEqualTo(HOME);
     assertThat(ride.system.currentStart()).isEqualTo(HOME);
     assertThat(ride.system.distanceToEnd()).isZero();
@@ -166,7 +166,7 @@ class PointToPointTest {
   @Test
   void takesATargetAtALimitOfTheRobot() throws MotionRefusedException {
     RobotModel narrow =
-        ROBOT.withLimits(new Axes(-10, -91, 80, -1, -1, -1), new Axes(10, -80, 100, 1, 1, 1));
+        ROBOT.withLimits(new Axis(-10, -91, 80, -1, -1, -1), new Axis(10, -80, 100, 1, 1, 1));
     Ride ride = new Ride(narrow, HOME);
     ride.ptp(HOME.with(0, 10.00001));
     ride.toTheEnd();

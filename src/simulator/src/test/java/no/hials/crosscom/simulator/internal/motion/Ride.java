@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import no.hials.crosscom.kinematics.Axes;
+import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Circular;
@@ -22,17 +22,17 @@ final class Ride {
   private static final int MANY = 20_000;
 
   final Interpolator system;
-  final List<Axes> positions = new ArrayList<>();
+  final List<Axis> positions = new ArrayList<>();
   final List<MotionEvent> events = new ArrayList<>();
   double override = 1;
   boolean released = true;
   private long lastId;
 
-  Ride(Axes start) {
+  Ride(Axis start) {
     this(ROBOT, start);
   }
 
-  Ride(RobotModel robot, Axes start) {
+  Ride(RobotModel robot, Axis start) {
     system = new Interpolator(robot, start);
     positions.add(start);
   }
@@ -41,11 +41,11 @@ final class Ride {
     return new Ride(ROBOT.home());
   }
 
-  MotionCommand ptp(Axes target) throws MotionRefusedException {
+  MotionCommand ptp(Axis target) throws MotionRefusedException {
     return ptp(target, FULL, new ApproximationZone.Exact());
   }
 
-  MotionCommand ptp(Axes target, AxisRates rates, ApproximationZone approximation)
+  MotionCommand ptp(Axis target, AxisRates rates, ApproximationZone approximation)
       throws MotionRefusedException {
     return add(new PointToPoint(++lastId, target, rates, Frame.IDENTITY, approximation));
   }

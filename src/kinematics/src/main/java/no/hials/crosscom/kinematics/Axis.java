@@ -12,15 +12,15 @@ import java.util.Objects;
  * @param a5 axis 5, degrees
  * @param a6 axis 6, degrees
  */
-public record Axes(double a1, double a2, double a3, double a4, double a5, double a6) {
+public record Axis(double a1, double a2, double a3, double a4, double a5, double a6) {
   /** All axes at 0. */
-  public static final Axes ZERO = new Axes(0, 0, 0, 0, 0, 0);
+  public static final Axis ZERO = new Axis(0, 0, 0, 0, 0, 0);
 
   /** The number of axes. */
   static final int COUNT = 6;
 
   /** Checks that the angles are finite. */
-  public Axes {
+  public Axis {
     Numbers.finite("A1", a1);
     Numbers.finite("A2", a2);
     Numbers.finite("A3", a3);
@@ -34,11 +34,11 @@ public record Axes(double a1, double a2, double a3, double a4, double a5, double
    *
    * @param six A1 to A6, degrees
    */
-  public static Axes of(double... six) {
+  public static Axis of(double... six) {
     if (six.length != COUNT) {
       throw new IllegalArgumentException("a robot has six axes, found " + six.length);
     }
-    return new Axes(six[0], six[1], six[2], six[3], six[4], six[5]);
+    return new Axis(six[0], six[1], six[2], six[3], six[4], six[5]);
   }
 
   /**
@@ -68,14 +68,14 @@ public record Axes(double a1, double a2, double a3, double a4, double a5, double
   }
 
   /** Returns the sum, axis by axis. */
-  public Axes plus(Axes other) {
-    return new Axes(
+  public Axis plus(Axis other) {
+    return new Axis(
         a1 + other.a1, a2 + other.a2, a3 + other.a3, a4 + other.a4, a5 + other.a5, a6 + other.a6);
   }
 
   /** Returns the difference, axis by axis. */
-  public Axes minus(Axes other) {
-    return new Axes(
+  public Axis minus(Axis other) {
+    return new Axis(
         a1 - other.a1, a2 - other.a2, a3 - other.a3, a4 - other.a4, a5 - other.a5, a6 - other.a6);
   }
 
@@ -85,7 +85,7 @@ public record Axes(double a1, double a2, double a3, double a4, double a5, double
    * @param index 0 for A1 to 5 for A6
    * @param value the angle of this axis, degrees
    */
-  public Axes with(int index, double value) {
+  public Axis with(int index, double value) {
     double[] six = toArray();
     six[Objects.checkIndex(index, COUNT)] = value;
     return of(six);
@@ -97,7 +97,7 @@ public record Axes(double a1, double a2, double a3, double a4, double a5, double
    * @param other the other positions
    * @return the absolute difference, degrees
    */
-  public double largestDifference(Axes other) {
+  public double largestDifference(Axis other) {
     double largest = 0;
     for (double difference : minus(other).toArray()) {
       largest = Math.max(largest, Math.abs(difference));

@@ -7,8 +7,8 @@ import static org.assertj.core.data.Index.atIndex;
 
 import org.junit.jupiter.api.Test;
 
-final class AxesTest {
-  private static final Axes SOME = Axes.of(1, 2, 3, 4, 5, 6);
+final class AxisTest {
+  private static final Axis SOME = Axis.of(1, 2, 3, 4, 5, 6);
 
   @Test
   void countsTheAxesFromZero() {
@@ -22,10 +22,10 @@ final class AxesTest {
 
   @Test
   void addsAndSubtractsAxisByAxis() {
-    Axes other = Axes.of(10, 20, 30, 40, 50, 60);
+    Axis other = Axis.of(10, 20, 30, 40, 50, 60);
 
-    assertThat(SOME.plus(other)).isEqualTo(Axes.of(11, 22, 33, 44, 55, 66));
-    assertThat(other.minus(SOME)).isEqualTo(Axes.of(9, 18, 27, 36, 45, 54));
+    assertThat(SOME.plus(other)).isEqualTo(Axis.of(11, 22, 33, 44, 55, 66));
+    assertThat(other.minus(SOME)).isEqualTo(Axis.of(9, 18, 27, 36, 45, 54));
   }
 
   @Test
@@ -36,7 +36,7 @@ final class AxesTest {
   @Test
   void refusesAnotherNumberOfAxes() {
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> Axes.of(1, 2, 3))
+        .isThrownBy(() -> Axis.of(1, 2, 3))
         .withMessage("a robot has six axes, found 3");
   }
 

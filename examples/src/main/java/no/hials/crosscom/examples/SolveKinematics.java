@@ -1,5 +1,8 @@
 package no.hials.crosscom.examples;
 
+import static no.hials.crosscom.kinematics.Frames.inverse;
+import static no.hials.crosscom.kinematics.Frames.product;
+
 import java.io.IOException;
 import java.util.Locale;
 import no.hials.crosscom.CrossComClient;
@@ -41,7 +44,7 @@ public final class SolveKinematics {
 
     Frame tool = new Frame(0, 0, 120, 0, 0, 0);
     Frame base = new Frame(400, 0, 0, 90, 0, 0);
-    System.out.println("with tool and base: " + text(base.inverse().times(flange).times(tool)));
+    System.out.println("with tool and base: " + text(product(inverse(base), flange, tool)));
     compare(flange);
 
     try {

@@ -1,5 +1,10 @@
 package no.hials.crosscom.control;
 
+import static no.hials.crosscom.kinematics.Frames.angle;
+import static no.hials.crosscom.kinematics.Frames.interpolate;
+import static no.hials.crosscom.kinematics.Frames.inverse;
+import static no.hials.crosscom.kinematics.Frames.product;
+
 import no.hials.crosscom.kinematics.Frame;
 
 /**
@@ -21,7 +26,7 @@ final class Rotations {
     double a = Math.toDegrees(Math.atan2(y, x));
     double b = -Math.toDegrees(Math.atan2(z, Math.hypot(x, y)));
     Frame along = new Frame(0, 0, 0, a, b, 0);
-    return along.times(new Frame(0, 0, 0, 0, 0, degrees)).times(along.inverse());
+    return product(along, new Frame(0, 0, 0, 0, 0, degrees), inverse(along));
   }
 
   static Frame orientation(Frame frame) {
@@ -30,27 +35,27 @@ final class Rotations {
 
   /** Turns the orientation of a frame about the axes of its reference. */
   static Frame turned(Frame from, Frame turn) {
-    return turn.times(orientation(from));
+    return product(turn, orientation(from));
   }
 
   /** Returns the rotation about the axes of the base from one orientation to another. */
   static Frame leading(Frame from, Frame to) {
-    return orientation(to).times(orientation(from).inverse());
+    return product(orientation(to), inverse(orientation(from)));
   }
 
   /** Returns a part of a rotation about its axis, in the shorter direction. */
   static Frame part(Frame rotation, double part) {
-    return Frame.IDENTITY.interpolate(rotation, part);
+    return interpolate(Frame.IDENTITY, rotation, part);
   }
 
   /** Returns the rotation vector: the axis, with the angle in degrees as its length. */
   static double[] vector(Frame rotation) {
-    double angle = Frame.IDENTITY.angle(rotation);
+    double angle = angle(Frame.IDENTITY, rotation);
     // the antisymmetric part of the half rotation does not vanish at 180 degrees
     Frame half = part(rotation, 0.5);
-    Frame x = half.times(X);
-    Frame y = half.times(Y);
-    Frame z = half.times(Z);
+    Frame x = product(half, X);
+    Frame y = product(half, Y);
+    Frame z = product(half, Z);
     double[] axis = {y.z() - z.y(), z.x() - x.z(), x.y() - y.x()};
     double length = Math.hypot(Math.hypot(axis[0], axis[1]), axis[2]);
     for (int i = 0; i < axis.length; i++) {

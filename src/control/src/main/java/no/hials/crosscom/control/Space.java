@@ -1,5 +1,7 @@
 package no.hials.crosscom.control;
 
+import static no.hials.crosscom.kinematics.Frames.angle;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -157,7 +159,7 @@ abstract sealed class Space<P> {
     @Override
     void differences(Frame from, Frame to, double[] into) {
       into[0] = from.distance(to);
-      into[1] = from.angle(to);
+      into[1] = angle(from, to);
     }
 
     @Override
@@ -195,7 +197,7 @@ abstract sealed class Space<P> {
         }
       }
       Frame turn = new Frame(0, 0, 0, increment[TURN], increment[TURN + 1], increment[TURN + 2]);
-      double angle = Frame.IDENTITY.angle(turn);
+      double angle = angle(Frame.IDENTITY, turn);
       double mostAngle = quantities.get(1).limits().step();
       if (angle > mostAngle) {
         Frame part = Rotations.part(turn, mostAngle / angle);

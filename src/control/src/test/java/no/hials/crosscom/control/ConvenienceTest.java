@@ -1,5 +1,6 @@
 package no.hials.crosscom.control;
 
+import static no.hials.crosscom.kinematics.Frames.angle;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
@@ -197,6 +198,6 @@ class ConvenienceTest extends ControlTest {
     assertThat(reason.kind()).isEqualTo(StopKind.TIME_OVER);
     Frame wanted = along.move(start, 4);
     assertThat(robot.forward(controller.axes()).distance(wanted)).isLessThan(5);
-    assertThat(robot.forward(controller.axes()).angle(wanted)).isLessThan(0.5);
+    assertThat(angle(robot.forward(controller.axes()), wanted)).isLessThan(0.5);
   }
 }

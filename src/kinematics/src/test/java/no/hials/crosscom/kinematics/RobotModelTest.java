@@ -1,5 +1,6 @@
 package no.hials.crosscom.kinematics;
 
+import static no.hials.crosscom.kinematics.Frames.angle;
 import static no.hials.crosscom.kinematics.Robots.KR6;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
@@ -32,7 +33,7 @@ final class RobotModelTest {
     assertThat(stretched.x()).isEqualTo(30 + 20, within(1e-9));
     assertThat(stretched.y()).isEqualTo(15, within(1e-9));
     assertThat(stretched.z()).isEqualTo(380 + 335 + 365 + 90, within(1e-9));
-    assertThat(stretched.angle(Frame.IDENTITY)).isLessThan(1e-9);
+    assertThat(angle(stretched, Frame.IDENTITY)).isLessThan(1e-9);
   }
 
   @ParameterizedTest

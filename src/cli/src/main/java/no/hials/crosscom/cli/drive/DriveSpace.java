@@ -1,5 +1,7 @@
 package no.hials.crosscom.cli.drive;
 
+import static no.hials.crosscom.kinematics.Frames.product;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -84,9 +86,9 @@ enum DriveSpace {
   private static Twist inBase(State state, Twist inTool) {
     Frame tool = state.position();
     Frame rotation = new Frame(0, 0, 0, tool.a(), tool.b(), tool.c());
-    Frame way = rotation.times(new Frame(inTool.x(), inTool.y(), inTool.z(), 0, 0, 0));
+    Frame way = product(rotation, new Frame(inTool.x(), inTool.y(), inTool.z(), 0, 0, 0));
     Frame turn =
-        rotation.times(new Frame(inTool.aboutX(), inTool.aboutY(), inTool.aboutZ(), 0, 0, 0));
+        product(rotation, new Frame(inTool.aboutX(), inTool.aboutY(), inTool.aboutZ(), 0, 0, 0));
     return new Twist(way.x(), way.y(), way.z(), turn.x(), turn.y(), turn.z());
   }
 

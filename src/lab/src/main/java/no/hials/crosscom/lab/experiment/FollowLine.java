@@ -1,5 +1,7 @@
 package no.hials.crosscom.lab.experiment;
 
+import static no.hials.crosscom.kinematics.Frames.angle;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -196,7 +198,7 @@ final class FollowLine implements Experiment {
       figures.addAll(
           ErrorMetrics.figures("deviation" + name, "mm", motion.each(FollowLine::deviation)));
       figures.addAll(
-          ErrorMetrics.figures("rotation" + name, "°", motion.each(tool -> tool.angle(START))));
+          ErrorMetrics.figures("rotation" + name, "°", motion.each(tool -> angle(tool, START))));
     }
     return new ExperimentResult(
         motions.stream().map(Motion::run).toList(),
@@ -225,7 +227,7 @@ final class FollowLine implements Experiment {
             "rotation of the tool, which should be none",
             new Quantity("angle", "°"),
             motions,
-            motion -> motion.each(tool -> tool.angle(START))));
+            motion -> motion.each(tool -> angle(tool, START))));
     for (int i = 0; i < AXES; i++) {
       int axis = i;
       panels.add(

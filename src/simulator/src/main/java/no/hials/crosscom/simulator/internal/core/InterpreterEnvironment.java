@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.code.Interpreter;
@@ -101,7 +102,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
     Axis position = PositionValues.toAxes(axes, motions.interpolator().axes());
     MotionResolver resolver = motions.resolver();
     Frame flange = motions.model().forward(position);
-    Frame tcp = resolver.base().inverse().times(flange).times(resolver.tool());
+    Frame tcp = Frames.product(Frames.inverse(resolver.base()), flange, resolver.tool());
     return Optional.of(
         PositionValues.e6Pos(
             tcp, motions.model().status(position), motions.model().turn(position)));

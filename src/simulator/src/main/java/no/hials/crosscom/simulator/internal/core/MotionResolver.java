@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Statement;
@@ -67,7 +68,7 @@ final class MotionResolver {
   }
 
   Frame base() {
-    return access.frame("$ROBROOT").inverse().times(access.frame("$BASE"));
+    return Frames.product(Frames.inverse(access.frame("$ROBROOT")), access.frame("$BASE"));
   }
 
   Frame tool() {
@@ -113,7 +114,7 @@ final class MotionResolver {
   private Axis inverse(MotionOrder order, Frame tcp) throws KrlExecutionException {
     try {
       if (order.kind().relative()) {
-        return robot.inverse(tcp.times(tool().inverse()), last);
+        return robot.inverse(Frames.product(tcp, Frames.inverse(tool())), last);
       }
       return inverse(order.target(), last);
     } catch (UnreachableException e) {
@@ -150,20 +151,21 @@ final class MotionResolver {
             KrlExecutionException.WRONG_TYPE,
             order.kind() + " needs a Cartesian increment, was given axes");
       }
-      return robot.forward(PositionValues.toAxes(target, last)).times(tool());
+      return Frames.product(robot.forward(PositionValues.toAxes(target, last)), tool());
     }
     Frame base = base();
-    Frame from = base.inverse().times(robot.forward(last)).times(tool());
+    Frame from = Frames.product(Frames.inverse(base), robot.forward(last), tool());
     if (!order.kind().relative()) {
-      return base.times(PositionValues.toFrame(target, from));
+      return Frames.product(base, PositionValues.toFrame(target, from));
     }
     Frame increment = PositionValues.toFrame(target, Frame.IDENTITY);
     if ("TOOL".equals(order.coordinates())) {
-      return base.times(from).times(increment);
+      return Frames.product(base, from, increment);
     }
     Frame turn = new Frame(0, 0, 0, increment.a(), increment.b(), increment.c());
-    Frame turned = turn.times(new Frame(0, 0, 0, from.a(), from.b(), from.c()));
-    return base.times(
+    Frame turned = Frames.product(turn, new Frame(0, 0, 0, from.a(), from.b(), from.c()));
+    return Frames.product(
+        base,
         new Frame(
             from.x() + increment.x(),
             from.y() + increment.y(),
@@ -178,8 +180,9 @@ final class MotionResolver {
    * other axes.
    */
   Axis inverse(KrlStruct position, Axis near) throws UnreachableException {
-    Frame from = base().inverse().times(robot.forward(near)).times(tool());
-    Frame flange = base().times(PositionValues.toFrame(position, from)).times(tool().inverse());
+    Frame from = Frames.product(Frames.inverse(base()), robot.forward(near), tool());
+    Frame flange =
+        Frames.product(base(), PositionValues.toFrame(position, from), Frames.inverse(tool()));
     OptionalDouble status = PositionValues.number(position, "S");
     OptionalDouble turn = PositionValues.number(position, "T");
     if (status.isEmpty()) {

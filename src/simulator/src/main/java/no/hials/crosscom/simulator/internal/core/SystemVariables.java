@@ -1,5 +1,8 @@
 package no.hials.crosscom.simulator.internal.core;
 
+import static no.hials.crosscom.kinematics.Frames.inverse;
+import static no.hials.crosscom.kinematics.Frames.product;
+
 import java.time.Duration;
 import java.time.LocalDateTime;
 import java.util.ArrayList;
@@ -183,7 +186,7 @@ final class SystemVariables {
     bind("$POS_FOR", () -> position(target));
     bind("$POS_BACK", () -> position(origin));
     bind("$POS_INT", () -> position(interrupted));
-    bind("$BASE_C", () -> PositionValues.frame(access.frame("$ROBROOT").times(baseOfMainRun())));
+    bind("$BASE_C", () -> PositionValues.frame(product(access.frame("$ROBROOT"), baseOfMainRun())));
     bind("$TOOL_C", () -> PositionValues.frame(toolOfMainRun()));
     bind("$POS_RET", () -> position(left));
   }
@@ -206,14 +209,14 @@ final class SystemVariables {
    * (docs/reference/system-variables.md#position-and-motion).
    */
   private KrlStruct position(Axis axes) {
-    Frame tcp = baseOfMainRun().inverse().times(robot.forward(axes)).times(toolOfMainRun());
+    Frame tcp = product(inverse(baseOfMainRun()), robot.forward(axes), toolOfMainRun());
     return PositionValues.e6Pos(tcp, robot.status(axes), robot.turn(axes));
   }
 
   /** In the robot's root. Without a motion, the base of the advance run (assumed). */
   private Frame baseOfMainRun() {
     Frame of = mainBase;
-    return of == null ? access.frame("$ROBROOT").inverse().times(access.frame("$BASE")) : of;
+    return of == null ? product(inverse(access.frame("$ROBROOT")), access.frame("$BASE")) : of;
   }
 
   private Frame toolOfMainRun() {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
@@ -20,13 +21,13 @@ public final class FrameArithmetic {
    * Assumed: it has the type of the right operand, and its Status, Turn and external axes.
    */
   static KrlValue product(KrlValue left, KrlValue right) throws KrlExecutionException {
-    Frame result = frame(left).times(frame(right));
+    Frame result = Frames.product(frame(left), frame(right));
     return replaced((KrlStruct) right, result);
   }
 
   /** Returns the inverse of a frame, with the type of the operand. */
   public static KrlValue inverse(KrlValue operand) throws KrlExecutionException {
-    return replaced((KrlStruct) operand, frame(operand).inverse());
+    return replaced((KrlStruct) operand, Frames.inverse(frame(operand)));
   }
 
   private static Frame frame(KrlValue value) throws KrlExecutionException {

@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.OptionalDouble;
 import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.NotACircle;
 
 /** A circular path, about its centre from one radius towards the radius square to it. */
@@ -57,7 +58,7 @@ record Arc(Frame start, Frame end, Point centre, Point arm, Point square, double
     return centre
         .plus(arm.times(Math.cos(turned)))
         .plus(square.times(Math.sin(turned)))
-        .turnedAs(Curve.isTurn(start, end) ? start.interpolate(end, parameter) : start);
+        .turnedAs(Curve.isTurn(start, end) ? Frames.interpolate(start, end, parameter) : start);
   }
 
   @Override
@@ -67,6 +68,6 @@ record Arc(Frame start, Frame end, Point centre, Point arm, Point square, double
 
   @Override
   public double angle() {
-    return start.angle(end);
+    return Frames.angle(start, end);
   }
 }

@@ -1,5 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import static no.hials.crosscom.kinematics.Frames.product;
+
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -50,14 +52,14 @@ final class Arm {
 
   Frame tcp(Axis axes, Frame tool) {
     Frame flange = robot.forward(axes);
-    return tool.equals(Frame.IDENTITY) ? flange : flange.times(tool);
+    return tool.equals(Frame.IDENTITY) ? flange : product(flange, tool);
   }
 
   /** Returns the axes nearest to others, inside the limits or not. */
   Axis inverse(Frame tcp, Frame flangeInTool, Axis near) throws MotionRefusedException {
     boolean isFlange = flangeInTool.equals(Frame.IDENTITY);
     try {
-      return unlimited.inverse(isFlange ? tcp : tcp.times(flangeInTool), near);
+      return unlimited.inverse(isFlange ? tcp : product(tcp, flangeInTool), near);
     } catch (UnreachableException e) {
       throw new MotionRefusedException(new OutOfReach(Objects.requireNonNull(e.getMessage())));
     }

@@ -1,5 +1,9 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import static no.hials.crosscom.kinematics.Frames.angle;
+import static no.hials.crosscom.kinematics.Frames.inverse;
+import static no.hials.crosscom.kinematics.Frames.product;
+
 import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
@@ -61,7 +65,7 @@ final class Blend {
 
   private static Frame sum(Frame first, Frame second, Frame corner) {
     Point position = Point.of(first).plus(Point.of(second).minus(Point.of(corner)));
-    Frame turn = turn(second).times(turn(corner).inverse()).times(turn(first));
+    Frame turn = product(turn(second), inverse(turn(corner)), turn(first));
     return position.turnedAs(turn);
   }
 
@@ -118,8 +122,8 @@ final class Blend {
         return first.distance(corner) <= distance.mm() && second.distance(corner) <= distance.mm();
       }
       if (approximation instanceof Orientation orientation) {
-        return first.angle(corner) <= orientation.degrees()
-            && second.angle(corner) <= orientation.degrees();
+        return angle(first, corner) <= orientation.degrees()
+            && angle(second, corner) <= orientation.degrees();
       }
       throw new IllegalArgumentException("no distance to the corner: " + approximation);
     } catch (MotionRefusedException e) {

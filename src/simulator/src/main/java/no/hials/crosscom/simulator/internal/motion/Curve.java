@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.kinematics.Frames;
 
 /** The path of the TCP: frames over a parameter that runs evenly from 0 to 1. */
 sealed interface Curve permits Curve.Line, Arc {
@@ -23,7 +24,7 @@ sealed interface Curve permits Curve.Line, Arc {
     @Override
     public Frame at(double parameter) {
       return Curve.isTurn(start, end)
-          ? start.interpolate(end, parameter)
+          ? Frames.interpolate(start, end, parameter)
           : new Frame(
               start.x() + parameter * (end.x() - start.x()),
               start.y() + parameter * (end.y() - start.y()),
@@ -40,7 +41,7 @@ sealed interface Curve permits Curve.Line, Arc {
 
     @Override
     public double angle() {
-      return start.angle(end);
+      return Frames.angle(start, end);
     }
   }
 }

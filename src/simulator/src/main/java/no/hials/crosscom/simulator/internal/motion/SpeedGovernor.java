@@ -1,5 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import static no.hials.crosscom.kinematics.Frames.angle;
+
 import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.Frame;
 import org.jspecify.annotations.Nullable;
@@ -62,7 +64,7 @@ final class SpeedGovernor {
       Frame from = arm.tcp(last, limits.tool());
       tcp = arm.tcp(now, limits.tool());
       pathStep = from.distance(tcp);
-      turnStep = from.angle(tcp);
+      turnStep = angle(from, tcp);
     }
   }
 
@@ -86,7 +88,7 @@ final class SpeedGovernor {
     if (path != null && tcp != null) {
       Frame to = arm.tcp(ahead, limits.tool());
       change(pathStep, tcp.distance(to) / horizon, path.acceleration() * 1000);
-      change(turnStep, tcp.angle(to) / horizon, path.turnAcceleration());
+      change(turnStep, angle(tcp, to) / horizon, path.turnAcceleration());
     }
     if (speedLimit.path() < Double.POSITIVE_INFINITY) {
       most = Math.min(most, speedLimit.path() * 1000 * cycle * horizon / furthest(ahead));

@@ -1,5 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import static no.hials.crosscom.kinematics.Frames.inverse;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -105,7 +107,7 @@ final class TrajectoryPlanner {
       PathRates rates,
       OrientationControl orientation,
       Axis start) {
-    Frame flangeInTool = motion.tool().inverse();
+    Frame flangeInTool = inverse(motion.tool());
     Solver solver = solver(curve, motion.tool(), flangeInTool, orientation, start);
     int points = (int) (Math.max(curve.length(), curve.angle()) / POINT_DISTANCE);
     PathSampler sampler =

@@ -1,5 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import static no.hials.crosscom.kinematics.Frames.angle;
+import static no.hials.crosscom.kinematics.Frames.product;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -158,8 +160,8 @@ class BlendTest {
   @Test
   void turnsThroughACornerEvenly() throws MotionRefusedException {
     Ride ride = new Ride(START);
-    Frame corner = moved(FROM, 0, 100, 0).times(new Frame(0, 0, 0, 20, 0, 0));
-    Frame end = moved(corner, 0, 100, 0).times(new Frame(0, 0, 0, 0, 20, 0));
+    Frame corner = product(moved(FROM, 0, 100, 0), new Frame(0, 0, 0, 20, 0, 0));
+    Frame end = product(moved(corner, 0, 100, 0), new Frame(0, 0, 0, 0, 20, 0));
     ride.lin(corner, new Speed(100));
     ride.lin(end);
     ride.toTheEnd();
@@ -167,11 +169,11 @@ class BlendTest {
     List<Frame> flanges = ride.flanges();
     double before = 0;
     for (int i = 1; i < flanges.size(); i++) {
-      double turn = flanges.get(i).angle(flanges.get(i - 1)) / Interpolator.CYCLE;
+      double turn = angle(flanges.get(i), flanges.get(i - 1)) / Interpolator.CYCLE;
       assertThat(Math.abs(turn - before) / Interpolator.CYCLE).isLessThan(100 * 1.1);
       before = turn;
     }
-    assertThat(ride.system.flange().angle(end)).isLessThan(1e-5);
+    assertThat(angle(ride.system.flange(), end)).isLessThan(1e-5);
   }
 
   @Test
@@ -188,13 +190,13 @@ class BlendTest {
   @Test
   void leavesALineWhenTheOrientationIsNear() throws MotionRefusedException {
     Ride ride = new Ride(START);
-    Frame corner = moved(FROM, 0, 100, 0).times(new Frame(0, 0, 0, 30, 0, 0));
+    Frame corner = product(moved(FROM, 0, 100, 0), new Frame(0, 0, 0, 30, 0, 0));
     ride.lin(corner, new Orientation(2));
     ride.lin(moved(corner, -100, 0, 0));
     ride.toTheEnd();
 
     assertThat(ride.flanges())
-        .filteredOn(flange -> flange.angle(corner) > 2.001)
+        .filteredOn(flange -> angle(flange, corner) > 2.001)
         .allMatch(flange -> Math.abs(flange.x() - FROM.x()) < 0.001);
     assertThat(ride.flanges()).noneMatch(flange -> flange.distance(corner) < 0.1);
   }
@@ -223,12 +225,12 @@ class BlendTest {
     Ride ride = new Ride(START);
     Frame tool = new Frame(0, 0, 100, 0, 0, 0);
     Frame corner = moved(FROM, 0, 100, 0);
-    Frame end = moved(corner, -100, 0, 0).times(tool);
+    Frame end = product(moved(corner, -100, 0, 0), tool);
     ride.lin(corner, new Distance(10));
     ride.lin(end, tool, Ride.PATH, OrientationControl.VAR, new Exact());
     ride.toTheEnd();
 
-    assertThat(ROBOT.forward(ride.system.axes()).times(tool).distance(end)).isLessThan(1e-6);
+    assertThat(product(ROBOT.forward(ride.system.axes()), tool).distance(end)).isLessThan(1e-6);
     assertThat(ride.flanges()).noneMatch(flange -> flange.distance(corner) < 0.5);
     assertThat(ride.flangeSpeeds().subList(3, ride.flangeSpeeds().size() - 3))
         .allMatch(speed -> speed > 0.02);

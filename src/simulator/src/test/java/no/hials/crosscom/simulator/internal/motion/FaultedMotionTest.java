@@ -1,5 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import static no.hials.crosscom.kinematics.Frames.interpolate;
+import static no.hials.crosscom.kinematics.Frames.product;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -78,7 +80,7 @@ class FaultedMotionTest {
     Axis start = new Axis(0, -130, 130, 0, 90, 0);
     Frame from = ROBOT.forward(start);
     Ride ride = new Ride(start);
-    Frame wrist = from.times(new Frame(0, 0, -80, 0, 0, 0));
+    Frame wrist = product(from, new Frame(0, 0, -80, 0, 0, 0));
     ride.lin(moved(from, -2 * wrist.x(), 0.0024, 0));
     ride.toTheEnd();
 
@@ -86,7 +88,7 @@ class FaultedMotionTest {
     MotionProblem problem = ((Faulted) ride.events.get(1)).problem();
     assertThat(problem).isInstanceOf(Singularity.class);
     assertThat(problem.message()).matches("A\\d would have to jump by .* degrees in a singularity");
-    assertThat(ride.system.flange().times(new Frame(0, 0, -80, 0, 0, 0)).x())
+    assertThat(product(ride.system.flange(), new Frame(0, 0, -80, 0, 0, 0)).x())
         .isCloseTo(0, within(0.01));
   }
 
@@ -108,7 +110,7 @@ class FaultedMotionTest {
     Axis start = new Axis(-80, -5, 10, 0, 0, 0);
     Frame tool = new Frame(300, 0, 100, 0, 0, 0);
     Ride ride = new Ride(start);
-    Frame to = ROBOT.forward(start.with(0, 80).with(5, 180)).times(tool);
+    Frame to = product(ROBOT.forward(start.with(0, 80).with(5, 180)), tool);
     ride.lin(to, tool, Ride.PATH, OrientationControl.JOINT, new ApproximationZone.Exact());
     ride.toTheEnd();
 
@@ -152,7 +154,7 @@ class FaultedMotionTest {
   private static void assertStandsOnTheLine(Ride ride, Frame to) {
     for (Frame flange : ride.flanges()) {
       double part = Math.min(1, FROM.distance(flange) / FROM.distance(to));
-      assertThat(flange.distance(FROM.interpolate(to, part))).isLessThan(0.01);
+      assertThat(flange.distance(interpolate(FROM, to, part))).isLessThan(0.01);
     }
     assertThat(ride.peakPathAcceleration()).isLessThan(2.3 * 1.05);
     assertThat(ride.system.standing()).isTrue();

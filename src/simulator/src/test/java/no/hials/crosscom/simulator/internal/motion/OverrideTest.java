@@ -1,5 +1,8 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import static no.hials.crosscom.kinematics.Frames.angle;
+import static no.hials.crosscom.kinematics.Frames.interpolate;
+import static no.hials.crosscom.kinematics.Frames.product;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -128,7 +131,7 @@ class OverrideTest {
   @Test
   void holdsWhileItOnlyTurns() throws MotionRefusedException {
     Ride ride = new Ride(START);
-    Frame to = FROM.times(new Frame(0, 0, 0, 60, 0, 0));
+    Frame to = product(FROM, new Frame(0, 0, 0, 60, 0, 0));
     ride.lin(to);
     ride.cycles(50);
     ride.released = false;
@@ -136,7 +139,7 @@ class OverrideTest {
     assertThat(ride.toStanding()).isGreaterThan(10);
     ride.released = true;
     ride.toTheEnd();
-    assertThat(ride.system.flange().angle(to)).isLessThan(1e-5);
+    assertThat(angle(ride.system.flange(), to)).isLessThan(1e-5);
   }
 
   @Test
@@ -281,7 +284,7 @@ class OverrideTest {
   private static void assertIsLine(Ride ride, Frame to) {
     for (Frame flange : ride.flanges()) {
       double part = Math.min(1, FROM.distance(flange) / FROM.distance(to));
-      assertThat(flange.distance(FROM.interpolate(to, part))).isLessThan(0.001);
+      assertThat(flange.distance(interpolate(FROM, to, part))).isLessThan(0.001);
     }
     assertThat(ride.system.flange().distance(to)).isLessThan(1e-6);
   }

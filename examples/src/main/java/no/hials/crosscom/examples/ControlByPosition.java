@@ -10,7 +10,7 @@ import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics.TrackingError;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Twist;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.KrlFileException;
 
 /**

@@ -8,7 +8,7 @@ import java.util.List;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.PathPlayer;
 import no.hials.crosscom.control.Safety;
-import no.hials.crosscom.kinematics.Axis;
+import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.simulator.KrlFileException;
 
 /**

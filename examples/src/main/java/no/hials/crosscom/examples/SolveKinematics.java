@@ -7,11 +7,11 @@ import java.io.IOException;
 import java.util.Locale;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /**
  * Computes the pose of the flange and the axis angles for it, and compares the pose with {@code

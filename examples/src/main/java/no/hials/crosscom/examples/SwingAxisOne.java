@@ -11,9 +11,9 @@ import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.time.Duration;
-import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
@@ -28,6 +27,7 @@ import no.hials.crosscom.protocol.program.ProgramRequest.ProgramControlRequest;
 import no.hials.crosscom.protocol.program.ProgramRequest.ProgramSelectRequest;
 import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.server.ServerRequest;
+import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.simulator.Controller;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

@@ -74,7 +74,7 @@ class ArchitectureTest {
       Map.ofEntries(
           entry("protocol", ""),
           entry("lang", ""),
-          entry("kinematics", ""),
+          entry("kinematics", "protocol"),
           entry("client", "protocol"),
           entry("control", "client kinematics protocol"),
           entry("simulator", "lang kinematics protocol"),

@@ -1,7 +1,7 @@
 package no.hials.crosscom.control;
 
-import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.value.Axis;
 
 /**
  * The range of each axis.

@@ -3,8 +3,8 @@ package no.hials.crosscom.control;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import org.jspecify.annotations.Nullable;
 
 /** The limits of the position, and the messages of all violated limits. */

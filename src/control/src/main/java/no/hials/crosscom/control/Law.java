@@ -1,7 +1,7 @@
 package no.hials.crosscom.control;
 
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /**
  * A control law: computes the next command, once in each period.

@@ -9,8 +9,8 @@ import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /**
  * Writes a path into an array of the controller and lets {@code krl/play_path.src} execute it.

@@ -5,7 +5,7 @@ import static no.hials.crosscom.kinematics.Frames.interpolate;
 import static no.hials.crosscom.kinematics.Frames.inverse;
 import static no.hials.crosscom.kinematics.Frames.product;
 
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Frame;
 
 /**
  * Rotations as frames without a position. All methods use whole rotations, never A, B and C alone,

@@ -8,8 +8,8 @@ import java.util.stream.Stream;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLFrame;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /**
  * A space of positions, Cartesian or joint, with its limited quantities.

@@ -1,8 +1,8 @@
 package no.hials.crosscom.control;
 
 import no.hials.crosscom.control.input.Input;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /**
  * The state of the robot for a law.

@@ -3,8 +3,8 @@ package no.hials.crosscom.control;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLFrame;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /**
  * Writes a single target for {@code krl/follow_axis.src} or {@code krl/follow_pos.src}.

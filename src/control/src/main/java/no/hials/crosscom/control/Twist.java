@@ -1,6 +1,6 @@
 package no.hials.crosscom.control;
 
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Frame;
 
 /**
  * The velocity of a tool: the linear velocity of its centre point and the angular velocity, along

@@ -1,6 +1,6 @@
 package no.hials.crosscom.control;
 
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Frame;
 
 /**
  * A box along the axes of {@code $BASE} in which the tool centre point must stay.

@@ -11,10 +11,10 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.code.ProgramState;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
 import org.junit.jupiter.api.Test;
 

@@ -17,7 +17,7 @@ import no.hials.crosscom.control.input.Input;
 import no.hials.crosscom.control.input.InputDevice;
 import no.hials.crosscom.control.input.Replays;
 import no.hials.crosscom.control.input.UdpJsonInput;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Frame;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

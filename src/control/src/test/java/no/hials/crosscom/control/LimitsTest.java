@@ -8,11 +8,11 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.control.StopReason.StopKind;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.code.ProgramState;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
 import org.junit.jupiter.api.Test;
 

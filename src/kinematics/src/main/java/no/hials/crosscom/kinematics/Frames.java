@@ -1,5 +1,7 @@
 package no.hials.crosscom.kinematics;
 
+import no.hials.crosscom.protocol.value.Frame;
+
 /**
  * Computes with frames.
  *

@@ -1,15 +1,9 @@
 package no.hials.crosscom.kinematics;
 
-/** Checks of constructor arguments, and ranges of angles. */
+/** Ranges of angles. */
 final class Numbers {
 
   private Numbers() {}
-
-  static void finite(String field, double value) {
-    if (!Double.isFinite(value)) {
-      throw new IllegalArgumentException(field + " must be finite, is " + value);
-    }
-  }
 
   /** Returns the same angle in degrees, above -180 and up to 180, and 0 for -0. */
   static double normalised(double degrees) {

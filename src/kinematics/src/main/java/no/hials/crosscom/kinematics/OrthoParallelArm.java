@@ -1,6 +1,8 @@
 package no.hials.crosscom.kinematics;
 
 import java.util.Locale;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -6,6 +6,7 @@ import java.util.Properties;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.DoublePredicate;
+import no.hials.crosscom.protocol.value.Axis;
 
 /** Reads a robot from a properties file. Error messages have the file, key, rule and value. */
 final class RobotFile {

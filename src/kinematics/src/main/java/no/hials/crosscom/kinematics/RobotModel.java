@@ -14,6 +14,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import no.hials.crosscom.kinematics.UnreachableException.Reason;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -217,7 +219,9 @@ public final class RobotModel {
    * @return the indices of the axes, ascending: 0 for A1 to 5 for A6
    */
   public List<Integer> axesOutsideLimits(Axis axes, double margin) {
-    Numbers.finite("margin", margin);
+    if (!Double.isFinite(margin)) {
+      throw new IllegalArgumentException("margin must be finite, is " + margin);
+    }
     List<Integer> outside = new ArrayList<>();
     for (int axis = 0; axis < Axis.COUNT; axis++) {
       double angle = axes.get(axis);

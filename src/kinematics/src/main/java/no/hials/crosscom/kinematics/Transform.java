@@ -1,5 +1,7 @@
 package no.hials.crosscom.kinematics;
 
+import no.hials.crosscom.protocol.value.Frame;
+
 /** A {@link Frame} as a vector and a quaternion, for computing. */
 record Transform(Vector position, Rotation rotation) {
   static final Transform IDENTITY = new Transform(Vector.ZERO, Rotation.NONE);

@@ -1,5 +1,7 @@
 package no.hials.crosscom.kinematics;
 
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import org.junit.jupiter.params.aggregator.ArgumentsAccessor;
 
 /** Shared by several tests: rows of a table, and differences of angles. */

@@ -4,6 +4,8 @@ import static no.hials.crosscom.kinematics.Frames.angle;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -9,8 +9,8 @@ import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.State;
 import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.control.input.Input;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /** The coordinates that an input device moves, and the KRL program that follows. */
 enum DriveSpace {

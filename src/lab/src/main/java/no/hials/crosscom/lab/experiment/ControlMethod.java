@@ -2,8 +2,8 @@ package no.hials.crosscom.lab.experiment;
 
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.Twist;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /** The four kinds of control of the papers, each with the plane in which it draws figures. */
 enum ControlMethod {

@@ -13,13 +13,13 @@ import no.hials.crosscom.control.DampedLeastSquares;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.Trace;
 import no.hials.crosscom.control.Twist;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.lab.plot.Panel;
 import no.hials.crosscom.lab.plot.Quantity;
 import no.hials.crosscom.lab.plot.Series;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /**
  * Follows a straight line twice with the same velocity of the tool: once the controller computes

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
-import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.value.Axis;
 
 /**
  * The process of a {@link SimulatedRobot}. It prints the host and the port it listens on, a line

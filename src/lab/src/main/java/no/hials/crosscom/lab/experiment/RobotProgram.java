@@ -3,7 +3,7 @@ package no.hials.crosscom.lab.experiment;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.Target;
 import no.hials.crosscom.control.Twist;
-import no.hials.crosscom.kinematics.Axis;
+import no.hials.crosscom.protocol.value.Axis;
 
 /** The programs of {@code krl} that move by increments, as the programs of the papers did. */
 enum RobotProgram {

@@ -14,8 +14,8 @@ import no.hials.crosscom.control.LoopStatistics;
 import no.hials.crosscom.control.Safety;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Trace;
-import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.value.Axis;
 import org.jspecify.annotations.Nullable;
 
 /**

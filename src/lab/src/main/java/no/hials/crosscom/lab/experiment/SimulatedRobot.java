@@ -9,8 +9,8 @@ import java.util.concurrent.locks.LockSupport;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.KRLInt;
-import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.value.Axis;
 
 /**
  * A simulated KR 6 R900 sixx whose program waits for increments, and its client. The robot runs in

@@ -2,12 +2,12 @@ package no.hials.crosscom.simulator.internal.core;
 
 import java.util.Optional;
 import java.util.function.LongSupplier;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;

@@ -2,8 +2,8 @@ package no.hials.crosscom.simulator.internal.core;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlStruct;

@@ -1,8 +1,8 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.OptionalDouble;
-import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.Frames;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.NotACircle;
 
 /** A circular path, about its centre from one radius towards the radius square to it. */

@@ -5,10 +5,10 @@ import static no.hials.crosscom.kinematics.Frames.product;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.OutOfReach;
 

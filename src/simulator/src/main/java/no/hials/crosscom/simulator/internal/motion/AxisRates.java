@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-import no.hials.crosscom.kinematics.Axis;
+import no.hials.crosscom.protocol.value.Axis;
 
 /**
  * The speeds and accelerations of the axes in a PTP motion ({@code $VEL_AXIS}, {@code $ACC_AXIS}).

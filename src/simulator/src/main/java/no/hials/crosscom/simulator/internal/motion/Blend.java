@@ -4,8 +4,8 @@ import static no.hials.crosscom.kinematics.Frames.angle;
 import static no.hials.crosscom.kinematics.Frames.inverse;
 import static no.hials.crosscom.kinematics.Frames.product;
 
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Distance;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Exact;

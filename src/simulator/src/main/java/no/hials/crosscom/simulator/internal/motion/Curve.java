@@ -1,7 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.Frames;
+import no.hials.crosscom.protocol.value.Frame;
 
 /** The path of the TCP: frames over a parameter that runs evenly from 0 to 1. */
 sealed interface Curve permits Curve.Line, Arc {

@@ -1,8 +1,8 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.OptionalDouble;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /** One motion of a program, as the advance run has resolved it. */
 public sealed interface MotionCommand {

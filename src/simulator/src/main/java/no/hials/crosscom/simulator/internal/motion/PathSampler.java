@@ -3,7 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import no.hials.crosscom.kinematics.Axis;
+import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.Singularity;
 import org.jspecify.annotations.Nullable;

@@ -1,8 +1,8 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.Objects;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**

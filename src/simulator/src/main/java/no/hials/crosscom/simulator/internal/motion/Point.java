@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Frame;
 
 /** A point or a direction in space, mm. */
 record Point(double x, double y, double z) {

@@ -1,8 +1,8 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.Locale;
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 
 /** Computes the axes, inside their limits or not, for a parameter of a path. */
 sealed interface Solver permits Solver.ByPose, Solver.ByWrist {

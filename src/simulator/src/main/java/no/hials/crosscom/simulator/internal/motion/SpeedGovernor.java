@@ -2,8 +2,8 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import static no.hials.crosscom.kinematics.Frames.angle;
 
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,6 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
-import no.hials.crosscom.kinematics.Axis;
+import no.hials.crosscom.protocol.value.Axis;
 
 /**
  * The highest speed of the robot in a cycle, whatever is planned: lower in mode T1.

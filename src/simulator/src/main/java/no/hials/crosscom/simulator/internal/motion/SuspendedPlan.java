@@ -1,7 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.List;
-import no.hials.crosscom.kinematics.Axis;
+import no.hials.crosscom.protocol.value.Axis;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,9 +3,9 @@ package no.hials.crosscom.simulator.internal.motion;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import no.hials.crosscom.kinematics.Axis;
-import no.hials.crosscom.kinematics.Frame;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Distance;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Passed;

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import no.hials.crosscom.kinematics.Axis;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Passed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;

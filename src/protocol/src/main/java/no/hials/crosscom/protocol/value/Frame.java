@@ -1,4 +1,4 @@
-package no.hials.crosscom.kinematics;
+package no.hials.crosscom.protocol.value;
 
 /**
  * The pose of a coordinate system in another coordinate system, like KRL's type FRAME: a position,
@@ -18,12 +18,12 @@ public record Frame(double x, double y, double z, double a, double b, double c) 
 
   /** Checks that the numbers are finite. */
   public Frame {
-    Numbers.finite("X", x);
-    Numbers.finite("Y", y);
-    Numbers.finite("Z", z);
-    Numbers.finite("A", a);
-    Numbers.finite("B", b);
-    Numbers.finite("C", c);
+    Fields.finite("X", x);
+    Fields.finite("Y", y);
+    Fields.finite("Z", z);
+    Fields.finite("A", a);
+    Fields.finite("B", b);
+    Fields.finite("C", c);
   }
 
   /**

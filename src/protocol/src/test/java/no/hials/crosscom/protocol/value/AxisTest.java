@@ -1,4 +1,4 @@
-package no.hials.crosscom.kinematics;
+package no.hials.crosscom.protocol.value;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;

@@ -1,4 +1,4 @@
-package no.hials.crosscom.kinematics;
+package no.hials.crosscom.protocol.value;
 
 import java.util.Objects;
 
@@ -17,16 +17,16 @@ public record Axis(double a1, double a2, double a3, double a4, double a5, double
   public static final Axis ZERO = new Axis(0, 0, 0, 0, 0, 0);
 
   /** The number of axes. */
-  static final int COUNT = 6;
+  public static final int COUNT = 6;
 
   /** Checks that the angles are finite. */
   public Axis {
-    Numbers.finite("A1", a1);
-    Numbers.finite("A2", a2);
-    Numbers.finite("A3", a3);
-    Numbers.finite("A4", a4);
-    Numbers.finite("A5", a5);
-    Numbers.finite("A6", a6);
+    Fields.finite("A1", a1);
+    Fields.finite("A2", a2);
+    Fields.finite("A3", a3);
+    Fields.finite("A4", a4);
+    Fields.finite("A5", a5);
+    Fields.finite("A6", a6);
   }
 
   /**

@@ -5,10 +5,10 @@ final class Numbers {
 
   private Numbers() {}
 
-  /** Returns the same angle in degrees, above -180 and up to 180, and 0 for -0. */
+  /** Returns the same angle in degrees, above -180 and up to 180. */
   static double normalised(double degrees) {
     double angle = Math.IEEEremainder(degrees, 360);
-    return angle == -180 ? 180 : angle + 0.0;
+    return angle == -180 ? 180 : angle;
   }
 
   /** Returns the same angle in degrees, within 180 of another angle. */

@@ -64,12 +64,12 @@ record Transform(Vector position, Rotation rotation) {
     return frame(Math.atan2(r21, r11), Math.atan2(sineOfB, cosineOfB), Math.atan2(r32, r33));
   }
 
-  /** Creates a frame from angles in radians; never -0. */
+  /** Creates a frame from angles in radians. */
   private Frame frame(double a, double b, double c) {
     return new Frame(
-        position.x() + 0.0,
-        position.y() + 0.0,
-        position.z() + 0.0,
+        position.x(),
+        position.y(),
+        position.z(),
         Numbers.normalised(Math.toDegrees(a)),
         Numbers.normalised(Math.toDegrees(b)),
         Numbers.normalised(Math.toDegrees(c)));

@@ -19,14 +19,14 @@ public record Axis(double a1, double a2, double a3, double a4, double a5, double
   /** The number of axes. */
   public static final int COUNT = 6;
 
-  /** Checks that the angles are finite. */
+  /** Checks that the numbers are finite; -0 becomes 0. */
   public Axis {
-    Fields.finite("A1", a1);
-    Fields.finite("A2", a2);
-    Fields.finite("A3", a3);
-    Fields.finite("A4", a4);
-    Fields.finite("A5", a5);
-    Fields.finite("A6", a6);
+    a1 = Fields.finite("A1", a1);
+    a2 = Fields.finite("A2", a2);
+    a3 = Fields.finite("A3", a3);
+    a4 = Fields.finite("A4", a4);
+    a5 = Fields.finite("A5", a5);
+    a6 = Fields.finite("A6", a6);
   }
 
   /**

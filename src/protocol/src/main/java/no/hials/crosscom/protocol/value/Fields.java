@@ -5,9 +5,11 @@ final class Fields {
 
   private Fields() {}
 
-  static void finite(String field, double value) {
+  /** Returns the value, and 0 for -0, which a controller prints as 0.0, too. */
+  static double finite(String field, double value) {
     if (!Double.isFinite(value)) {
       throw new IllegalArgumentException(field + " must be finite, is " + value);
     }
+    return value + 0.0;
   }
 }

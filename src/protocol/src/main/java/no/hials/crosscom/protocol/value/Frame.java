@@ -16,14 +16,14 @@ public record Frame(double x, double y, double z, double a, double b, double c) 
   /** The identity ({@code $NULLFRAME}). */
   public static final Frame IDENTITY = new Frame(0, 0, 0, 0, 0, 0);
 
-  /** Checks that the numbers are finite. */
+  /** Checks that the numbers are finite; -0 becomes 0. */
   public Frame {
-    Fields.finite("X", x);
-    Fields.finite("Y", y);
-    Fields.finite("Z", z);
-    Fields.finite("A", a);
-    Fields.finite("B", b);
-    Fields.finite("C", c);
+    x = Fields.finite("X", x);
+    y = Fields.finite("Y", y);
+    z = Fields.finite("Z", z);
+    a = Fields.finite("A", a);
+    b = Fields.finite("B", b);
+    c = Fields.finite("C", c);
   }
 
   /**

@@ -182,10 +182,8 @@ abstract class NumberStruct extends KRLStruct {
     }
     foreign.forEach(
         (name, value) -> {
-          if (value instanceof KrlReal number) {
-            map.put(name, Double.valueOf(number.print())); // the digits from the controller
-          } else if (value instanceof KrlInt number) {
-            map.put(name, (double) number.value());
+          if (value instanceof KrlReal || value instanceof KrlInt) {
+            map.put(name, value.asDouble());
           }
         });
     return map;

@@ -42,6 +42,11 @@ public record KrlArray(List<KrlValue> elements) implements KrlValue {
   }
 
   @Override
+  public List<KrlValue> asList() {
+    return elements;
+  }
+
+  @Override
   public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
     return visitor.visit(this);
   }

@@ -9,6 +9,11 @@ import org.jspecify.annotations.Nullable;
  */
 public record KrlBool(boolean value) implements KrlValue {
   @Override
+  public boolean asBool() {
+    return value;
+  }
+
+  @Override
   public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
     return visitor.visit(this);
   }

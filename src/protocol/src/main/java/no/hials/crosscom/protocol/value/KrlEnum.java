@@ -21,6 +21,11 @@ public record KrlEnum(String name) implements KrlValue {
   }
 
   @Override
+  public String asEnum() {
+    return name;
+  }
+
+  @Override
   public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
     return visitor.visit(this);
   }

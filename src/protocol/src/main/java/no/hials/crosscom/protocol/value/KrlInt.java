@@ -10,6 +10,16 @@ import org.jspecify.annotations.Nullable;
  */
 public record KrlInt(int value) implements KrlValue {
   @Override
+  public int asInt() {
+    return value;
+  }
+
+  @Override
+  public double asDouble() {
+    return value;
+  }
+
+  @Override
   public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
     return visitor.visit(this);
   }

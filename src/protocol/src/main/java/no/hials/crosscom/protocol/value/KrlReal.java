@@ -32,6 +32,11 @@ public record KrlReal(float value) implements KrlValue {
   }
 
   @Override
+  public double asDouble() {
+    return Double.parseDouble(print());
+  }
+
+  @Override
   public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
     return visitor.visit(this);
   }

@@ -23,6 +23,11 @@ public record KrlString(String text) implements KrlValue {
   }
 
   @Override
+  public String asString() {
+    return text.equals(" ") ? "" : text;
+  }
+
+  @Override
   public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
     return visitor.visit(this);
   }

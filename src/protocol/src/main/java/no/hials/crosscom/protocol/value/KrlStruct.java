@@ -67,6 +67,11 @@ public record KrlStruct(@Nullable String typeName, List<Field> fields) implement
   }
 
   @Override
+  public KrlStruct asStruct() {
+    return this;
+  }
+
+  @Override
   public <R extends @Nullable Object> R accept(KrlVisitor<R> visitor) {
     return visitor.visit(this);
   }

@@ -1,5 +1,6 @@
 package no.hials.crosscom.protocol.value;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -38,6 +39,75 @@ public sealed interface KrlValue
    * @return the result of the method
    */
   <R extends @Nullable Object> R accept(KrlVisitor<R> visitor);
+
+  /**
+   * Returns the number of an INT.
+   *
+   * @throws IllegalStateException if the value is not an INT
+   */
+  default int asInt() {
+    throw not("an INT");
+  }
+
+  /**
+   * Returns the number of a REAL or INT: for a REAL, the double nearest to the digits that a KR C4
+   * prints, so that 0.1 is 0.1.
+   *
+   * @throws IllegalStateException if the value is not a number
+   */
+  default double asDouble() {
+    throw not("a REAL or INT");
+  }
+
+  /**
+   * Returns the value of a BOOL.
+   *
+   * @throws IllegalStateException if the value is not a BOOL
+   */
+  default boolean asBool() {
+    throw not("a BOOL");
+  }
+
+  /**
+   * Returns the text of a CHAR or CHAR array, without quotes; one blank is the empty text, which a
+   * controller prints like this.
+   *
+   * @throws IllegalStateException if the value is not a text
+   */
+  default String asString() {
+    throw not("a CHAR or CHAR array");
+  }
+
+  /**
+   * Returns the name of an ENUM's value, without the {@code #}.
+   *
+   * @throws IllegalStateException if the value is not of an ENUM
+   */
+  default String asEnum() {
+    throw not("a value of an ENUM");
+  }
+
+  /**
+   * Returns the value as an aggregate.
+   *
+   * @throws IllegalStateException if the value is not an aggregate
+   */
+  default KrlStruct asStruct() {
+    throw not("an aggregate");
+  }
+
+  /**
+   * Returns the elements of a whole array.
+   *
+   * @throws IllegalStateException if the value is not an array
+   */
+  default List<KrlValue> asList() {
+    throw not("an array");
+  }
+
+  private IllegalStateException not(String kind) {
+    return new IllegalStateException("the value must be " + kind + ", is " + print());
+  }
 
   /**
    * Returns the value as a KR C4 (KSS 8.3 and later) prints it: REALs with 6 or 9 significant

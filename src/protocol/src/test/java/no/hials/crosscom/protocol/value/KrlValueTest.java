@@ -3,6 +3,7 @@ package no.hials.crosscom.protocol.value;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.util.ArrayList;
@@ -11,6 +12,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -591,6 +593,41 @@ final class KrlValueTest {
 
     assertThat(array).isEqualTo(ints(1));
     assertThat(struct).isEqualTo(struct("T", field("X", 1)));
+  }
+
+  @Test
+  void aValueIsReadAsItsJavaType() {
+    assertThat(KrlValue.parse("'HFF'").asInt()).isEqualTo(255);
+    assertThat(KrlValue.parse("7").asDouble()).isEqualTo(7);
+    assertThat(KrlValue.parse("0.100000").asDouble()).isEqualTo(0.1);
+    assertThat(KrlValue.parse("27.0000057").asDouble()).isEqualTo(27.0000057);
+    assertThat(KrlValue.parse("TRUE").asBool()).isTrue();
+    assertThat(KrlValue.parse("\"text\"").asString()).isEqualTo("text");
+    assertThat(KrlValue.parse("\" \"").asString()).isEmpty();
+    assertThat(KrlValue.parse("#T1").asEnum()).isEqualTo("T1");
+    assertThat(KrlValue.parse("{FRAME: X 1.5}").asStruct().get("X"))
+        .hasValueSatisfying(x -> assertThat(x.asDouble()).isEqualTo(1.5));
+    assertThat(KrlValue.parse("1 2 ").asList()).extracting(KrlValue::asInt).containsExactly(1, 2);
+  }
+
+  static Stream<Arguments> wrongTypes() {
+    KrlValue real = KrlReal.of(5);
+    return Stream.of(
+        arguments((Executable) real::asInt, "the value must be an INT, is 5.00000"),
+        arguments((Executable) real::asBool, "the value must be a BOOL, is 5.00000"),
+        arguments(
+            (Executable) real::asString, "the value must be a CHAR or CHAR array, is 5.00000"),
+        arguments((Executable) real::asEnum, "the value must be a value of an ENUM, is 5.00000"),
+        arguments((Executable) real::asStruct, "the value must be an aggregate, is 5.00000"),
+        arguments((Executable) real::asList, "the value must be an array, is 5.00000"),
+        arguments(
+            (Executable) new KrlBool(true)::asDouble, "the value must be a REAL or INT, is TRUE"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("wrongTypes")
+  void aValueOfAnotherTypeIsRefusedAndShown(Executable call, String message) {
+    assertThatIllegalStateException().isThrownBy(call::execute).withMessage(message);
   }
 
   @Test

@@ -419,17 +419,21 @@ public final class KrlScanner {
     if (peekAfterBlanks() != '"') {
       throw wrong("a text in double quotes");
     }
-    int start = ++pos;
-    while (peek() != '"') {
+    int start = pos + 1;
+    skipString();
+    String value = text(start, pos - 1);
+    endScalar("a text in double quotes");
+    return value;
+  }
+
+  private void skipString() {
+    do {
+      pos++;
       if (pos >= end) {
         throw wrong("a closing double quote");
       }
-      pos++;
-    }
-    String value = text(start, pos);
+    } while (peek() != '"');
     pos++;
-    endScalar("a text in double quotes");
-    return value;
   }
 
   /**
@@ -633,6 +637,28 @@ public final class KrlScanner {
    */
   public KrlValue readFieldValue() {
     return KrlValueParser.fieldValue(this);
+  }
+
+  /**
+   * Skips the value of the current field, of any type. Numbers and names in it are not checked.
+   *
+   * @throws KrlSyntaxException if an aggregate or a text has no end
+   */
+  public void skipFieldValue() {
+    int c = peekAfterBlanks();
+    if (c == '{') {
+      openStruct();
+      while (nextField()) {
+        skipFieldValue();
+      }
+    } else if (c == '"') {
+      skipString();
+    } else {
+      while (c >= 0 && c != ',' && c != '}') {
+        pos++;
+        c = peek();
+      }
+    }
   }
 
   /** Returns whether the current field is a whole array, with {@code []} after its name. */

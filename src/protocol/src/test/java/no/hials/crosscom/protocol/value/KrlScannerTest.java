@@ -46,6 +46,64 @@ final class KrlScannerTest {
         .containsExactly(entry("X", 840.229), entry("T", 34.0), entry("B", 2.22039314E-12));
   }
 
+  /** Skips all fields of an aggregate. */
+  private static void skipFields(String text) {
+    KrlScanner scanner = scanner(text);
+    scanner.openStruct();
+    while (scanner.nextField()) {
+      scanner.skipFieldValue();
+    }
+    scanner.expectEnd();
+  }
+
+  @Test
+  void aFieldOfAnyTypeIsSkipped() {
+    KrlScanner scanner =
+        scanner("{A 1.5, B[] \"}, {\", C {FRAME: X 1, D {E #F}}, G[] 1 2 , H TRUE, LAST 7}");
+
+    scanner.openStruct();
+    while (scanner.nextField() && !scanner.fieldIs("LAST")) {
+      scanner.skipFieldValue();
+    }
+
+    assertThat(scanner.readInt()).isEqualTo(7);
+    assertThat(scanner.nextField()).isFalse();
+  }
+
+  @Test
+  void aSkippedFieldHasAnEnd() {
+    for (String text : List.of("{A 1", "{A {B 1}", "{A \"x}", "{A[] \"x\" 1}", "{A {B 1} 2}")) {
+      assertThatExceptionOfType(KrlSyntaxException.class)
+          .as(text)
+          .isThrownBy(() -> skipFields(text));
+    }
+  }
+
+  @Test
+  void whatCanBeParsedCanBeSkipped() {
+    Samples.forAll(
+        20_000,
+        random -> {
+          StringBuilder text = new StringBuilder("{LOAD: M 1.5,CM {X 1, Y 2},N[] \"a\", I[] 1 2 }");
+          for (int i = random.nextInt(3); i > 0; i--) {
+            int at = random.nextInt(text.length());
+            text.replace(
+                at, at + random.nextInt(2), Samples.anyOf(random, "", " ", ",", "}", "{", "\""));
+          }
+          return text.toString();
+        },
+        text -> {
+          try {
+            if (!(KrlValue.parse(text) instanceof KrlStruct)) {
+              return;
+            }
+          } catch (KrlSyntaxException e) {
+            return;
+          }
+          skipFields(text);
+        });
+  }
+
   @Test
   void anExpectedFieldIsReadAsAnyOther() {
     Samples.forAll(

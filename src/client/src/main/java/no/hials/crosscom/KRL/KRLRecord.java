@@ -2,6 +2,7 @@ package no.hials.crosscom.KRL;
 
 import java.util.Objects;
 import no.hials.crosscom.protocol.value.KrlScanner;
+import no.hials.crosscom.protocol.value.KrlText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -20,10 +21,16 @@ import org.jspecify.annotations.Nullable;
  * <tr><td>CHAR</td><td>{@code char}</td></tr>
  * <tr><td>CHAR[n]</td><td>{@code String}; a single blank is the empty text</td></tr>
  * <tr><td>ENUM</td><td>an enum</td></tr>
+ * <tr><td>FRAME, POS, E6POS, AXIS, E6AXIS, LOAD</td><td>{@code Frame}, {@code Pos}, ... of {@link
+ * no.hials.crosscom.protocol.value}</td></tr>
  * <tr><td>FRAME, POS, E6POS, AXIS, E6AXIS</td><td>{@code KRLFrame}, {@code KRLPos}, ...</td></tr>
  * <tr><td>STRUC</td><td>a record</td></tr>
  * <tr><td>array of INT, REAL, BOOL or ENUM with one dimension</td><td>an array</td></tr>
  * </table>
+ *
+ * <p>Fields without a component are ignored, and not written, so that a {@code Frame} can be read
+ * from an E6POS. A REAL read as {@code double} is the double nearest to the printed digits; a
+ * {@code float} is the controller's 32-bit value.
  *
  * <p>A controller does not print a field that is not initialised. That is an error, unless the
  * component is an {@link java.util.Optional} of such a type; primitive types are then boxed, as in
@@ -44,6 +51,8 @@ import org.jspecify.annotations.Nullable;
 public final class KRLRecord<T extends Record> extends KRLVariable {
   private final Class<T> type;
   private final RecordShape shape;
+  private final @Nullable NumberShape numbers;
+  private final double[] scratch;
   private @Nullable T value;
 
   /** The text of the last write. */
@@ -62,6 +71,8 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
     super(name);
     this.type = Objects.requireNonNull(type, "type");
     this.shape = RecordShape.of(type);
+    this.numbers = NumberShape.of(type);
+    this.scratch = numbers == null ? new double[0] : numbers.scratch();
   }
 
   @Override
@@ -91,7 +102,12 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
    *     array, or null; the local value is then unchanged
    */
   public void setValue(T newValue) {
-    print(Objects.requireNonNull(newValue, "newValue"));
+    Objects.requireNonNull(newValue, "newValue");
+    if (numbers != null) {
+      numbers.check(newValue, getName());
+    } else {
+      print(newValue);
+    }
     value = newValue;
   }
 
@@ -118,13 +134,27 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
     return text;
   }
 
+  @Override
+  protected boolean appendValue(KrlText text) {
+    if (numbers == null) {
+      return false;
+    }
+    numbers.print(text, recordValue());
+    return true;
+  }
+
   /**
-   * Keeps the record if the text is the text of the last write, so that the record keeps the
-   * program's frames and arrays. Otherwise {@link #setValueFromString} reads the text: the record's
-   * constructor is the program's own code, which must not run under the client's lock.
+   * Sets a record of numbers in place. Keeps another record if the text is the text of the last
+   * write, so that the record keeps the program's frames and arrays. Otherwise {@link
+   * #setValueFromString} reads the text: the record's constructor is the program's own code, which
+   * must not run under the client's lock.
    */
   @Override
   protected boolean setValueFrom(KrlScanner scanner, boolean written) {
+    if (numbers != null) {
+      value = type.cast(numbers.read(scanner, getName(), scratch, written ? value : null));
+      return true;
+    }
     return written && sent != null && sent.contentEquals(scanner.text());
   }
 

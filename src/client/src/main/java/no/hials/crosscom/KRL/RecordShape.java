@@ -18,7 +18,6 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import no.hials.crosscom.protocol.value.KrlPrinter;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
@@ -225,7 +224,10 @@ final class RecordShape {
     return -1;
   }
 
-  /** Reads an element of an array, the only field with a name other than its component. */
+  /**
+   * Reads an element of an array, the only field with a name other than its component; the record
+   * ignores all other fields.
+   */
   private void readElement(KrlScanner scanner, String path, @Nullable Object[] values) {
     String printed = scanner.fieldName();
     int bracket = printed.indexOf('[');
@@ -235,15 +237,8 @@ final class RecordShape {
       index++;
     }
     if (index == fields.length) {
-      throw new PathException(
-          path
-              + "."
-              + printed
-              + " is not a component of "
-              + type.getTypeName()
-              + ", which has "
-              + Arrays.stream(fields).map(Field::printedName).collect(Collectors.joining(", ")),
-          null);
+      scanner.skipFieldValue();
+      return;
     }
     Field field = fields[index];
     Matcher element = ELEMENT.matcher(printed);
@@ -271,11 +266,11 @@ final class RecordShape {
     final SortedMap<Integer, Object> byIndex = new TreeMap<>();
   }
 
-  private static PathException twice(String path, String field) {
+  static PathException twice(String path, String field) {
     return new PathException(path + "." + field + " occurs twice", null);
   }
 
-  private static PathException wrong(String path, String field, IllegalArgumentException e) {
+  static PathException wrong(String path, String field, IllegalArgumentException e) {
     return new PathException(path + "." + field + ": " + e.getMessage(), e);
   }
 
@@ -314,7 +309,7 @@ final class RecordShape {
     return type.arrayOf(elements.byIndex.values());
   }
 
-  private static PathException missing(String path) {
+  static PathException missing(String path) {
     return new PathException(
         path
             + " is missing in the controller's answer: it is not initialised, or not a field of that"

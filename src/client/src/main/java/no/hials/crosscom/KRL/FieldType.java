@@ -4,8 +4,6 @@ import java.lang.reflect.Type;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -17,6 +15,7 @@ import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.KRL.structs.KRLStruct;
+import no.hials.crosscom.internal.EnumNames;
 import no.hials.crosscom.protocol.value.KrlPrinter;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlScanner;
@@ -81,7 +80,7 @@ abstract class FieldType {
   static final class UnmappableException extends Exception {
     private static final long serialVersionUID = 1L;
 
-    UnmappableException(String message) {
+    UnmappableException(@Nullable String message) {
       super(message);
     }
   }
@@ -214,30 +213,13 @@ abstract class FieldType {
 
   /** An ENUM. */
   private static final class Constant extends FieldType {
-    private final Map<String, Object> byName = new LinkedHashMap<>();
-    private final Map<Object, String> names = new HashMap<>();
+    private final EnumNames names;
 
     Constant(Class<?> type) throws UnmappableException {
-      for (Object constant : type.getEnumConstants()) {
-        String javaName = ((Enum<?>) constant).name();
-        String name = RecordShape.krlName(annotation(type, javaName), javaName);
-        if (name == null) {
-          throw new UnmappableException(
-              "is of type " + type.getTypeName() + ", whose " + javaName + " has no KRL name");
-        }
-        if (byName.put(name, constant) != null) {
-          throw new UnmappableException(
-              "is of type " + type.getTypeName() + ", which has the name " + name + " twice");
-        }
-        names.put(constant, name);
-      }
-    }
-
-    private static @Nullable KrlName annotation(Class<?> type, String constant) {
       try {
-        return type.getDeclaredField(constant).getAnnotation(KrlName.class);
-      } catch (NoSuchFieldException e) {
-        throw new AssertionError("each constant of an enum is a field of it", e);
+        names = EnumNames.of(type);
+      } catch (IllegalArgumentException e) {
+        throw new UnmappableException(e.getMessage());
       }
     }
 
@@ -245,17 +227,16 @@ abstract class FieldType {
     Object read(KrlScanner scanner, String path, String name) {
       int start = scanner.position();
       String text = scanner.readEnum();
-      Object constant = byName.get(text.toUpperCase(Locale.ROOT));
+      Object constant = names.constant(text);
       if (constant == null) {
-        throw new KrlSyntaxException(
-            scanner.text(), start, "one of #" + String.join(", #", byName.keySet()), "#" + text);
+        throw new KrlSyntaxException(scanner.text(), start, names.expected(), "#" + text);
       }
       return constant;
     }
 
     @Override
     void print(StringBuilder out, Object value, String path, String name) {
-      out.append('#').append(names.get(value));
+      out.append('#').append(names.name(value));
     }
   }
 

@@ -12,12 +12,12 @@ import java.lang.reflect.Type;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import no.hials.crosscom.internal.EnumNames;
 import no.hials.crosscom.protocol.value.KrlPrinter;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
@@ -33,8 +33,6 @@ final class RecordShape {
           return new RecordShape(type, List.of());
         }
       };
-
-  private static final Pattern NAME = Pattern.compile("[A-Za-z_$][A-Za-z0-9_$]*");
 
   private static final Pattern ELEMENT = Pattern.compile("[^\\[]*\\[([1-9][0-9]{0,8})]");
 
@@ -97,7 +95,7 @@ final class RecordShape {
 
   private Field field(RecordComponent component, List<Class<?>> around) {
     KrlName given = component.getAnnotation(KrlName.class);
-    String name = krlName(given, component.getName());
+    String name = EnumNames.krlName(given, component.getName());
     if (name == null) {
       throw unmappable(
           component,
@@ -162,12 +160,6 @@ final class RecordShape {
             + type.getPackageName()
             + " to no.hials.crosscom",
         e);
-  }
-
-  /** Returns the name on the controller, in upper case; null if it is not a KRL name. */
-  static @Nullable String krlName(@Nullable KrlName given, String javaName) {
-    String name = given == null ? javaName : given.value();
-    return NAME.matcher(name).matches() ? name.toUpperCase(Locale.ROOT) : null;
   }
 
   /**

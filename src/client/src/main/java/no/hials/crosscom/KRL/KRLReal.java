@@ -48,7 +48,7 @@ public class KRLReal extends ScannedVariable {
    * @throws IllegalArgumentException if it is NaN, infinite or too large for a 32-bit float
    */
   public void setValue(double newValue) {
-    KrlReal.of(newValue); // checks the range of a float
+    KrlReal.toFloat(newValue); // checks the range of a float
     value = newValue;
     present = true;
   }

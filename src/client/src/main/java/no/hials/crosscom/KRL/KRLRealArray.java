@@ -44,7 +44,7 @@ public class KRLRealArray extends KRLArray {
    */
   public void setValue(double... newValues) {
     for (double value : newValues) {
-      KrlReal.of(value); // checks the range of a float
+      KrlReal.toFloat(value); // checks the range of a float
     }
     setLength(newValues.length);
     values = newValues.clone();

@@ -161,7 +161,7 @@ final class NumberShape {
   void check(Record record, String path) {
     for (int i = 0; i < names.length; i++) {
       try {
-        KrlReal.of(get(record, i));
+        KrlReal.toFloat(get(record, i));
       } catch (IllegalArgumentException e) {
         throw RecordShape.wrong(path, names[i], e);
       }

@@ -112,7 +112,7 @@ abstract class NumberStruct extends KRLStruct {
 
   private void check(int index, double value) {
     try {
-      KrlReal.of(value);
+      KrlReal.toFloat(value);
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(
           getName() + "." + nodes()[index] + ": " + e.getMessage(), e);

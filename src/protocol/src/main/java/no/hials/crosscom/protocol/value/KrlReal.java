@@ -28,7 +28,23 @@ public record KrlReal(float value) implements KrlValue {
    * @throws IllegalArgumentException if the number is NaN, infinite or beyond ±3.4028235E38
    */
   public static KrlReal of(double value) {
-    return new KrlReal(RealText.toFloat(value));
+    return new KrlReal(toFloat(value));
+  }
+
+  /**
+   * Rounds a double to the nearest 32-bit float, without creating an object.
+   *
+   * @param value a number that a 32-bit float can hold
+   * @return the float
+   * @throws IllegalArgumentException if the number is NaN, infinite or beyond ±3.4028235E38
+   */
+  public static float toFloat(double value) {
+    float f = (float) value;
+    if (!Float.isFinite(f)) {
+      throw new IllegalArgumentException(
+          "a REAL is a 32-bit float, within ±3.4028235E38 and not NaN, is " + value);
+    }
+    return f;
   }
 
   @Override

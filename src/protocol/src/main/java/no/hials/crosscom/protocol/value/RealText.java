@@ -29,16 +29,6 @@ final class RealText {
 
   private RealText() {}
 
-  /** Rounds to the nearest float; throws if no float can hold the number. */
-  static float toFloat(double value) {
-    float f = (float) value;
-    if (!Float.isFinite(f)) {
-      throw new IllegalArgumentException(
-          "a REAL is a 32-bit float, within ±3.4028235E38 and not NaN, is " + value);
-    }
-    return f;
-  }
-
   /** Returns {@code digits * 10^exponent} if a double computes it with one rounding, else NaN. */
   static double exactly(long digits, int exponent) {
     if (digits <= 1L << 53) {

@@ -1,6 +1,5 @@
 package no.hials.crosscom;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.lang.ref.Cleaner;
 import java.net.InetAddress;
@@ -71,7 +70,7 @@ import org.slf4j.LoggerFactory;
  *
  * <p>The class is long because it holds the whole API of 0.2.2; most of it is documentation.
  */
-public final class CrossComClient implements Closeable {
+public final class CrossComClient extends TypedAccess {
   private static final Logger LOG = LoggerFactory.getLogger(CrossComClient.class);
   private static final Cleaner CLEANER = Cleaner.create();
 
@@ -252,6 +251,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComValueException if the controller's value is not of the variable's type
    * @throws CrossComException if the exchange fails
    */
+  @Override
   public void readVariable(KRLVariable variable) throws IOException {
     variables.read(Objects.requireNonNull(variable, "variable"));
   }
@@ -269,6 +269,7 @@ public final class CrossComClient implements Closeable {
    * @throws CrossComException if the exchange fails
    * @throws IllegalStateException if the variable has no value
    */
+  @Override
   public void writeVariable(KRLVariable variable) throws IOException {
     variables.write(Objects.requireNonNull(variable, "variable"));
   }
@@ -328,6 +329,7 @@ public final class CrossComClient implements Closeable {
    * @param several the variables
    * @return one result per variable, in the same order
    */
+  @Override
   public List<VariableResult> readVariables(List<? extends KRLVariable> several) {
     return variables.readAll(checked(several));
   }

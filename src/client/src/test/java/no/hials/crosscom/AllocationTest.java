@@ -8,6 +8,9 @@ import java.lang.management.ManagementFactory;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLReal;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.E6Pos;
+import no.hials.crosscom.protocol.value.Frame;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -96,5 +99,50 @@ class AllocationTest extends RobotTest {
     axes.setE1(1250.5);
 
     assertThat(allocated(i -> client.writeVariable(axes))).isZero();
+  }
+
+  @Test
+  void readingANumberByItsHandleCreatesNoObjects() throws IOException {
+    Handle.OfInt ints = client.intHandle("MYINT");
+    Handle.OfReal reals = client.realHandle("MYREAL");
+    Handle<Boolean> bools = client.handle("MYBOOL", Boolean.class);
+
+    assertThat(allocated(i -> ints.readAsInt())).isZero();
+    assertThat(allocated(i -> reals.readAsDouble())).isZero();
+    assertThat(allocated(i -> bools.read())).isZero();
+  }
+
+  @Test
+  void writingANumberByItsHandleCreatesNoObjects() throws IOException {
+    Handle.OfInt ints = client.intHandle("MYINT");
+    Handle.OfReal reals = client.realHandle("MYREAL");
+
+    assertThat(allocated(ints::write)).isZero();
+    assertThat(allocated(i -> reals.write(i / 8.0))).isZero();
+  }
+
+  @Test
+  void readingAPositionByItsHandleCreatesItsRecordOnly() throws IOException {
+    Handle<Axis> axis = client.handle("MYAXES", Axis.class);
+    robot.variables().set("MYAXES", "{A4 1,A5 2,A6 3}");
+    Handle<E6Pos> position = client.handle("$POS_ACT", E6Pos.class);
+
+    assertThat(allocated(i -> axis.read())).isEqualTo(bytes(6 * Double.BYTES));
+    assertThat(allocated(i -> position.read()))
+        .isEqualTo(bytes(12 * Double.BYTES + 2 * Integer.BYTES));
+  }
+
+  @Test
+  void writingAPositionByItsHandleCreatesNoObjects() throws IOException {
+    Handle<Frame> base = client.handle("$BASE", Frame.class);
+    Frame frame = new Frame(5.123457, -90.12346, 91.234566, 0.005123456, -45.678944, 123.45679);
+
+    assertThat(allocated(i -> base.write(frame))).isZero();
+  }
+
+  /** Returns the size of an object with fields of that size. */
+  private static long bytes(int fields) {
+    long header = 12;
+    return (header + fields + 7) / 8 * 8;
   }
 }

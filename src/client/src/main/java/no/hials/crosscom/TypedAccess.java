@@ -2,6 +2,7 @@ package no.hials.crosscom;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.KRL.KRLVariable;
 
@@ -315,5 +316,47 @@ abstract sealed class TypedAccess implements Closeable permits CrossComClient {
    */
   public Handle.OfInt intHandle(String name) {
     return new Handle.OfInt(this, name);
+  }
+
+  /**
+   * Reads several variables, as {@link #readVariables(List)} does: on C3 Bridge 1.2 or later in as
+   * few messages as possible. If one cannot be read, the others have their values.
+   *
+   * @param handles handles of this client
+   * @return a result for each handle
+   * @throws IllegalArgumentException if a handle is of another client
+   */
+  public ReadResults read(Handle<?>... handles) {
+    for (Handle<?> handle : handles) {
+      if (handle.client != this) {
+        throw new IllegalArgumentException(handle + " is a handle of " + handle.client);
+      }
+    }
+    List<Reading<?>> readings = new ArrayList<>();
+    try {
+      for (Handle<?> handle : handles) {
+        readings.add(Reading.of(handle));
+      }
+      List<VariableResult> read =
+          readVariables(readings.stream().map(reading -> reading.slot.variable()).toList());
+      ReadResults results = new ReadResults();
+      for (int i = 0; i < handles.length; i++) {
+        results.add(handles[i], readings.get(i).slot, read.get(i));
+      }
+      return results;
+    } finally {
+      readings.forEach(Reading::end);
+    }
+  }
+
+  /** A handle and its slot during a read. */
+  private record Reading<T>(Handle<T> handle, Slot<T> slot) {
+    static <T> Reading<T> of(Handle<T> handle) {
+      return new Reading<>(handle, handle.acquire());
+    }
+
+    void end() {
+      handle.release(slot);
+    }
   }
 }

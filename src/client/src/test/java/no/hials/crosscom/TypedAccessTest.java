@@ -12,6 +12,7 @@ import no.hials.crosscom.KRL.KRLReal;
 import no.hials.crosscom.KRL.KrlName;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.E6Axis;
@@ -258,6 +259,43 @@ class TypedAccessTest extends RobotTest {
     assertThatIllegalArgumentException().isThrownBy(() -> client.writeString("MYSTRING[]", "\""));
     assertThatIllegalArgumentException().isThrownBy(() -> client.writeIntArray("MYINTS"));
     assertThatNullPointerException().isThrownBy(() -> client.writeString("MYSTRING[]", null));
+    assertThat(robot.requests()).isEmpty();
+  }
+
+  @Test
+  void severalHandlesAreReadInAsFewMessagesAsTheServerAllows() throws Exception {
+    Handle<E6Pos> position = client.handle("$POS_ACT", E6Pos.class);
+    Handle.OfReal override = client.realHandle("$OV_PRO");
+    Handle<Mode> mode = client.handle("$MODE_OP", Mode.class);
+    Handle.OfInt unknown = client.intHandle("NOSUCH");
+    Handle.OfInt wrong = client.intHandle("$MODE_OP");
+    client.getServer();
+    robot.clearRequests();
+
+    ReadResults results = client.read(position, override, mode, unknown, wrong, override);
+
+    assertThat(results.get(position).z()).isEqualTo(890);
+    assertThat(results.get(override)).isEqualTo(100);
+    assertThat(results.get(mode)).isEqualTo(Mode.T1);
+    assertThatExceptionOfType(CrossComAccessException.class).isThrownBy(() -> results.get(unknown));
+    assertThatExceptionOfType(CrossComValueException.class).isThrownBy(() -> results.get(wrong));
+    assertThat(results.failures()).containsOnlyKeys(unknown, wrong);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> results.get(client.intHandle("$OV_PRO")))
+        .withMessageStartingWith("the handles that were read are [Handle{$POS_ACT, E6Pos}, ")
+        .withMessageContaining("not Handle{$OV_PRO, Integer}");
+    assertThat(robot.requests()).hasSize(server == ServerType.C3_BRIDGE ? 1 : 6);
+  }
+
+  @Test
+  void theHandleOfAnotherClientIsRefused() throws Exception {
+    try (CrossComClient other = client(LONG)) {
+      Handle.OfInt foreign = other.intHandle("MYINT");
+
+      assertThatIllegalArgumentException()
+          .isThrownBy(() -> client.read(client.intHandle("MYINT"), foreign))
+          .withMessageStartingWith("Handle{MYINT, Integer} is a handle of CrossComClient{");
+    }
     assertThat(robot.requests()).isEmpty();
   }
 }

@@ -1,0 +1,53 @@
+package no.hials.crosscom;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** The results of reading several variables by their handles: for each a value or a failure. */
+public final class ReadResults {
+  /** A value or an exception for each handle. */
+  private final Map<Handle<?>, Object> results = new LinkedHashMap<>();
+
+  ReadResults() {}
+
+  void add(Handle<?> handle, Slot<?> slot, VariableResult result) {
+    try {
+      result.orThrow();
+      results.put(handle, slot.value());
+    } catch (CrossComException e) {
+      results.put(handle, e);
+    }
+  }
+
+  /**
+   * Returns the value of a variable.
+   *
+   * @param handle one of the handles that were read
+   * @return the value
+   * @throws CrossComException if the variable could not be read
+   * @throws IllegalArgumentException if the handle was not read
+   */
+  public <T> T get(Handle<T> handle) throws CrossComException {
+    Object result = results.get(handle);
+    if (result == null) {
+      throw new IllegalArgumentException(
+          "the handles that were read are " + results.keySet() + ", not " + handle);
+    }
+    if (result instanceof CrossComException failure) {
+      throw failure;
+    }
+    return handle.type().cast(result);
+  }
+
+  /** Returns the failures, in the order of the handles; empty if all variables were read. */
+  public Map<Handle<?>, CrossComException> failures() {
+    Map<Handle<?>, CrossComException> failures = new LinkedHashMap<>();
+    results.forEach(
+        (handle, result) -> {
+          if (result instanceof CrossComException failure) {
+            failures.put(handle, failure);
+          }
+        });
+    return failures;
+  }
+}

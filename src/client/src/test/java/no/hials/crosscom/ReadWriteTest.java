@@ -39,8 +39,13 @@ import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.E6Axis;
+import no.hials.crosscom.protocol.value.E6Pos;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.Pos;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -383,6 +388,31 @@ class ReadWriteTest extends RobotTest {
     public void setValue(String field, String text) {
       fields.put(field, text);
     }
+  }
+
+  @Test
+  void aStructureIsSetFromARecordAndReturnsOne() {
+    E6Pos e6pos = new E6Pos(1, 2, 3, 4, 5, 6, 2, 34, 7, 8, 9, 10, 11, 12);
+    KRLE6Pos position = new KRLE6Pos("MYE6POS");
+    position.setValue(e6pos);
+    E6Axis e6axis = new E6Axis(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12);
+    KRLE6Axis axes = new KRLE6Axis("MYE6AXIS");
+    axes.setValue(e6axis);
+
+    assertThat(position.toE6Pos()).isEqualTo(e6pos);
+    assertThat(position.toPos()).isEqualTo(e6pos.pos());
+    assertThat(position.toFrame()).isEqualTo(e6pos.frame());
+    assertThat(axes.toE6Axis()).isEqualTo(e6axis);
+    assertThat(axes.toAxis()).isEqualTo(e6axis.axis());
+    position.setValue(new Pos(0, 0, 0, 0, 0, 0, 6, 3));
+    axes.setValue(Axis.ZERO);
+    assertThat(position.toE6Pos())
+        .isEqualTo(new E6Pos(0, 0, 0, 0, 0, 0, 6, 3, 7, 8, 9, 10, 11, 12));
+    assertThat(axes.toE6Axis()).isEqualTo(new E6Axis(0, 0, 0, 0, 0, 0, 7, 8, 9, 10, 11, 12));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> position.setValue(new Frame(1, 2, 3, 4, 5, 1e39)))
+        .withMessageContaining("MYE6POS.C: ");
+    assertThat(position.getX()).as("unchanged").isZero();
   }
 
   @Test

@@ -117,13 +117,7 @@ final class Channel {
   /** Returns the last position read. */
   Frame frame() throws ControlRefusedException {
     try {
-      return new Frame(
-          position.getX(),
-          position.getY(),
-          position.getZ(),
-          position.getA(),
-          position.getB(),
-          position.getC());
+      return position.toFrame();
     } catch (IllegalStateException e) {
       throw failed(e);
     }
@@ -132,7 +126,7 @@ final class Channel {
   /** Returns the last axis positions read. */
   Axis joints() throws ControlRefusedException {
     try {
-      return Axis.of(axes.asArrayA1ToA6());
+      return axes.toAxis();
     } catch (IllegalStateException e) {
       throw failed(e);
     }

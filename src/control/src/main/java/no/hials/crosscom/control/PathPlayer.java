@@ -75,7 +75,7 @@ public final class PathPlayer {
     for (Axis point : points) {
       guard.check(point, false);
       KRLAxis variable = new KRLAxis("JOV_PATH_AXIS[" + (variables.size() + 1) + "]");
-      variable.setA1ToA6(point.toArray());
+      variable.setValue(point);
       variables.add(variable);
     }
     play(AXES, variables, limit);
@@ -100,8 +100,7 @@ public final class PathPlayer {
     for (Frame point : points) {
       guard.check(point, false);
       KRLPos variable = new KRLPos("JOV_PATH_POS[" + (variables.size() + 1) + "]");
-      variable.setXToZ(point.x(), point.y(), point.z());
-      variable.setAToC(point.a(), point.b(), point.c());
+      variable.setValue(point);
       variable.setS(channel.position.getS());
       variable.setT(channel.position.getT());
       variables.add(variable);

@@ -42,7 +42,7 @@ public final class TargetWriter {
   public void writeAxes(String name, Axis axes) throws ControlRefusedException {
     Preflight.check(channel, safety, false).check(axes, false);
     KRLAxis target = new KRLAxis(name);
-    target.setA1ToA6(axes.toArray());
+    target.setValue(axes);
     channel.write(target);
   }
 
@@ -57,8 +57,7 @@ public final class TargetWriter {
   public void writePosition(String name, Frame position) throws ControlRefusedException {
     Preflight.check(channel, safety, true).check(position, false);
     KRLFrame target = new KRLFrame(name);
-    target.setXToZ(position.x(), position.y(), position.z());
-    target.setAToC(position.a(), position.b(), position.c());
+    target.setValue(position);
     channel.write(target);
   }
 }

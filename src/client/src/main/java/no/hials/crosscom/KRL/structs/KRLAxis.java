@@ -1,5 +1,7 @@
 package no.hials.crosscom.KRL.structs;
 
+import no.hials.crosscom.protocol.value.Axis;
+
 /**
  * Holds an AXIS: the positions of the robot axes A1 to A6, in degrees, or mm for a linear axis.
  *
@@ -95,5 +97,19 @@ public class KRLAxis extends NumberStruct {
   /** Returns A1 to A6 as a new array of 6, in degrees, or mm for linear axes. */
   public double[] asArrayA1ToA6() {
     return get("A1", 6);
+  }
+
+  /**
+   * Returns A1 to A6 as an immutable record.
+   *
+   * @throws IllegalStateException if a field was missing in the controller's last answer
+   */
+  public Axis toAxis() {
+    return Axis.of(asArrayA1ToA6());
+  }
+
+  /** Sets A1 to A6, in degrees, or mm for linear axes. */
+  public void setValue(Axis value) {
+    set("A1", 6, value.a1(), value.a2(), value.a3(), value.a4(), value.a5(), value.a6());
   }
 }

@@ -1,5 +1,7 @@
 package no.hials.crosscom.KRL.structs;
 
+import no.hials.crosscom.protocol.value.E6Axis;
+
 /**
  * Holds an E6AXIS: the positions of the robot axes A1 to A6 and of the external axes E1 to E6.
  *
@@ -85,5 +87,35 @@ public class KRLE6Axis extends KRLAxis {
   /** Returns E1 to E6 as a new array of 6, in degrees, or mm for linear axes. */
   public double[] asArrayE1ToE6() {
     return get("E1", 6);
+  }
+
+  /**
+   * Returns all fields as an immutable record.
+   *
+   * @throws IllegalStateException if a field was missing in the controller's last answer
+   */
+  public E6Axis toE6Axis() {
+    return new E6Axis(
+        getA1(), getA2(), getA3(), getA4(), getA5(), getA6(), getE1(), getE2(), getE3(), getE4(),
+        getE5(), getE6());
+  }
+
+  /** Sets all fields, in degrees, or mm for linear axes. */
+  public void setValue(E6Axis value) {
+    set(
+        "A1",
+        12,
+        value.a1(),
+        value.a2(),
+        value.a3(),
+        value.a4(),
+        value.a5(),
+        value.a6(),
+        value.e1(),
+        value.e2(),
+        value.e3(),
+        value.e4(),
+        value.e5(),
+        value.e6());
   }
 }

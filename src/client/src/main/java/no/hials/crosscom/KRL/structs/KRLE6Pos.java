@@ -1,5 +1,7 @@
 package no.hials.crosscom.KRL.structs;
 
+import no.hials.crosscom.protocol.value.E6Pos;
+
 /**
  * Holds an E6POS: a POS with six external axes. The fields are in the order of the original client,
  * E1 to E6 before S and T; a controller prints S and T first.
@@ -129,5 +131,48 @@ public final class KRLE6Pos extends KRLPos {
   public KRLE6Pos setC(double d) {
     super.setC(d);
     return this;
+  }
+
+  /**
+   * Returns all fields as an immutable record.
+   *
+   * @throws IllegalStateException if a field was missing in the controller's last answer
+   */
+  public E6Pos toE6Pos() {
+    return new E6Pos(
+        getX(),
+        getY(),
+        getZ(),
+        getA(),
+        getB(),
+        getC(),
+        (int) getS(),
+        (int) getT(),
+        getE1(),
+        getE2(),
+        getE3(),
+        getE4(),
+        getE5(),
+        getE6());
+  }
+
+  /** Sets all fields, in mm and degrees. */
+  public void setValue(E6Pos value) {
+    set(
+        "X",
+        12,
+        value.x(),
+        value.y(),
+        value.z(),
+        value.a(),
+        value.b(),
+        value.c(),
+        value.e1(),
+        value.e2(),
+        value.e3(),
+        value.e4(),
+        value.e5(),
+        value.e6());
+    set("S", 2, value.s(), value.t());
   }
 }

@@ -1,5 +1,7 @@
 package no.hials.crosscom.KRL.structs;
 
+import no.hials.crosscom.protocol.value.Frame;
+
 /**
  * Holds a FRAME: a position X, Y, Z in mm and an orientation A, B, C in degrees, which is {@code
  * Rz(A) Ry(B) Rx(C)} (docs/reference/kinematics.md#orientation).
@@ -119,5 +121,19 @@ public class KRLFrame extends NumberStruct {
   /** Returns A to C as a new array of 3, in degrees. */
   public double[] asArrayAToC() {
     return get("A", 3);
+  }
+
+  /**
+   * Returns X to C as an immutable record.
+   *
+   * @throws IllegalStateException if a field was missing in the controller's last answer
+   */
+  public Frame toFrame() {
+    return new Frame(getX(), getY(), getZ(), getA(), getB(), getC());
+  }
+
+  /** Sets X to C, in mm and degrees. */
+  public void setValue(Frame value) {
+    set("X", 6, value.x(), value.y(), value.z(), value.a(), value.b(), value.c());
   }
 }

@@ -1,5 +1,7 @@
 package no.hials.crosscom.KRL.structs;
 
+import no.hials.crosscom.protocol.value.Pos;
+
 /**
  * Holds a POS: a FRAME with Status and Turn, which distinguish the axis positions that reach it.
  *
@@ -89,5 +91,20 @@ public class KRLPos extends KRLFrame {
   public KRLPos setC(double d) {
     super.setC(d);
     return this;
+  }
+
+  /**
+   * Returns X to C, S and T as an immutable record.
+   *
+   * @throws IllegalStateException if a field was missing in the controller's last answer
+   */
+  public Pos toPos() {
+    return new Pos(getX(), getY(), getZ(), getA(), getB(), getC(), (int) getS(), (int) getT());
+  }
+
+  /** Sets X to C, in mm and degrees, S and T. */
+  public void setValue(Pos value) {
+    setValue(value.frame());
+    set("S", 2, value.s(), value.t());
   }
 }

@@ -30,6 +30,8 @@ import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.FileAttribute;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.value.E6Pos;
+import no.hials.crosscom.protocol.value.Frame;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -126,6 +128,9 @@ class HostileBridgeTest {
         reads("read Ω", MessageType.READ_UTF16, c -> c.readText("Ω")),
         changes("write €", MessageType.WRITE_UTF16, c -> c.writeText("MYSTRING[]", "\"€?\"")),
         reads("read several", MessageType.READ_MULTIPLE, HostileBridgeTest::readSeveral),
+        reads("read a value", MessageType.READ, c -> c.read("$POS_ACT", E6Pos.class)),
+        changes("write a value", MessageType.WRITE, c -> c.write("$BASE", Frame.IDENTITY)),
+        reads("read handles", MessageType.READ_MULTIPLE, HostileBridgeTest::readHandles),
         changes("write several", MessageType.WRITE_MULTIPLE, HostileBridgeTest::writeSeveral));
   }
 
@@ -136,6 +141,14 @@ class HostileBridgeTest {
     for (VariableResult result : results) {
       result.orThrow();
     }
+  }
+
+  private static void readHandles(CrossComClient client) throws CrossComException {
+    Handle.OfInt number = client.intHandle("MYINTS[1]");
+    Handle<String> text = client.handle("MYSTRING[]", String.class);
+    ReadResults results = client.read(number, text);
+    assertThat(results.get(number)).isNotNull();
+    assertThat(results.get(text)).isNotNull();
   }
 
   private static void writeSeveral(CrossComClient client) throws CrossComException {

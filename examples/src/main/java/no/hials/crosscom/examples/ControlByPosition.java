@@ -3,7 +3,6 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.Locale;
-import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.control.ControlLoop;
 import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.LoopConfig;
@@ -36,9 +35,7 @@ public final class ControlByPosition {
   public static void main(String[] args)
       throws IOException, KrlFileException, InterruptedException {
     try (Cell cell = Cell.of(args, "follow_pos.src", "JOV_POS")) {
-      KRLE6Pos position = new KRLE6Pos("$POS_ACT");
-      cell.client().readVariable(position);
-      Frame start = frame(position);
+      Frame start = cell.client().read("$POS_ACT", Frame.class);
       LoopConfig config =
           LoopConfig.create(
               cfg ->
@@ -59,8 +56,7 @@ public final class ControlByPosition {
               error.unit());
         }
       }
-      cell.client().readVariable(position);
-      double away = frame(position).distance(start);
+      double away = cell.client().read("$POS_ACT", Frame.class).distance(start);
       boolean closed = reason.isPlanned() && away < 1;
       System.out.println(
           closed ? "the circle is closed" : "the circle is not closed: " + away + " mm from start");
@@ -76,9 +72,5 @@ public final class ControlByPosition {
           double z = RADIUS * (1 - Math.cos(angle));
           return Twist.linear(0, y, z).move(start, 1);
         });
-  }
-
-  private static Frame frame(KRLE6Pos p) {
-    return new Frame(p.getX(), p.getY(), p.getZ(), p.getA(), p.getB(), p.getC());
   }
 }

@@ -4,10 +4,8 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.Locale;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.KRLVariable;
-import no.hials.crosscom.KRL.structs.KRLE6Axis;
-import no.hials.crosscom.KRL.structs.KRLE6Pos;
-import no.hials.crosscom.VariableResult;
+import no.hials.crosscom.Handle;
+import no.hials.crosscom.ReadResults;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.value.Axis;
@@ -58,23 +56,13 @@ public final class DigitalTwin {
   private static void mirror(CrossComClient client, Pause pause)
       throws IOException, InterruptedException {
     RobotModel model = RobotModel.kr6r900sixx();
-    KRLE6Axis axes = KRLVariable.AXIS_ACT();
-    KRLE6Pos position = new KRLE6Pos("$POS_ACT");
+    Handle<Axis> axes = client.handle("$AXIS_ACT", Axis.class);
+    Handle<Frame> position = client.handle("$POS_ACT", Frame.class);
     for (int i = 0; i < SAMPLES; i++) {
       pause.pause();
-      for (VariableResult result : client.readVariables(axes, position)) {
-        result.orThrow();
-      }
-      Frame twin = model.forward(Axis.of(axes.asArrayA1ToA6()));
-      double apart =
-          twin.distance(
-              new Frame(
-                  position.getX(),
-                  position.getY(),
-                  position.getZ(),
-                  position.getA(),
-                  position.getB(),
-                  position.getC()));
+      ReadResults results = client.read(axes, position);
+      Frame twin = model.forward(results.get(axes));
+      double apart = twin.distance(results.get(position));
       // on a moving robot, the two are not read at the same moment
       System.out.printf(
           Locale.ROOT,

@@ -3,10 +3,9 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import java.util.Optional;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.KRLRecord;
 import no.hials.crosscom.KRL.KrlName;
-import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.value.Frame;
 
 /** Reads and writes a STRUC that the user's {@code $CONFIG.DAT} declares, as a Java record. */
 public final class OwnRecord {
@@ -18,7 +17,7 @@ public final class OwnRecord {
       @KrlName("SEAM_NO") int seam,
       String name,
       State state,
-      KRLFrame offset,
+      Frame offset,
       Optional<Double> gap) {}
 
   // ENUM STATE IDLE, WELDING
@@ -49,15 +48,12 @@ public final class OwnRecord {
               "{SPEED 0.5,SEAM_NO 1,NAME[] \"left\",STATE #IDLE,"
                   + "OFFSET {X 1.0,Y 2.0,Z 3.0,A 0.0,B 0.0,C 0.0}}");
       try (CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
-        KRLRecord<Weld> variable = new KRLRecord<>("MYWELD", Weld.class);
-        client.readVariable(variable); // one access for the whole structure
-        Weld weld = variable.recordValue();
+        Weld weld = client.read("MYWELD", Weld.class); // one access for the whole structure
         System.out.println(
-            "seam " + weld.seam() + " " + weld.name() + ", Z " + weld.offset().getZ() + " mm");
+            "seam " + weld.seam() + " " + weld.name() + ", Z " + weld.offset().z() + " mm");
 
-        variable.setValue(
-            new Weld(0.8, 2, "right", State.WELDING, weld.offset().setZ(3.5), weld.gap()));
-        client.writeVariable(variable);
+        Frame offset = new Frame(1, 2, 3.5, 0, 0, 0);
+        client.write("MYWELD", new Weld(0.8, 2, "right", State.WELDING, offset, weld.gap()));
         System.out.println(client.readText("MYWELD"));
       }
     }

@@ -6,8 +6,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.KRLBoolArray;
-import no.hials.crosscom.KRL.KRLReal;
 import no.hials.crosscom.KRL.KRLRealArray;
 
 /** Reads a whole array in one access, an array element by element, and a single element. */
@@ -27,12 +25,10 @@ public final class ReadArrays {
   }
 
   private static void read(CrossComClient client) throws IOException {
-    KRLRealArray least = new KRLRealArray("$SOFTN_END[]"); // empty brackets: the whole array
-    client.readVariable(least);
+    double[] least = client.readRealArray("$SOFTN_END[]"); // empty brackets: the whole array
     System.out.println("least angles of A1 to A6 in degrees: " + first(least, 6));
 
-    KRLBoolArray inputs = new KRLBoolArray("$IN[]"); // 4096 elements, still one access
-    client.readVariable(inputs);
+    boolean[] inputs = client.readBoolArray("$IN[]"); // 4096 elements, still one access
     System.out.println("inputs that are on: " + on(inputs));
 
     // An array that the controller cannot send whole is read element by element, given its length.
@@ -40,17 +36,17 @@ public final class ReadArrays {
     KRLRealArray torques = new KRLRealArray("$TORQUE_AXIS_ACT[]", 6);
     client.readVariable(
         torques, (done, total) -> System.out.println("torque " + done + " of " + total));
-    System.out.println("torques of A1 to A6 in Nm: " + first(torques, 6));
+    System.out.println(
+        "torques of A1 to A6 in Nm: "
+            + first(Objects.requireNonNull(torques.getValue(), "it has been read"), 6));
 
-    KRLReal most = new KRLReal("$SOFTP_END[1]"); // KRL indices start at 1
-    client.readVariable(most);
-    System.out.println("greatest angle of A1 in degrees: " + most.doubleValue());
+    double most = client.readReal("$SOFTP_END[1]"); // KRL indices start at 1
+    System.out.println("greatest angle of A1 in degrees: " + most);
   }
 
   /** Returns indices as in KRL, starting at 1. */
-  private static List<Integer> on(KRLBoolArray inputs) {
+  private static List<Integer> on(boolean[] values) {
     List<Integer> numbers = new ArrayList<>();
-    boolean[] values = Objects.requireNonNull(inputs.getValue(), "it has been read");
     for (int i = 0; i < values.length; i++) {
       if (values[i]) {
         numbers.add(i + 1);
@@ -59,8 +55,7 @@ public final class ReadArrays {
     return numbers;
   }
 
-  private static String first(KRLRealArray array, int count) {
-    double[] values = Objects.requireNonNull(array.getValue(), "it has been read");
+  private static String first(double[] values, int count) {
     return Arrays.toString(Arrays.copyOf(values, count)); // the arrays have 12, for external axes
   }
 }

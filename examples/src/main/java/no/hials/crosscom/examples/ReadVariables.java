@@ -3,18 +3,19 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import java.util.Arrays;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.KRLAny;
-import no.hials.crosscom.KRL.KRLBool;
-import no.hials.crosscom.KRL.KRLEnum;
-import no.hials.crosscom.KRL.KRLInt;
-import no.hials.crosscom.KRL.KRLRealArray;
-import no.hials.crosscom.KRL.KRLString;
-import no.hials.crosscom.KRL.KRLVariable;
-import no.hials.crosscom.KRL.structs.KRLE6Axis;
+import no.hials.crosscom.protocol.value.E6Axis;
+import no.hials.crosscom.protocol.value.Load;
 
 /** Reads variables of every type. */
 public final class ReadVariables {
   private ReadVariables() {}
+
+  private enum Mode {
+    T1,
+    T2,
+    AUT,
+    EX
+  }
 
   /**
    * Runs the example.
@@ -29,32 +30,19 @@ public final class ReadVariables {
   }
 
   private static void read(CrossComClient client) throws IOException {
-    KRLInt override = new KRLInt("$OV_PRO");
-    client.readVariable(override);
-    System.out.println("program override: " + override.intValue() + " %");
+    System.out.println("program override: " + client.readInt("$OV_PRO") + " %");
+    System.out.println("operating mode: " + client.readEnum("$MODE_OP", Mode.class));
+    System.out.println("input 1025: " + client.readBool("$IN[1025]"));
+    System.out.println("model: " + client.readString("$MODEL_NAME[]"));
 
-    KRLEnum mode = new KRLEnum("$MODE_OP");
-    client.readVariable(mode);
-    System.out.println("operating mode: " + mode.getValue());
+    E6Axis axes = client.read("$AXIS_ACT", E6Axis.class);
+    System.out.println("A1 to A6: " + Arrays.toString(axes.axis().toArray()));
 
-    KRLBool input = new KRLBool("$IN[1025]");
-    client.readVariable(input);
-    System.out.println("input 1025: " + input.booleanValue());
+    double[] torques = client.readRealArray("$TORQUE_AXIS_ACT[]");
+    System.out.println("torques: " + Arrays.toString(torques));
 
-    KRLString model = new KRLString("$MODEL_NAME[]");
-    client.readVariable(model);
-    System.out.println("model: " + model.getValue());
-
-    KRLE6Axis axes = KRLVariable.AXIS_ACT();
-    client.readVariable(axes);
-    System.out.println("A1 to A6: " + Arrays.toString(axes.asArrayA1ToA6()));
-
-    KRLRealArray torques = new KRLRealArray("$TORQUE_AXIS_ACT[]");
-    client.readVariable(torques);
-    System.out.println("torques: " + Arrays.toString(torques.getValue()));
-
-    KRLAny load = new KRLAny("$LOAD");
-    client.readVariable(load);
-    System.out.println("load: " + load.getValue());
+    Load load = client.read("$LOAD", Load.class);
+    System.out.println("load: " + load.m() + " kg");
+    System.out.println("any type: " + client.readValue("$LOAD"));
   }
 }

@@ -6,12 +6,12 @@ import static no.hials.crosscom.kinematics.Frames.product;
 import java.io.IOException;
 import java.util.Locale;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.protocol.value.Pos;
 
 /**
  * Computes the pose of the flange and the axis angles for it, and compares the pose with {@code
@@ -19,6 +19,8 @@ import no.hials.crosscom.protocol.value.Frame;
  */
 public final class SolveKinematics {
   private static final Axis AXES = Axis.of(30, -80, 100, 10, 60, -20);
+  private static final Frame TOOL = new Frame(0, 0, 120, 0, 0, 0);
+  private static final Frame BASE = new Frame(400, 0, 0, 90, 0, 0);
 
   private SolveKinematics() {}
 
@@ -42,9 +44,7 @@ public final class SolveKinematics {
     int turn = model.turn(AXES);
     System.out.println("by S and T: " + text(model.inverse(flange, status, turn)));
 
-    Frame tool = new Frame(0, 0, 120, 0, 0, 0);
-    Frame base = new Frame(400, 0, 0, 90, 0, 0);
-    System.out.println("with tool and base: " + text(product(inverse(base), flange, tool)));
+    System.out.println("with tool and base: " + text(product(inverse(BASE), flange, TOOL)));
     compare(flange);
 
     try {
@@ -58,26 +58,17 @@ public final class SolveKinematics {
     try (MockServer robot = MockServer.start();
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       robot.controller().place(AXES);
-      KRLE6Pos position = new KRLE6Pos("$POS_ACT");
-      client.readVariable(position);
-      System.out.println("$POS_ACT: " + text(position));
-      System.out.println("S " + (int) position.getS() + ", T " + (int) position.getT());
-      double apart = computed.distance(frame(position));
+      Pos position = client.read("$POS_ACT", Pos.class);
+      System.out.println("$POS_ACT: " + text(position.frame()));
+      System.out.println("S " + position.s() + ", T " + position.t());
+      double apart = computed.distance(position.frame());
       System.out.println(apart < 0.001 ? "the same place" : "apart by " + apart + " mm");
 
-      client.writeText("$TOOL", "{X 0.0,Y 0.0,Z 120.0,A 0.0,B 0.0,C 0.0}");
-      client.writeText("$BASE", "{X 400.0,Y 0.0,Z 0.0,A 90.0,B 0.0,C 0.0}");
-      client.readVariable(position);
-      System.out.println("with $TOOL and $BASE: " + text(position));
+      client.write("$TOOL", TOOL);
+      client.write("$BASE", BASE);
+      Frame seen = client.read("$POS_ACT", Frame.class);
+      System.out.println("with $TOOL and $BASE: " + text(seen));
     }
-  }
-
-  private static Frame frame(KRLE6Pos p) {
-    return new Frame(p.getX(), p.getY(), p.getZ(), p.getA(), p.getB(), p.getC());
-  }
-
-  private static String text(KRLE6Pos position) {
-    return text(frame(position));
   }
 
   private static String text(Frame f) {

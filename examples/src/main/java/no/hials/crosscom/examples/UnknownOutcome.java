@@ -5,7 +5,6 @@ import java.time.Duration;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComException;
-import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 
@@ -39,22 +38,19 @@ public final class UnknownOutcome {
         System.out.println("the connection is closed while reading");
         robot.enqueue(Fault.closeBefore());
         System.out.println(
-            "MYINT = " + client.readText("MYINT")); // reads are repeated automatically
+            "MYINT = " + client.readInt("MYINT")); // reads are repeated automatically
       }
     }
   }
 
   private static void write(CrossComClient client, int value) throws IOException {
-    KRLInt number = new KRLInt("MYINT");
-    number.setValue(value);
     try {
-      client.writeVariable(number);
+      client.writeInt("MYINT", value);
     } catch (CrossComException e) {
       if (!e.isOutcomeUnknown()) {
         throw e;
       }
-      client.readVariable(number);
-      int found = number.intValue();
+      int found = client.readInt("MYINT");
       System.out.println(
           found == value ? "it was written" : "it was not written, MYINT = " + found);
     }

@@ -2,8 +2,6 @@ package no.hials.crosscom.examples;
 
 import java.io.IOException;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.KRLInt;
-import no.hials.crosscom.KRL.KRLString;
 import no.hials.crosscom.KRL.structs.KRLPos;
 
 /** Writes a number, a text, a structure, and two fields of a structure. */
@@ -23,13 +21,8 @@ public final class WriteVariables {
   }
 
   private static void write(CrossComClient client) throws IOException {
-    KRLInt override = new KRLInt("$OV_PRO");
-    override.setValue(50);
-    client.writeVariable(override);
-
-    KRLString text = new KRLString("MYSTRING[]");
-    text.setValue("weld 12, left");
-    client.writeVariable(text);
+    client.writeInt("$OV_PRO", 50);
+    client.writeString("MYSTRING[]", "weld 12, left");
 
     KRLPos pos = new KRLPos("MYPOS").setX(2).setY(1);
     client.writeVariable(pos); // all eight fields; unset fields are 0.0

@@ -39,7 +39,7 @@ class ExamplesTest {
   void quickstartPrintsTheHomePosition() throws Exception {
     Quickstart.main(new String[0]);
 
-    assertThat(output()).startsWith("X 525.0 mm, Z 890.0 mm").contains("all: {X=525.0, Y=0.0");
+    assertThat(output()).startsWith("X 525.0 mm, Z 890.0 mm").contains("override 100 %");
   }
 
   @Test
@@ -48,12 +48,12 @@ class ExamplesTest {
 
     assertThat(output())
         .contains("program override: 100 %")
-        .contains("operating mode: #T1")
+        .contains("operating mode: T1")
         .contains("input 1025: true")
         .contains("model: #KR6R900 C4SR FLR 230")
         .contains("A1 to A6: [0.0, -90.0, 90.0, 0.0, 0.0, 0.0]")
         .contains("torques: [0.0, 0.0")
-        .contains("load: {LOAD: M 2.50000, CM {FRAME: X 0.0");
+        .contains("any type: {LOAD: M 2.50000, CM {FRAME: X 0.0");
   }
 
   @Test

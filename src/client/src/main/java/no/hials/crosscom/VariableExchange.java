@@ -125,7 +125,7 @@ final class VariableExchange {
     String name = variable.getName();
     if (variable instanceof KRLString
         || variable instanceof KRLChar
-        || variable instanceof KRLRecord) {
+        || (variable instanceof KRLRecord && access.holdsText(variable))) {
       take(variable, readText(name), false);
       return;
     }

@@ -164,6 +164,19 @@ class TypedAccessTest extends RobotTest {
   }
 
   @Test
+  void aRecordOfNumbersIsReadWithoutAskingForTheKindOfServer() throws Exception {
+    declareWeld();
+
+    client.read("$POS_ACT", E6Pos.class);
+    client.read("$LOAD", Load.class);
+    client.read("MYWELD", Speed.class);
+
+    assertThat(robot.requests())
+        .extracting(RecordedRequest::name)
+        .containsExactly("$POS_ACT", "$LOAD", "MYWELD");
+  }
+
+  @Test
   void aVariableThatIsReadIsReturned() throws Exception {
     KRLReal variable = new KRLReal("$OV_PRO");
 

@@ -140,6 +140,11 @@ abstract class FieldType {
    */
   abstract void print(StringBuilder out, Object value, String path, String name);
 
+  /** Returns whether a value can contain a text or an ENUM. */
+  boolean holdsText() {
+    return true;
+  }
+
   /** Returns the brackets after the name of the field, if any. */
   String brackets() {
     return "";
@@ -168,6 +173,11 @@ abstract class FieldType {
     @Override
     void print(StringBuilder out, Object value, String path, String name) {
       printer.accept(out, value);
+    }
+
+    @Override
+    boolean holdsText() {
+      return this == CHAR || this == TEXT;
     }
 
     @Override
@@ -250,6 +260,11 @@ abstract class FieldType {
       this.element = element;
     }
 
+    @Override
+    boolean holdsText() {
+      return element.holdsText();
+    }
+
     /** Reads an element. */
     Object readElement(KrlScanner scanner) {
       return element.read(scanner, "", "");
@@ -316,6 +331,11 @@ abstract class FieldType {
     }
 
     @Override
+    boolean holdsText() {
+      return shape.holdsText();
+    }
+
+    @Override
     Object read(KrlScanner scanner, String path, String name) {
       return shape.readPart(scanner, path + "." + name);
     }
@@ -336,6 +356,11 @@ abstract class FieldType {
       this.type = type;
       this.constructor = constructor;
       this.fields = List.of(constructor.apply("FIELDS").getNodes());
+    }
+
+    @Override
+    boolean holdsText() {
+      return false;
     }
 
     @Override

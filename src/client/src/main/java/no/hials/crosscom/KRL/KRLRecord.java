@@ -51,6 +51,7 @@ import org.jspecify.annotations.Nullable;
 public final class KRLRecord<T extends Record> extends KRLVariable {
   private final Class<T> type;
   private final RecordShape shape;
+  private final boolean recordHoldsText;
   private final @Nullable NumberShape numbers;
   private final double[] scratch;
   private @Nullable T value;
@@ -71,8 +72,14 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
     super(name);
     this.type = Objects.requireNonNull(type, "type");
     this.shape = RecordShape.of(type);
+    this.recordHoldsText = shape.holdsText();
     this.numbers = NumberShape.of(type);
     this.scratch = numbers == null ? new double[0] : numbers.scratch();
+  }
+
+  /** Returns whether a component can contain a text or an ENUM. */
+  boolean recordHoldsText() {
+    return recordHoldsText;
   }
 
   @Override

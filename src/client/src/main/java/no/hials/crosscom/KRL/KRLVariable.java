@@ -168,7 +168,8 @@ public abstract class KRLVariable {
         || this instanceof KRLBool
         || this instanceof KRLArray
         || this instanceof KRLFrame
-        || this instanceof KRLAxis);
+        || this instanceof KRLAxis
+        || (this instanceof KRLRecord<?> record && !record.recordHoldsText()));
   }
 
   /** Returns the exception to throw for a variable without a value. */

@@ -93,6 +93,11 @@ final class RecordShape {
     constructor = constructor(components);
   }
 
+  /** Returns whether a component can contain a text or an ENUM. */
+  boolean holdsText() {
+    return Arrays.stream(fields).anyMatch(field -> field.type().holdsText());
+  }
+
   private Field field(RecordComponent component, List<Class<?>> around) {
     KrlName given = component.getAnnotation(KrlName.class);
     String name = EnumNames.krlName(given, component.getName());

@@ -26,8 +26,8 @@ public sealed class Handle<T> {
 
   Handle(TypedAccess client, String name, Class<T> type) {
     this.client = client;
-    this.name = name;
-    this.type = type;
+    this.name = Objects.requireNonNull(name, "name");
+    this.type = Objects.requireNonNull(type, "type");
     this.free = new AtomicReference<>(Slot.of(name, type)); // refuses a wrong name or type
   }
 

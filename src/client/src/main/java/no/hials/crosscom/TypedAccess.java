@@ -4,6 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import no.hials.crosscom.KRL.KRLVariable;
 
 /**
@@ -78,7 +79,7 @@ abstract sealed class TypedAccess implements Closeable permits CrossComClient {
    */
   public <R extends Record> void write(String name, R value) throws IOException {
     @SuppressWarnings("unchecked") // the class of an object is that of its type or of a subtype
-    Class<R> type = (Class<R>) value.getClass();
+    Class<R> type = (Class<R>) Objects.requireNonNull(value, "value").getClass();
     handle(name, type).write(value);
   }
 
@@ -210,6 +211,7 @@ abstract sealed class TypedAccess implements Closeable permits CrossComClient {
    * @throws CrossComException if the exchange fails
    */
   public <E extends Enum<E>> void writeEnum(String name, E value) throws IOException {
+    Objects.requireNonNull(value, "value");
     handle(name, value.getDeclaringClass()).write(value);
   }
 
@@ -327,8 +329,9 @@ abstract sealed class TypedAccess implements Closeable permits CrossComClient {
    * @throws IllegalArgumentException if a handle is of another client
    */
   public ReadResults read(Handle<?>... handles) {
+    Objects.requireNonNull(handles, "handles");
     for (Handle<?> handle : handles) {
-      if (handle.client != this) {
+      if (Objects.requireNonNull(handle, "handle").client != this) {
         throw new IllegalArgumentException(handle + " is a handle of " + handle.client);
       }
     }

@@ -35,6 +35,7 @@ import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.protocol.code.CopyFlag;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ItemType;
+import no.hials.crosscom.protocol.value.Frame;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -69,6 +70,14 @@ class NullArgumentTest extends RobotTest {
           Map.entry(InputStream.class, InputStream.nullInputStream()),
           Map.entry(TransferConfig.class, TransferConfig.DEFAULT),
           Map.entry(Request.class, new Request(1, "MYINT")),
+          Map.entry(Class.class, Integer.class),
+          Map.entry(Enum.class, Interpreter.SUBMIT),
+          Map.entry(Record.class, new Frame(1, 2, 3, 4, 5, 6)),
+          Map.entry(Handle[].class, new Handle<?>[0]),
+          Map.entry(int[].class, new int[] {1}),
+          Map.entry(double[].class, new double[] {1}),
+          Map.entry(boolean[].class, new boolean[] {true}),
+          Map.entry(double.class, 1.0),
           Map.entry(boolean.class, false),
           Map.entry(long.class, 1L),
           Map.entry(int.class, 1));

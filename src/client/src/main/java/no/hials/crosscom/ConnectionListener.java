@@ -4,8 +4,8 @@ package no.hials.crosscom;
 @FunctionalInterface
 public interface ConnectionListener {
   /**
-   * Called after each event, in the thread {@code crosscom-events-PORT}, one event after the other.
-   * A slow listener delays only further events.
+   * Called after each event, in a thread of the {@link ClientRuntime}, one event after the other. A
+   * slow listener delays only further events.
    *
    * @param event what happened
    */

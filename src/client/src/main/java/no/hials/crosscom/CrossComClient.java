@@ -66,7 +66,7 @@ import org.slf4j.LoggerFactory;
  *   <li>{@code crosscom-files-PORT} runs the transfers of files.
  * </ul>
  *
- * <p>Each {@link Watch} has its own threads.
+ * <p>Each {@link Watch} has a thread of its own.
  *
  * <p>The class is long because it holds the whole API of 0.2.2; most of it is documentation.
  */

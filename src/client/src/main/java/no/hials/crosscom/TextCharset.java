@@ -4,9 +4,9 @@ import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.Charset;
 import java.nio.charset.CharsetDecoder;
-import java.nio.charset.CharsetEncoder;
 import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import no.hials.crosscom.protocol.value.KrlText;
 import org.jspecify.annotations.Nullable;
 
@@ -38,31 +38,31 @@ final class TextCharset {
     return true;
   }
 
-  /** Returns whether a charset has the characters of ASCII in the same bytes. */
+  /** Returns whether a charset has the characters of ASCII in the same bytes, and the reverse. */
   static boolean isUsable(Charset charset) {
     StringBuilder ascii = new StringBuilder();
-    for (char c = ' '; c < 0x7F; c++) {
-      ascii.append(c);
+    for (char c = 0; c < 0x80; c++) {
+      ascii.append(c); // with ESC, SO and SI, which change the meaning of later bytes of ISO-2022
     }
     String text = ascii.toString();
+    byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
     return charset.canEncode()
-        && text.equals(new String(text.getBytes(charset), StandardCharsets.ISO_8859_1));
+        && Arrays.equals(bytes, text.getBytes(charset))
+        && text.equals(new String(bytes, charset));
   }
 
-  /** Returns why a text cannot be sent; null if it can. */
+  /** Returns why a text cannot be sent; null if its bytes are those of no other text. */
   @Nullable String violation(String text) {
-    CharsetEncoder encoder = charset.newEncoder();
-    int index = 0;
-    for (int next; index < text.length(); index = next) {
-      next = text.offsetByCodePoints(index, 1);
-      String character = text.substring(index, next);
-      if (!encoder.canEncode(character)) {
-        return String.format(
-            "the charset for KUKAVARPROXY is %s, which does not have %s (U+%04X) at index %d: %s",
-            charset.name(), character, character.codePointAt(0), index, text);
-      }
+    String read = new String(text.getBytes(charset), charset);
+    if (read.equals(text)) {
+      return null;
     }
-    return null;
+    int same = Arrays.mismatch(text.toCharArray(), read.toCharArray());
+    int index = Math.min(same, text.length() - 1);
+    int character = text.codePointAt(index);
+    return String.format(
+        "the charset for KUKAVARPROXY is %s, which does not have %s (U+%04X) at index %d: %s",
+        charset.name(), Character.toString(character), character, index, text);
   }
 
   /** Returns the bytes of a text that has no {@link #violation}. */

@@ -727,6 +727,32 @@ class ReadWriteTest extends RobotTest {
     assertThat(requests()).isEmpty();
   }
 
+  @ParameterizedTest
+  @CsvSource({"¥, U+00A5", "«, U+00AB", "‾, U+203E", "𠮷, U+20BB7"})
+  void aCharacterThatTheCharsetWouldReplaceIsRefused(String character, String codePoint)
+      throws Exception {
+    assumeThat(server).isEqualTo(ServerType.KUKAVARPROXY);
+    codePage(932, "windows-31j");
+    String name = "LABEL" + character;
+
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.writeText("MYSTRING[]", "\"日" + character + "\""))
+        .withMessageContaining(
+            "which does not have " + character + " (" + codePoint + ") at index 2");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> client.readText(name))
+        .withMessageContaining("does not have " + character + " (" + codePoint + ") at index 5");
+    assertThat(requests()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"UTF-16", "ISO-2022-JP", "ISO-2022-KR", "IBM037"})
+  void aCharsetWhoseBytesAreNotAsciiIsRefused(String charset) {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> ClientConfig.create("kr", c -> c.charset(Charset.forName(charset))))
+        .withMessage("charset must have ASCII in the same bytes, is " + charset);
+  }
+
   @Test
   void aByteThatTheCharsetLacksIsNotRead() throws Exception {
     assumeThat(server).isEqualTo(ServerType.KUKAVARPROXY);

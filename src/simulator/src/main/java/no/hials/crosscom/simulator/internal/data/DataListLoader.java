@@ -283,6 +283,7 @@ public final class DataListLoader {
       if (old != null && old.source() != null) {
         checkBound(old, null, signal.position());
       }
+      target.checkRoom(signal.name(), null, signal.position());
       checkEnd(signal.first());
       checkEnd(signal.last());
       Access access = access(old, signal.name(), false, signal.comment());

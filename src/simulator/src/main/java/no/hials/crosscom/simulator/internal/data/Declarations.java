@@ -66,6 +66,7 @@ public final class Declarations {
 
   public static void declare(Scope scope, Declaration.Signal signal, Access access)
       throws KrlErrorException {
+    scope.checkRoom(signal.name(), null, signal.position());
     scope.put(VariableEntry.signal(signal.name(), access, SignalWiring.of(scope, signal)));
   }
 

@@ -32,6 +32,9 @@ public final class Scope {
    */
   static final long MAX_BYTES = 128L << 20;
 
+  /** The bytes of a name with its entry in a map, about. */
+  static final long NAME_BYTES = 256;
+
   private static final String OUTPUTS = "$OUT";
 
   /** The writers of a variable, which differ in what they may write. */
@@ -57,6 +60,7 @@ public final class Scope {
   }
 
   private final @Nullable Scope parent;
+  private final long maxBytes;
   private final Map<String, Type> types = new HashMap<>();
   private final Map<String, VariableEntry> variables = new HashMap<>();
   private final Map<String, Guard> guards = new HashMap<>();
@@ -64,7 +68,7 @@ public final class Scope {
   /** The outputs that system signals are wired to; null if unknown. */
   private @Nullable BitSet systemOutputs;
 
-  /** The bytes of the variables of this scope. */
+  /** The bytes of the variables and types of this scope. */
   private long bytes;
 
   /** The bytes of the scopes in this one that are kept: modules, and routines. */
@@ -74,7 +78,12 @@ public final class Scope {
 
   /** Creates an outermost scope, which contains only the base types. */
   public Scope() {
+    this(MAX_BYTES);
+  }
+
+  Scope(long maxBytes) {
     parent = null;
+    this.maxBytes = maxBytes;
     for (Type.Base type : Type.Base.values()) {
       types.put(type.name(), type);
     }
@@ -82,6 +91,7 @@ public final class Scope {
 
   public Scope(Scope parent) {
     this.parent = parent;
+    maxBytes = parent.maxBytes;
   }
 
   /**
@@ -102,13 +112,15 @@ public final class Scope {
       guards.putAll(otherGuards);
       otherVariables.forEach((name, variable) -> variables.put(name, variable.bound(null)));
       systemOutputs = null;
-      bytes = variables.values().stream().mapToLong(VariableEntry::bytes).sum();
+      bytes =
+          variables.values().stream().mapToLong(VariableEntry::bytes).sum()
+              + types.values().stream().mapToLong(Type::definitionBytes).sum();
     }
   }
 
   // memory
 
-  /** Returns the bytes of the variables of this scope. */
+  /** Returns the bytes of the variables and types of this scope. */
   public synchronized long bytes() {
     return bytes;
   }
@@ -128,22 +140,34 @@ public final class Scope {
   }
 
   static String tooLarge(String what, long bytes) {
+    return tooLarge(what, bytes, MAX_BYTES);
+  }
+
+  private static String tooLarge(String what, long bytes, long maximum) {
     return "all variables together have at most "
-        + MAX_BYTES
+        + maximum
         + " bytes of memory, "
         + what
         + " needs "
         + bytes;
   }
 
-  /** Checks that there is room for a variable, which can replace one of the same name. */
-  synchronized void checkRoom(String name, Storage contents, Position position)
+  /**
+   * Checks that there is room for a variable, which can replace one of the same name.
+   *
+   * @param contents null for a SIGNAL
+   */
+  synchronized void checkRoom(String name, @Nullable Storage contents, Position position)
       throws KrlErrorException {
     VariableEntry old = variables.get(key(name));
-    long more = contents.bytes() - (old == null ? 0 : old.bytes());
-    if (more > 0 && used() + more > MAX_BYTES) {
-      throw new KrlErrorException(position, tooLarge(name, contents.bytes()));
+    long needed = VariableEntry.bytes(contents);
+    if (isTooMuch(needed - (old == null ? 0 : old.bytes()))) {
+      throw new KrlErrorException(position, tooLarge(name, needed, maxBytes));
     }
+  }
+
+  private boolean isTooMuch(long more) {
+    return more > 0 && used() + more > maxBytes;
   }
 
   // declarations
@@ -167,11 +191,19 @@ public final class Scope {
   /**
    * Declares a type. Replaces a type of the same name; variables keep their type.
    *
-   * @throws IllegalArgumentException if the name is not a name of KRL, or is a base type
+   * @throws IllegalArgumentException if the name is not a name of KRL, or is a base type, or there
+   *     is no room for the type
    */
   synchronized void declareType(Type type) {
     checkTypeName(type.name());
+    Type old = types.get(key(type.name()));
+    long more = type.definitionBytes() - (old == null ? 0 : old.definitionBytes());
+    if (isTooMuch(more)) {
+      throw new IllegalArgumentException(
+          tooLarge("type " + type.name(), type.definitionBytes(), maxBytes));
+    }
     types.put(key(type.name()), type);
+    bytes += more;
   }
 
   /** Returns whether a type is declared here or around. */

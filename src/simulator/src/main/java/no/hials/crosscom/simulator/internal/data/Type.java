@@ -30,6 +30,9 @@ sealed interface Type {
   /** Returns the bytes that contents of this type take at most, about. */
   long bytes();
 
+  /** Returns the bytes that the type itself takes, about. */
+  long definitionBytes();
+
   /** A type whose values have no parts. */
   sealed interface Scalar extends Type {
 
@@ -73,6 +76,11 @@ sealed interface Type {
     BOOL,
     /** One character; an array of it is a text. */
     CHAR;
+
+    @Override
+    public long definitionBytes() {
+      return 0;
+    }
 
     @Override
     public KrlValue convert(KrlValue value) throws RefusedException {
@@ -119,6 +127,11 @@ sealed interface Type {
             "ENUM " + name + " must have at least one constant and none twice, has " + constants);
       }
       return new Enumeration(name, Map.copyOf(byName));
+    }
+
+    @Override
+    public long definitionBytes() {
+      return (1 + constants.size()) * Scope.NAME_BYTES;
     }
 
     @Override
@@ -190,6 +203,11 @@ sealed interface Type {
         throw new IllegalArgumentException(Scope.tooLarge("STRUC " + name, bytes));
       }
       return new Struc(name, List.copyOf(components), Map.copyOf(positions), deepest + 1, bytes);
+    }
+
+    @Override
+    public long definitionBytes() {
+      return (1 + components.size()) * Scope.NAME_BYTES;
     }
 
     @Override

@@ -31,9 +31,13 @@ record VariableEntry(
     return new VariableEntry(name, access, null, wiring, null);
   }
 
-  /** Returns the bytes of the contents. */
+  /** Returns the bytes of the name and the contents, about. */
   long bytes() {
-    return contents == null ? 0 : contents.bytes();
+    return bytes(contents);
+  }
+
+  static long bytes(@Nullable Storage contents) {
+    return Scope.NAME_BYTES + (contents == null ? 0 : contents.bytes());
   }
 
   VariableEntry with(Storage newContents) {

@@ -44,6 +44,25 @@ class DataListLoaderTest {
     return errors.stream().map(KrlError::toString).toList();
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"INT N%d", "SIGNAL N%d $OUT[1]", "ENUM N%d X,Y", "STRUC N%d INT I"})
+  void namesAndTypesShareTheMemoryOfTheVariables(String declaration) {
+    Scope small = new Scope(10_000);
+    List<KrlError> errors = new ArrayList<>();
+    StringBuilder text = new StringBuilder("DEFDAT $LIST\nBOOL $OUT[8]\n");
+    for (int i = 0; i < 100; i++) {
+      text.append(declaration.formatted(i)).append('\n');
+    }
+    DataList list = (DataList) KrlParser.parse("x", text + "ENDDAT").file().orElseThrow();
+
+    DataListLoader.load(list, new Scope(small), small, errors::add);
+
+    assertThat(errors)
+        .isNotEmpty()
+        .allSatisfy(error -> assertThat(error.message()).contains("at most 10000 bytes of memory"));
+    assertThat(small.bytes()).isLessThanOrEqualTo(10_000);
+  }
+
   private String printed(String name) throws RefusedException {
     return module.print(VariablePath.parse(name));
   }

@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
@@ -35,24 +34,37 @@ import org.slf4j.LoggerFactory;
 final class FileTreePrograms {
   private static final Logger log = LoggerFactory.getLogger(FileTreePrograms.class);
 
+  /**
+   * The bytes of all files that a selection loads, and of the programs and lists that are still
+   * loaded from others: their trees take many times as much; assumed.
+   */
+  static final long MAX_TOTAL = 8 << 20;
+
   private final ControllerFileSystem files;
   private final ModuleLoader loader;
 
   /** The loaded modules, by the name of their file in capital letters without the extension. */
   private final Map<String, Module> loaded = new HashMap<>();
 
-  /** Held while files are parsed, without the lock of this object. */
-  private final Object parsing = new Object();
+  /**
+   * The lengths of the files whose trees are kept, by the names of their modules and {@code .DAT}
+   * or {@code .SRC}; guarded by {@link #loading}.
+   */
+  private final Map<String, Long> kept = new HashMap<>();
 
-  /** The files that were parsed and not loaded yet, by their contents; guarded by this. */
-  private final Map<Text, ParseResult> parsed = new HashMap<>();
+  /** Held while files are parsed and loaded, without the lock of this object. */
+  private final Object loading = new Object();
 
-  /** A file and its text. */
-  private record Text(String file, String text) {}
+  private final long maxTotal;
 
   FileTreePrograms(FileTree files, ModuleLoader loader) {
+    this(files, loader, MAX_TOTAL);
+  }
+
+  FileTreePrograms(FileTree files, ModuleLoader loader, long maxTotal) {
     this.files = ControllerFileSystem.of(files);
     this.loader = loader;
+    this.maxTotal = maxTotal;
     try {
       modules().forEach(this::keepList);
     } catch (IOException e) {
@@ -62,16 +74,18 @@ final class FileTreePrograms {
 
   private void keepList(String name, Module module) {
     if (name.startsWith("$")) {
+      read(module);
       loaded.put(name, module);
     }
   }
 
   /** The files of a module. */
   private static final class Module {
-    /** Their contents by extension, in lower case; the data list comes first. */
-    private final Map<String, byte[]> parts = new LinkedHashMap<>();
+    /** The files by extension, in lower case; the data list comes first. */
+    private final Map<String, FileItem> items = new LinkedHashMap<>();
 
-    private final Map<String, String> names = new HashMap<>();
+    /** The contents of those that can be read. */
+    private final Map<String, byte[]> parts = new LinkedHashMap<>();
 
     /** The errors; empty if the module was loaded. */
     private List<KrlError> errors = List.of();
@@ -86,24 +100,7 @@ final class FileTreePrograms {
     private boolean hadProgram;
 
     boolean hasProgram() {
-      return parts.keySet().stream().anyMatch(end -> !end.equals("dat"));
-    }
-
-    /** Returns the files that are small enough, the data list first. */
-    List<Text> texts() {
-      List<Text> texts = new ArrayList<>();
-      parts.forEach(
-          (end, content) -> {
-            if (content.length <= ModuleLoader.MAX_LENGTH) {
-              texts.add(text(end, content));
-            }
-          });
-      return texts;
-    }
-
-    Text text(String end, byte[] content) {
-      return new Text(
-          String.valueOf(names.get(end)), new String(content, StandardCharsets.ISO_8859_1));
+      return items.keySet().stream().anyMatch(end -> !end.equals("dat"));
     }
 
     boolean isSame(Module other) {
@@ -121,82 +118,115 @@ final class FileTreePrograms {
    *     X}, in any case
    * @return the name to select the module by; if no file has that name, the name without folders
    *     and extension
-   * @throws KrlFileException if its files have errors or have been deleted
+   * @throws KrlFileException if its files have errors or have been deleted, or all files together
+   *     are too large
    */
   String prepare(String name) throws KrlFileException {
-    synchronized (parsing) {
-      parseAll();
-    }
-    return prepareParsed(name);
-  }
-
-  /** Parses new and changed files, which takes long. */
-  private void parseAll() {
-    Map<String, Module> found;
-    Map<String, Module> known;
-    try {
-      found = modules();
-    } catch (IOException e) {
-      return; // reported when they are loaded
-    }
-    synchronized (this) {
-      known = Map.copyOf(loaded);
-    }
-    Map<Text, ParseResult> results = new HashMap<>();
-    found.forEach(
-        (key, module) -> {
-          Module old = known.get(key);
-          if (old == null || !old.isSame(module)) {
-            module.texts().forEach(text -> results.put(text, parse(text)));
-          }
-        });
-    synchronized (this) {
-      parsed.clear();
-      parsed.putAll(results);
-    }
-  }
-
-  /** Parses a file; a failure of the parser is an error of the file. */
-  private static ParseResult parse(Text text) {
-    try {
-      return KrlParser.parse(text.file, text.text);
-    } catch (RuntimeException | VirtualMachineError e) {
-      log.warn("{} cannot be parsed", text.file, e);
-      return new ParseResult(
-          Optional.empty(), error(text.file, "the file cannot be parsed: " + e).errors());
-    }
-  }
-
-  private synchronized String prepareParsed(String name) throws KrlFileException {
     String key = key(name);
-    Map<String, Module> found;
-    try {
-      found = modules();
-    } catch (IOException e) {
-      throw error(name, "the files cannot be read: " + e.getMessage());
+    synchronized (loading) {
+      Map<String, Module> found;
+      try {
+        found = modules();
+      } catch (IOException e) {
+        throw error(name, "the files cannot be read: " + e.getMessage());
+      }
+      checkTotal(name, found);
+      found.forEach(this::loadIfChanged);
+      Module module = loaded(key);
+      if (module == null) {
+        return key;
+      }
+      // only its data list may be left
+      if (!found.containsKey(key) || (module.hadProgram && !module.hasProgram())) {
+        throw error(name, "the files of " + key + " have been deleted");
+      }
+      if (!module.errors.isEmpty()) {
+        throw new KrlFileException(module.errors);
+      }
+      return module.name;
     }
+  }
+
+  private synchronized @Nullable Module loaded(String key) {
+    return loaded.get(key);
+  }
+
+  /** Checks the sizes of all files before one is read. */
+  private void checkTotal(String name, Map<String, Module> found) throws KrlFileException {
+    long total = 0;
+    Map<String, Long> others = new HashMap<>(kept);
     for (Map.Entry<String, Module> entry : found.entrySet()) {
-      Module old = loaded.get(entry.getKey());
-      if (old == null || !old.isSame(entry.getValue())) {
-        entry.getValue().hadProgram =
-            entry.getValue().hasProgram() || (old != null && old.hadProgram);
-        load(entry.getKey(), entry.getValue());
-        loaded.put(entry.getKey(), entry.getValue());
+      Module old = loaded(entry.getKey());
+      for (Map.Entry<String, FileItem> item : entry.getValue().items.entrySet()) {
+        total += item.getValue().size();
+        others.remove(part(old == null ? entry.getKey() : old.name, item.getKey()));
       }
     }
-    parsed.clear();
-    Module module = loaded.get(key);
-    if (module == null) {
-      return key;
+    for (long other : others.values()) {
+      total += other;
     }
-    // only its data list may be left
-    if (!found.containsKey(key) || (module.hadProgram && !module.hasProgram())) {
-      throw error(name, "the files of " + key + " have been deleted");
+    if (total > maxTotal) {
+      throw error(
+          name,
+          "all programs and data lists, those deleted since they were loaded too, have at most "
+              + maxTotal
+              + " bytes, have "
+              + total);
     }
-    if (!module.errors.isEmpty()) {
-      throw new KrlFileException(module.errors);
+  }
+
+  private static String part(String module, String end) {
+    return module.toUpperCase(Locale.ROOT) + (end.equals("dat") ? ".DAT" : ".SRC");
+  }
+
+  /** Loads the files of a module one after the other, so that one tree is new at a time. */
+  private void loadIfChanged(String key, Module module) {
+    read(module);
+    Module old = loaded(key);
+    if (old != null && old.isSame(module)) {
+      return;
     }
-    return module.name;
+    module.hadProgram = module.hasProgram() || (old != null && old.hadProgram);
+    module.name = key;
+    List<KrlError> errors = new ArrayList<>();
+    if (module.unreadable != null) {
+      errors.add(module.unreadable);
+    }
+    module.parts.forEach((end, content) -> errors.addAll(load(key, module, old, end, content)));
+    module.errors = List.copyOf(errors);
+    synchronized (this) {
+      if (loaded.get(key) == old) {
+        loaded.put(key, module);
+      }
+    }
+  }
+
+  /** Loads a file; returns the errors. A failure of the parser is an error of the file. */
+  private List<KrlError> load(
+      String key, Module module, @Nullable Module old, String end, byte[] content) {
+    String file = Objects.requireNonNull(module.items.get(end)).path().name();
+    ParseResult result = null;
+    try {
+      result = KrlParser.parse(file, new String(content, StandardCharsets.ISO_8859_1));
+      synchronized (this) {
+        if (loaded.get(key) != old) {
+          return List.of(); // loaded from elsewhere meanwhile
+        }
+        module.name = loader.take(file, result);
+      }
+      if (!module.name.startsWith("$")) {
+        kept.put(part(module.name, end), (long) content.length);
+      }
+      return List.of();
+    } catch (KrlFileException e) {
+      // a new list applies to the module of a loaded program, with errors until the new program is
+      // loaded too
+      boolean followed = result != null && end.equals("dat") && module.hasProgram();
+      return followed ? result.errors() : e.errors();
+    } catch (RuntimeException | VirtualMachineError e) {
+      log.warn("{} cannot be loaded", file, e);
+      return error(file, "the file cannot be loaded: " + e).errors();
+    }
   }
 
   /**
@@ -210,8 +240,10 @@ final class FileTreePrograms {
     }
     byte[] content = text.getBytes(StandardCharsets.ISO_8859_1);
     String file = name + "." + ending;
+    FileItem item;
     try {
       files.put("/R1/" + file, content);
+      item = files.item("/R1/" + file);
     } catch (IOException e) {
       log.debug("{} is not shown as a file: {}", file, e.getMessage());
       return;
@@ -221,11 +253,11 @@ final class FileTreePrograms {
     Module old = loaded.get(key(file));
     if (old != null) {
       module.parts.putAll(old.parts);
-      module.names.putAll(old.names);
+      module.items.putAll(old.items);
     }
     module.name = name;
     module.parts.put(ending, content);
-    module.names.put(ending, file);
+    module.items.put(ending, item);
     module.hadProgram = module.hasProgram();
     loaded.put(key(file), module);
   }
@@ -244,7 +276,9 @@ final class FileTreePrograms {
     return (dot < 0 ? bare : bare.substring(0, dot)).toUpperCase(Locale.ROOT);
   }
 
-  /** Reads all modules; if several folders have a file of the same name, the first is used. */
+  /**
+   * Finds all modules, unread; if several folders have a file of the same name, the first is used.
+   */
   private Map<String, Module> modules() throws IOException {
     List<FileItem> items = new ArrayList<>(files.modules());
     // data lists are loaded before their programs
@@ -252,19 +286,26 @@ final class FileTreePrograms {
     Map<String, Module> modules = new LinkedHashMap<>();
     for (FileItem item : items) {
       Module module = modules.computeIfAbsent(key(item.path().name()), key -> new Module());
-      String end = end(item);
-      if (!module.parts.containsKey(end)) {
-        module.names.put(end, item.path().name());
-        try {
-          module.parts.put(end, files.read(item.path().fullName()));
-        } catch (IOException e) {
-          // the other modules can be loaded
-          String reason = "the file cannot be read: " + e.getMessage();
-          module.unreadable = error(item.path().name(), reason).errors().get(0);
-        }
-      }
+      module.items.putIfAbsent(end(item), item);
     }
     return modules;
+  }
+
+  /** Reads the files of a module; the other modules can be loaded if one cannot be read. */
+  private void read(Module module) {
+    module.items.forEach(
+        (end, item) -> {
+          String file = item.path().name();
+          try {
+            ModuleLoader.checkLength(file, item.size());
+            module.parts.put(end, files.read(item.path().fullName()));
+          } catch (IOException e) {
+            module.unreadable =
+                error(file, "the file cannot be read: " + e.getMessage()).errors().get(0);
+          } catch (KrlFileException e) {
+            module.unreadable = e.errors().get(0);
+          }
+        });
   }
 
   private static boolean isList(FileItem item) {
@@ -274,45 +315,5 @@ final class FileTreePrograms {
   private static String end(FileItem item) {
     String name = item.path().name();
     return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-  }
-
-  private void load(String key, Module module) {
-    module.name = key;
-    List<KrlError> errors = new ArrayList<>();
-    boolean program = module.hasProgram();
-    if (module.unreadable != null) {
-      errors.add(module.unreadable);
-    }
-    module.parts.forEach(
-        (end, content) -> {
-          Text text = module.text(end, content);
-          try {
-            ModuleLoader.checkLength(text.file, content.length);
-            ParseResult result = parsed.get(text);
-            if (result == null) {
-              result = parse(text);
-            }
-            // a new list applies to the module of a loaded program, with errors until the new
-            // program is loaded too
-            boolean followed = program && end.equals("dat");
-            errors.addAll(load(module, text, result, followed));
-          } catch (KrlFileException e) {
-            errors.addAll(e.errors());
-          }
-        });
-    module.errors = List.copyOf(errors);
-  }
-
-  /** Loads a file; returns the errors. A failure of the loader is an error of the file. */
-  private List<KrlError> load(Module module, Text text, ParseResult result, boolean followed) {
-    try {
-      module.name = loader.take(text.file, result);
-      return List.of();
-    } catch (KrlFileException e) {
-      return followed ? result.errors() : e.errors();
-    } catch (RuntimeException | VirtualMachineError e) {
-      log.warn("{} cannot be loaded", text.file, e);
-      return error(text.file, "the file cannot be loaded: " + e).errors();
-    }
   }
 }

@@ -181,6 +181,68 @@ final class FileTreeProgramsTest {
   }
 
   @Test
+  void refusesASelectionThatWouldLoadTooMuchBeforeItReadsAFile() throws Exception {
+    programs = limited();
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+    tree.put("/R1/large.dat", large("LARGE", 6000));
+    assertThat(programs.prepare("JOB")).isEqualToIgnoringCase("JOB");
+    tree.put("/R1/more.dat", large("MORE", 6000));
+
+    assertTooMuch("JOB");
+    assertThat(controller.variables().contains("G_MORE")).isFalse();
+
+    tree.delete("/R1/more.dat");
+    assertThat(programs.prepare("JOB")).isEqualToIgnoringCase("JOB");
+  }
+
+  @Test
+  void countsWhatIsStillLoadedAfterItsFileWasDeletedOrGotAnotherModule() throws Exception {
+    programs = limited();
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+    tree.put("/R1/one.dat", large("ONE", 4000));
+    programs.prepare("JOB");
+    tree.put("/R1/one.dat", large("TWO", 4000));
+    programs.prepare("JOB");
+    tree.delete("/R1/one.dat");
+    tree.put("/R1/three.dat", large("THREE", 4000));
+
+    assertTooMuch("JOB");
+  }
+
+  @Test
+  void countsAFileThatChangesOnce() throws Exception {
+    programs = limited();
+    for (int i = 0; i < 5; i++) {
+      tree.put("/R1/job.src", "DEF job( )\n;" + i + " ".repeat(4000) + "\nEND\n");
+      tree.put("/R1/job.dat", large("JOB", 4000 + i));
+      assertThat(programs.prepare("JOB")).isEqualToIgnoringCase("JOB");
+    }
+  }
+
+  /** Returns programs with room for 10,000 bytes more than the lists of the controller take. */
+  private FileTreePrograms limited() throws IOException {
+    long lists = tree.get("/R1/$config.dat").length;
+    lists += tree.get("KRC:\\R1\\Mada\\$machine.dat").length;
+    return new FileTreePrograms(tree, controller.loader(), lists + 10_000);
+  }
+
+  private static String large(String module, int bytes) {
+    return "DEFDAT "
+        + module
+        + " PUBLIC\nDECL GLOBAL INT G_"
+        + module
+        + "=1\nENDDAT\n"
+        + " ".repeat(bytes);
+  }
+
+  private void assertTooMuch(String name) {
+    assertThatExceptionOfType(KrlFileException.class)
+        .isThrownBy(() -> programs.prepare(name))
+        .withMessageContaining("all programs and data lists")
+        .withMessageContaining("have at most");
+  }
+
+  @Test
   void loadsTheProgramsOfThisProject() throws Exception {
     Path krl = Path.of("../../krl");
     controller.variables().load(krl.resolve("config.dat"));

@@ -3,7 +3,10 @@ package no.hials.crosscom;
 import java.nio.charset.Charset;
 import java.time.Duration;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
+import no.hials.crosscom.protocol.ServerType;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The options of a client. Immutable; created by {@link #create}. The {@link Builder} describes the
@@ -76,6 +79,11 @@ public final class ClientConfig {
     return options.port;
   }
 
+  /** Returns the type of the server if it is set; empty if the client asks the server for it. */
+  public Optional<ServerType> server() {
+    return Optional.ofNullable(options.server);
+  }
+
   /** Returns the connect time-out. */
   public Duration connectTimeout() {
     return options.connectTimeout;
@@ -139,6 +147,7 @@ public final class ClientConfig {
   /** The options as they were set. */
   private static final class Options implements Cloneable {
     private int port = DEFAULT_PORT;
+    private @Nullable ServerType server;
     private Duration connectTimeout = Duration.ofSeconds(5);
     private Duration requestTimeout = Duration.ofSeconds(3);
     private int maxAggregateLength = 255;
@@ -192,6 +201,15 @@ public final class ClientConfig {
     public Builder port(int value) {
       check(value >= 1 && value <= 65_535, "port must be 1 to 65535, is " + value);
       options.port = value;
+      return this;
+    }
+
+    /**
+     * Sets the type of the server, for servers that fail to answer the questions for it
+     * (docs/reference/servers.md). By default the client asks the server when it has to know.
+     */
+    public Builder server(ServerType value) {
+      options.server = Objects.requireNonNull(value, "server");
       return this;
     }
 

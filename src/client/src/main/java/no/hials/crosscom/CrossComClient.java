@@ -132,7 +132,12 @@ public final class CrossComClient extends TypedAccess {
     this.config = config;
     this.connection = connection;
     this.threads = new Threads(config);
-    this.channel = new C3Channel(connection, new ServerDetector(connection), threads, null);
+    this.channel =
+        new C3Channel(
+            connection,
+            new ServerDetector(connection, config.server().orElse(null)),
+            threads,
+            null);
     this.variables = new VariableExchange(config, connection, channel);
     this.programs = new C3Programs(channel);
     this.motion = new C3Motion(channel);

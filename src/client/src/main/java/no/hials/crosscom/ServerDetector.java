@@ -39,6 +39,9 @@ final class ServerDetector {
 
   private final ReconnectingConnection link;
 
+  /** The type if it is configured; null if the server is asked for it. */
+  private final @Nullable ServerType configured;
+
   /** The connection of the server that the other fields describe. */
   private @Nullable Connection of;
 
@@ -84,8 +87,9 @@ final class ServerDetector {
     }
   }
 
-  ServerDetector(ReconnectingConnection link) {
+  ServerDetector(ReconnectingConnection link, @Nullable ServerType configured) {
     this.link = link;
+    this.configured = configured;
   }
 
   /**
@@ -100,7 +104,7 @@ final class ServerDetector {
   @Nullable Question question(boolean withVersion) {
     if (of != link.connection()) {
       of = link.connection();
-      type = null;
+      type = configured;
       typeUnclear = false;
       version = null;
       versionAsked = false;
@@ -112,13 +116,27 @@ final class ServerDetector {
     return withVersion && type == ServerType.C3_BRIDGE && !versionAsked ? Question.VERSION : null;
   }
 
-  /** Takes the answer to the last question. */
-  void answered(Question question, AnswerFrame answer) {
+  /**
+   * Takes the answer to the last question.
+   *
+   * @throws CrossComRefusedException if it leaves the type unclear
+   */
+  void answered(Question question, AnswerFrame answer) throws CrossComRefusedException {
     if (question == Question.VERSION) {
       version = answer.success() ? Versions.parse(answer.toString().strip()) : null;
       versionAsked = true;
     } else if (question == Question.FEATURES) {
-      type = answer.functionUnknown() ? ServerType.KUKAVARPROXY : ServerType.C3_BRIDGE;
+      if (answer.functionUnknown()) {
+        type = ServerType.KUKAVARPROXY;
+      } else if (answer.success()) {
+        type = ServerType.C3_BRIDGE;
+      } else {
+        throw new CrossComRefusedException(
+            question.phrase,
+            answer.code(),
+            "; it also failed to answer @PROXY_TYPE, so that its type is unknown: set it with"
+                + " ClientConfig.Builder.server");
+      }
     } else if (!answer.success()) {
       typeUnclear = true;
     } else {

@@ -8,6 +8,7 @@ import no.hials.crosscom.mock.FailedRead;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.UnknownFunction;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
@@ -44,6 +45,54 @@ class ServerDetectionTest extends RobotTest {
       assertThat(other.readText("MYINT")).isEqualTo("0");
       assertThat(old.requests()).extracting(RecordedRequest::connection).containsOnly(1);
     }
+  }
+
+  @Test
+  void aKukavarproxyWhoseTypeIsSetReadsAndWritesTextsWithoutBeingAskedForIt() throws Exception {
+    try (MockServer old =
+            MockServer.start(
+                cfg ->
+                    cfg.server(ServerType.KUKAVARPROXY)
+                        .failedRead(FailedRead.FAILURE)
+                        .unknownFunction(UnknownFunction.CLOSE));
+        CrossComClient other =
+            new CrossComClient(
+                ClientConfig.create(
+                    old.host(), c -> c.port(old.port()).server(ServerType.KUKAVARPROXY)))) {
+      other.writeText("MYSTRING[]", "\"Größe\"");
+
+      assertThat(other.readText("MYSTRING[]")).isEqualTo("\"Größe\"");
+      assertThat(other.getServer().type()).isEqualTo(ServerType.KUKAVARPROXY);
+      assertThat(old.requests())
+          .extracting(r -> r.request().type())
+          .containsExactly(MessageType.WRITE, MessageType.READ);
+    }
+  }
+
+  @Test
+  void aC3BridgeWhoseTypeIsSetGetsTextsInUtf16WithoutBeingAskedForIt() throws Exception {
+    try (MockServer bridge = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
+        CrossComClient other =
+            new CrossComClient(
+                ClientConfig.create(
+                    bridge.host(), c -> c.port(bridge.port()).server(ServerType.C3_BRIDGE)))) {
+      other.writeText("MYSTRING[]", "\"日\"");
+
+      assertThat(bridge.variables().get("MYSTRING[]")).isEqualTo("\"日\"");
+      assertThat(bridge.requests())
+          .extracting(r -> r.request().type())
+          .containsExactly(MessageType.WRITE_UTF16);
+    }
+  }
+
+  @Test
+  void aServerThatFailsBothQuestionsIsNotTakenForAnyType() throws Exception {
+    robot.enqueue(Fault.answer("", Tail.FAILURE), Fault.raw("0002 0004 0E 0000 00"));
+
+    assertThatExceptionOfType(CrossComRefusedException.class)
+        .isThrownBy(this::detected)
+        .withMessageContaining("its type is unknown: set it with ClientConfig.Builder.server");
+    assertThat(detected()).as("the connection is usable").isEqualTo(server);
   }
 
   @Test

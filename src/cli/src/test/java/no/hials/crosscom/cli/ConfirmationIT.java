@@ -2,6 +2,8 @@ package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
@@ -17,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -68,20 +71,34 @@ class ConfirmationIT {
     assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
   }
 
-  @Test
-  void anAnswerThatWasTypedBeforeTheQuestionIsNone() throws Exception {
+  /** With Enter, and without it: the Enter after the question must not complete the line. */
+  @ParameterizedTest
+  @ValueSource(strings = {"y\r", "y", "y\ry\ry"})
+  void anAnswerThatWasTypedBeforeTheQuestionIsNone(String keys) throws Exception {
     CountDownLatch typed = new CountDownLatch(1);
     server.fault(request -> request.name().equals("$MODE_OP"), Fault.hold(typed));
     try (PseudoTerminal terminal =
         PseudoTerminal.start(Map.of(), "exec %s", Cli.argsOn(server, "write", "MYINT", "5"))) {
       assertThat(server.takeRequest(Duration.ofSeconds(60))).isPresent();
-      terminal.type("y\r").until("y\r\n");
+      terminal.type(keys).until(keys.replace("\r", "\r\n")); // the echo
       typed.countDown();
       terminal.until(QUESTION).type("\r");
 
       assertThat(terminal.end().text()).contains("did not write MYINT: not confirmed");
     }
     assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void anAnswerDoesNotAnswerTheNextQuestion(@TempDir Path dir) throws Exception {
+    Path file = Files.writeString(dir.resolve("two.jov"), "MYINT = 31\nMYINT = 32\n");
+    try (PseudoTerminal terminal =
+        PseudoTerminal.start(Map.of(), "exec %s", Cli.argsOn(server, "run", file.toString()))) {
+      terminal.until(QUESTION).type("y\ry\ry").until(QUESTION).type("\r");
+
+      assertThat(terminal.end().text()).contains("did not write MYINT = 32: not confirmed");
+    }
+    assertThat(server.variables().get("MYINT")).isEqualTo("31");
   }
 
   @Test

@@ -132,20 +132,27 @@ public final class Console implements WritePermission.Confirmation {
   /** Asks a question; only y and yes are a yes, and only if they are typed after it. */
   @Override
   public boolean confirm(String question) {
-    String answer = answer(PrintableText.of(question) + " [y/N] ");
+    String answer = answer(PrintableText.of(question), " [y/N] ");
     return answer != null && answer.strip().matches("(?i)y(es)?");
   }
 
-  private @Nullable String answer(String question) {
+  private @Nullable String answer(String question, String choices) {
     if (questions != null) {
-      return questions.ask(question);
+      return questions.ask(question + choices);
     }
-    Terminal.dropTyped();
     err.print(question);
     err.flush();
-    String answer = Terminal.readLine();
+    String answer = null;
+    try {
+      Terminal.dropTyped();
+      err.print(choices);
+      err.flush();
+      answer = Terminal.readLine();
+    } catch (IOException e) {
+      err.print(": " + e.getMessage());
+    }
     if (answer == null) {
-      err.println(); // the end of input leaves the cursor after the question
+      err.println(); // no Enter has moved the cursor
     }
     return answer;
   }

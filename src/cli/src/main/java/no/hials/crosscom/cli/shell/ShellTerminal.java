@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cli.base.Console;
+import no.hials.crosscom.cli.base.Terminal;
 import org.jline.reader.EndOfFileException;
 import org.jline.reader.LineReader;
 import org.jline.reader.LineReaderBuilder;
@@ -25,6 +26,9 @@ import org.jspecify.annotations.Nullable;
  */
 final class ShellTerminal implements Closeable {
   private static final int MAX_HISTORY = 2000;
+
+  /** The time in which JLine passes on a key that it has read. */
+  private static final long READ_AHEAD_MILLIS = 50;
 
   private final org.jline.terminal.Terminal terminal;
   private final LineReader reader;
@@ -122,8 +126,9 @@ final class ShellTerminal implements Closeable {
   /** Returns an answer that is typed after the question, null for none. */
   private @Nullable String ask(String question) {
     try {
-      while (terminal.reader().read(1) >= 0) {
-        // typed before the question
+      Terminal.dropTyped(terminal);
+      while (terminal.reader().read(READ_AHEAD_MILLIS) >= 0) {
+        // JLine had begun to read it
       }
     } catch (IOException e) {
       return null;

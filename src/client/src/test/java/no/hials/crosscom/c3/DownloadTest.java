@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -33,6 +34,8 @@ import no.hials.crosscom.protocol.file.FileResponse.ContentSizeResponse;
 import no.hials.crosscom.protocol.file.FileResponse.ReadDataResponse;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -137,6 +140,36 @@ class DownloadTest extends FilesRobotTest {
 
     assertThat(target).hasBinaryContent(TWO_PARTS);
     assertThat(local()).containsExactly(target);
+  }
+
+  @Test
+  @EnabledOnOs({OS.LINUX, OS.MAC})
+  void aLinkStaysALinkAndItsFileIsOverwritten() throws Exception {
+    Path linked = java.nio.file.Files.writeString(folder.resolve("linked.src"), "old");
+    java.nio.file.Files.createSymbolicLink(target, linked);
+
+    files.download(FILE, target, OVERWRITE);
+
+    assertThat(target).isSymbolicLink().hasBinaryContent(TWO_PARTS);
+    assertThat(linked).isRegularFile();
+    assertThat(local()).containsExactlyInAnyOrder(target, linked);
+  }
+
+  @Test
+  @EnabledOnOs({OS.LINUX, OS.MAC})
+  void aPipeAndALinkToNothingAreNotReplaced() throws Exception {
+    Path link = java.nio.file.Files.createSymbolicLink(folder.resolve("link"), Path.of("nothing"));
+    new ProcessBuilder("mkfifo", target.toString()).start().waitFor();
+
+    for (Path special : List.of(target, link)) {
+      assertThatThrownBy(() -> files.download(FILE, special, OVERWRITE))
+          .isInstanceOf(FileSystemException.class)
+          .hasMessage(special + ": it is not a regular file");
+    }
+
+    assertThat(java.nio.file.Files.isSymbolicLink(link)).isTrue();
+    assertThat(java.nio.file.Files.isRegularFile(target)).isFalse();
+    assertThat(local()).containsExactlyInAnyOrder(target, link);
   }
 
   @Test

@@ -7,6 +7,7 @@ import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -25,21 +26,32 @@ final class LocalFile implements Closeable {
   private final FileChannel channel;
 
   /**
-   * Creates the file under another name.
+   * Creates the file under another name. Of a symbolic link, the file that it points to is
+   * replaced.
    *
    * @throws FileAlreadyExistsException if the target exists and may not be replaced
+   * @throws FileSystemException if the target exists and is not a regular file
    */
   LocalFile(Path target, boolean overwrite) throws IOException {
-    this.target = target;
     this.overwrite = overwrite;
     if (!overwrite) {
-      refuseExisting();
+      refuseExisting(target);
     }
-    this.part = target.resolveSibling(target.getFileName() + "." + UUID.randomUUID() + ".part");
+    this.target = overwrite && Files.exists(target) ? target.toRealPath() : target;
+    refuseSpecial();
+    this.part =
+        this.target.resolveSibling(target.getFileName() + "." + UUID.randomUUID() + ".part");
     this.channel = FileChannel.open(part, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
   }
 
-  private void refuseExisting() throws FileAlreadyExistsException {
+  /** Refuses what a rename would destroy, such as a device, a pipe or a link to nothing. */
+  private void refuseSpecial() throws FileSystemException {
+    if (Files.exists(target, LinkOption.NOFOLLOW_LINKS) && !Files.isRegularFile(target)) {
+      throw new FileSystemException(target.toString(), null, "it is not a regular file");
+    }
+  }
+
+  private static void refuseExisting(Path target) throws FileAlreadyExistsException {
     if (Files.exists(target, LinkOption.NOFOLLOW_LINKS)) {
       throw new FileAlreadyExistsException(
           target.toString(), null, "the file exists, and overwrite is false");
@@ -62,6 +74,7 @@ final class LocalFile implements Closeable {
       Files.move(part, target);
       return;
     }
+    refuseSpecial();
     try {
       Files.move(part, target, StandardCopyOption.ATOMIC_MOVE);
     } catch (AtomicMoveNotSupportedException e) {

@@ -7,6 +7,7 @@ import java.net.Socket;
 import java.time.Duration;
 import java.util.HashSet;
 import java.util.Set;
+import java.util.concurrent.locks.LockSupport;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.simulator.internal.core.ThreadJoiner;
 import org.jspecify.annotations.Nullable;
@@ -144,6 +145,9 @@ public final class ConnectionAcceptor {
           Thread.currentThread().interrupt();
           return;
         }
+      } catch (OutOfMemoryError e) {
+        // perhaps because of another thread; nothing is allocated here, not even for the log
+        LockSupport.parkNanos(PAUSE_AFTER_FAILED_ACCEPT.toNanos());
       }
     }
   }
@@ -163,9 +167,9 @@ public final class ConnectionAcceptor {
         threads.start("client-" + accepted, () -> serve(connection));
       } catch (OutOfMemoryError e) {
         // the system has no thread left; those that are connected are still served
-        log.error("no thread for connection {}", accepted, e);
         connections.remove(connection);
         connection.abort();
+        log.error("no thread for connection {}", accepted, e);
       }
     }
   }

@@ -163,4 +163,22 @@ class SimulatedTimeTest {
       assertThat(other.get(20, TimeUnit.SECONDS)).isEqualTo(OperatingMode.AUT);
     }
   }
+
+  @Test
+  void timeGoesOnAfterACycleWithoutMemory() throws Exception {
+    VariableTable variables = VariableTable.krc4();
+    BrokenVariable.exhaustMemory(variables);
+    try (Controller controller = Cell.with(variables, SimulationClock.times(100))) {
+      controller.load("job.src", Cell.module("JOB", "MYINT=1"));
+      controller.submit().select("JOB");
+      controller.submit().start();
+
+      Cell.await(() -> !controller.messages().isEmpty());
+
+      assertThat(controller.messages().get(0).toString())
+          .contains("the simulation has failed", "no memory");
+      Duration before = controller.time();
+      Cell.await(() -> controller.time().compareTo(before) > 0);
+    }
+  }
 }

@@ -67,6 +67,8 @@ public final class ControllerCore {
   /** An error in the simulation itself; nothing moves after it. */
   private @Nullable Throwable failure;
 
+  private boolean failureShown;
+
   /**
    * Creates a controller whose robot is at {@code $AXIS_ACT}.
    *
@@ -361,6 +363,7 @@ public final class ControllerCore {
   public void cycle() {
     lock.lock();
     try {
+      showFailure();
       advanceTime();
       timers.advance(time, CYCLE_MILLIS);
       submit.run(SUBMIT_INSTRUCTIONS);
@@ -369,21 +372,26 @@ public final class ControllerCore {
       motions.cycle(time, speed.override(), released(), speed.limit());
       manual.cycle();
       publish();
-    } catch (RuntimeException | VirtualMachineError e) {
-      fail(e);
+    } catch (RuntimeException e) {
+      failure = failure == null ? e : failure;
+      showFailure();
+      throw e;
+    } catch (VirtualMachineError e) {
+      // there may be no memory for the message: the next cycle shows it, before anything moves
+      failure = failure == null ? e : failure;
       throw e;
     } finally {
       lock.unlock();
     }
   }
 
-  /** Reports an error in the simulation once; no program can be started after it. */
-  private void fail(Throwable error) {
-    if (failure == null) {
-      failure = error;
+  /** Shows an error in the simulation once; no program can be started after it. */
+  private void showFailure() {
+    if (failure != null && !failureShown) {
       submit.stop();
-      stopFor(OperatorPanel.FAILED, "the simulation has failed: " + error);
+      stopFor(OperatorPanel.FAILED, "the simulation has failed: " + failure);
       publish();
+      failureShown = true;
     }
   }
 

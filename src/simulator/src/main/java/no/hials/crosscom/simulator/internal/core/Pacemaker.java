@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator.internal.core;
 
 import java.util.concurrent.locks.LockSupport;
 import no.hials.crosscom.simulator.SimulationClock;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -19,8 +20,15 @@ public final class Pacemaker implements AutoCloseable {
   private final Thread thread;
   private volatile boolean closed;
 
-  /** Whether a failed cycle has been logged; only the thread uses it. */
-  private boolean failed;
+  // the rest is used by the thread alone
+
+  /** The time of the next cycle, in ns. */
+  private double due;
+
+  /** The first error of a cycle; null if there was none. */
+  private @Nullable VirtualMachineError failure;
+
+  private boolean failureLogged;
 
   /**
    * Starts the thread.
@@ -38,21 +46,10 @@ public final class Pacemaker implements AutoCloseable {
 
   private void run() {
     double period = CYCLE_NANOS / factor;
-    double due = System.nanoTime() + period;
+    due = System.nanoTime() + period;
     try {
       while (!closed) {
-        if (unlimited && core.busy()) {
-          cycle();
-          due = System.nanoTime() + period;
-          continue;
-        }
-        double ahead = due - System.nanoTime();
-        if (ahead > 0) {
-          LockSupport.parkNanos((long) ahead);
-        } else {
-          cycle();
-          due = Math.max(due, System.nanoTime() - MAX_LAG_CYCLES * period) + period;
-        }
+        waitOrRun(period);
       }
     } catch (RuntimeException e) {
       // an error in the simulation itself, which the core has shown as a message
@@ -60,16 +57,34 @@ public final class Pacemaker implements AutoCloseable {
     }
   }
 
-  private void cycle() {
+  /** Waits until the next cycle is due, or runs it. */
+  private void waitOrRun(double period) {
     try {
-      core.cycle();
-    } catch (VirtualMachineError e) {
-      // such as too little memory, perhaps because of another thread: the core has stopped the
-      // robot
-      if (!failed) {
-        failed = true;
-        log.error("a cycle of the simulated controller failed", e);
+      if (unlimited && core.busy()) {
+        cycle();
+        due = System.nanoTime() + period;
+        return;
       }
+      double ahead = due - System.nanoTime();
+      if (ahead > 0) {
+        LockSupport.parkNanos((long) ahead);
+      } else {
+        cycle();
+        due = Math.max(due, System.nanoTime() - MAX_LAG_CYCLES * period) + period;
+      }
+    } catch (VirtualMachineError e) {
+      // such as too little memory, perhaps because of another thread; nothing is allocated here,
+      // and the next cycle that works logs it
+      failure = failure == null ? e : failure;
+      due = System.nanoTime() + period;
+    }
+  }
+
+  private void cycle() {
+    core.cycle();
+    if (failure != null && !failureLogged) {
+      log.error("a cycle of the simulated controller failed", failure);
+      failureLogged = true;
     }
   }
 

@@ -63,6 +63,12 @@ abstract class Batch {
 
     @Nullable CrossComException failure;
 
+    /** Whether an answer with it was too long, and it must not be asked for in another message. */
+    boolean suspect;
+
+    /** Whether the answer with nothing else was too long. */
+    boolean tooLong;
+
     Item(KRLVariable variable) {
       this.variable = variable;
     }
@@ -76,7 +82,7 @@ abstract class Batch {
   final List<VariableResult> run() {
     divide(canSendSeveral());
     for (List<Item> group = nextGroup(); group != null; group = nextGroup()) {
-      if (group.size() == 1) {
+      if (group.size() == 1 && !group.get(0).suspect) {
         alone(group.get(0));
       } else {
         send(group);
@@ -153,6 +159,7 @@ abstract class Batch {
   /** Lets items come next, each in a message of its own. */
   final void oneByOne(List<Item> some) {
     for (int i = some.size() - 1; i >= 0; i--) {
+      some.get(i).suspect = false;
       sendNext(List.of(some.get(i)));
     }
   }
@@ -162,7 +169,7 @@ abstract class Batch {
       return;
     }
     try {
-      alone(item.variable);
+      exchangeAlone(item);
     } catch (CrossComAccessException | CrossComValueException e) {
       item.failure = e;
     } catch (CrossComException e) {
@@ -237,7 +244,7 @@ abstract class Batch {
 
   abstract Request request(List<Item> some);
 
-  abstract void alone(KRLVariable variable) throws CrossComException;
+  abstract void exchangeAlone(Item item) throws CrossComException;
 
   abstract void take(Item item, AccessResult result, long nanos) throws CrossComException;
 
@@ -270,8 +277,12 @@ abstract class Batch {
     }
 
     @Override
-    void alone(KRLVariable variable) throws CrossComException {
-      exchange.read(variable);
+    void exchangeAlone(Item item) throws CrossComException {
+      if (item.tooLong && item.variable instanceof KRLArray array) {
+        exchange.readElements(array, VariableExchange.NO_PROGRESS);
+      } else {
+        exchange.read(item.variable);
+      }
     }
 
     @Override
@@ -292,12 +303,27 @@ abstract class Batch {
      */
     @Override
     void notEach(List<Item> some, int count, Tail tail) {
-      if (tail.code() == ErrorCode.LONG_ANSWER.code()) {
+      if (tail.code() != ErrorCode.LONG_ANSWER.code()) {
+        oneByOne(some);
+      } else if (some.size() == 1) {
+        tooLong(some.get(0));
+      } else {
+        some.forEach(item -> item.suspect = true);
         int half = some.size() / 2;
         sendNext(some.subList(half, some.size()));
         sendNext(some.subList(0, half));
+      }
+    }
+
+    /** Messages 0 and 4 would end the connection (docs/reference/c3-messages.md). */
+    private void tooLong(Item item) {
+      item.tooLong = true;
+      if (item.variable instanceof KRLArray array && array.getDeclaredLength() > 0) {
+        oneByOne(List.of(item));
       } else {
-        oneByOne(some);
+        item.failure =
+            new CrossComValueException(
+                item.name(), "", "the value is too long for an answer (code 10)", null);
       }
     }
   }
@@ -330,8 +356,8 @@ abstract class Batch {
     }
 
     @Override
-    void alone(KRLVariable variable) throws CrossComException {
-      exchange.write(variable);
+    void exchangeAlone(Item item) throws CrossComException {
+      exchange.write(item.variable);
     }
 
     @Override

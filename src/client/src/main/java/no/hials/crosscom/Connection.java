@@ -210,7 +210,8 @@ final class Connection implements SelectorLoop.Selectable {
     return answered
         ? "the server closed it"
         : "the server closed it before it had answered anything; it may have as many clients as it"
-            + " takes (KUKAVARPROXY takes 10)";
+            + " takes (KUKAVARPROXY takes 10), or the answer may be too long for a message of C3"
+            + " Bridge";
   }
 
   private String reason(IOException e) {

@@ -190,7 +190,7 @@ final class VariableExchange {
     }
   }
 
-  private void readElements(KRLArray array, ArrayProgress progress) throws CrossComException {
+  void readElements(KRLArray array, ArrayProgress progress) throws CrossComException {
     int total = array.getDeclaredLength();
     long nanos = 0;
     for (int i = 1; i <= total; i++) {

@@ -3,6 +3,7 @@ package no.hials.crosscom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -145,6 +146,25 @@ class SeveralVariablesTest extends RobotTest {
     assertThatIllegalStateException()
         .isThrownBy(() -> client.writeVariables(good, new KRLInt("MYREAL")));
     assertThat(robot.requests()).isEmpty();
+  }
+
+  @Test
+  void aVariableTooLongForAnAnswerFailsAloneAndALongArrayIsReadElementByElement() throws Exception {
+    assumeThat(server).isEqualTo(ServerType.C3_BRIDGE);
+    robot.variables().declare("LONGTEXT[40000]", "CHAR", "\"" + "x".repeat(40_000) + "\"");
+    robot.variables().declare("LONGREALS[3500]", "REAL", "-1.2345678");
+    KRLString text = new KRLString("LONGTEXT[]");
+    KRLRealArray reals = new KRLRealArray("LONGREALS", 3500);
+
+    List<VariableResult> results =
+        client.readVariables(new KRLInt("MYINT"), text, reals, new KRLReal("MYREAL"));
+
+    assertThat(results).extracting(VariableResult::isOk).containsExactly(true, false, true, true);
+    assertThat(results.get(1).failure())
+        .isInstanceOf(CrossComValueException.class)
+        .hasMessage("LONGTEXT[]: the value is too long for an answer (code 10)");
+    assertThat(reals.getValue()).hasSize(3500);
+    assertThat(robot.requests()).extracting(RecordedRequest::connection).containsOnly(1);
   }
 
   @Test

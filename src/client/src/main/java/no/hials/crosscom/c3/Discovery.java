@@ -222,7 +222,7 @@ public final class Discovery {
       String text =
           new String(buffer.array(), 0, buffer.position(), StandardCharsets.ISO_8859_1).strip();
       if (LOG.isDebugEnabled()) {
-        LOG.debug("{} answered {}", from, PrintableText.of(text));
+        LOG.debug("{} answered {}", from, PrintableText.shortened(text));
       }
       InetAddress address = from.getAddress();
       if (found.size() == MAX_FOUND && !found.containsKey(address)) {

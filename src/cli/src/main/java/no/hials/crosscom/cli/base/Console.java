@@ -132,7 +132,7 @@ public final class Console implements WritePermission.Confirmation {
   /** Asks a question; only y and yes are a yes, and only if they are typed after it. */
   @Override
   public boolean confirm(String question) {
-    String answer = answer(PrintableText.of(question), " [y/N] ");
+    String answer = answer(PrintableText.shortened(question), " [y/N] ");
     return answer != null && answer.strip().matches("(?i)y(es)?");
   }
 
@@ -180,9 +180,9 @@ public final class Console implements WritePermission.Confirmation {
     }
   }
 
-  /** Prints a message, which becomes one line, after the program's name. */
+  /** Prints a message, which becomes one line of limited length, after the program's name. */
   public void error(String message) {
-    err.println(PROGRAM + ": " + PrintableText.of(message));
+    err.println(PROGRAM + ": " + PrintableText.shortened(message));
   }
 
   /** Prints the message of an exception, and its origin if requested. */
@@ -213,6 +213,6 @@ public final class Console implements WritePermission.Confirmation {
 
   /** Prints a line that helps with the message before it. */
   public void hint(String line) {
-    err.println(PrintableText.of(line));
+    err.println(PrintableText.shortened(line));
   }
 }

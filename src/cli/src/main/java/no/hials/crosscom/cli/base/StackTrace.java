@@ -24,6 +24,7 @@ final class StackTrace extends PrintWriter {
     String line = String.valueOf(object);
     String message = line.stripLeading();
     // the indentation is Java's own
-    super.println(line.substring(0, line.length() - message.length()) + PrintableText.of(message));
+    super.println(
+        line.substring(0, line.length() - message.length()) + PrintableText.shortened(message));
   }
 }

@@ -31,6 +31,8 @@ public final class Suggestions {
     int most = typed.replace("-", "").length() <= SHORT ? 1 : 2;
     Map<Integer, List<String>> byMistakes =
         words.stream()
+            // of a long text only the length is compared
+            .filter(word -> Math.abs(word.length() - typed.length()) <= most)
             .sorted()
             .collect(
                 Collectors.groupingBy(

@@ -6,6 +6,9 @@ import no.hials.crosscom.protocol.value.KrlSyntaxException;
 
 /** Explains why the text of a value that a user typed is not a KRL value. */
 public final class ValueText {
+  /** The maximum length of a text that a hint repeats as an example. */
+  private static final int LONGEST_EXAMPLE = 100;
+
   private ValueText() {}
 
   /**
@@ -20,6 +23,9 @@ public final class ValueText {
 
   private static String hint(String text, String quote) {
     if (text.matches("\\w*[\\p{L}_][^\"#{}]*")) {
+      if (text.length() > LONGEST_EXAMPLE) {
+        return "a text needs double quotes";
+      }
       String constant =
           text.matches("\\w+")
               ? ", a constant of an ENUM begins with #: " + quote + "#" + text + quote

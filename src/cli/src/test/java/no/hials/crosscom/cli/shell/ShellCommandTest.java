@@ -59,6 +59,26 @@ class ShellCommandTest {
     assertThat(server.requestCount()).isZero();
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "%s",
+        "get %s",
+        "MYINT = %s",
+        "MYINT = \"%s",
+        "wait %s",
+        "help %s",
+        "read %s b %s"
+      })
+  void shortensALongLineInItsError(String form) {
+    String line = form.replace("%s", "a".repeat(1_000_000));
+
+    Cli.Result result = ShellInput.runOn(server, line + "\n", "shell", "--yes");
+
+    assertThat(result.code()).isBetween(1, 2);
+    assertThat(result.err()).startsWith("jopenshowvar: line 1: ").hasSizeLessThan(5000);
+  }
+
   @Test
   void doesNotWriteIfItIsForReadingOnly() {
     ShellInput.runOn(server, "MYINT = 5\n", "shell", "--yes", "--read-only")

@@ -125,6 +125,14 @@ class WriteCommandTest {
   }
 
   @Test
+  void explainsALongTextWithoutRepeatingIt() {
+    Cli.runOn(server, "write", "MYSTRING[]", "hello" + "A".repeat(70_000))
+        .fails(2)
+        .contains("position 0, found 'h', in: hello", "; a text needs double quotes\n")
+        .hasSizeLessThan(500);
+  }
+
+  @Test
   void doesNotTakeAnArgumentForAFileOfArguments(@TempDir Path dir) throws IOException {
     Path file = Files.writeString(dir.resolve("value"), "5");
 

@@ -10,6 +10,9 @@ import java.util.Locale;
  * text can neither end the line nor change what the terminal shows. A backslash stays as it is.
  */
 public final class PrintableText {
+  /** The number of characters of a long text that {@link #shortened} keeps at each end. */
+  private static final int KEPT = 1000;
+
   private PrintableText() {}
 
   /**
@@ -36,6 +39,25 @@ public final class PrintableText {
       }
     }
     return line.toString();
+  }
+
+  /**
+   * Escapes the characters that are not safe, and leaves out the middle of a long text. For
+   * messages and logs, which repeat text from outside.
+   *
+   * @param text any text
+   * @return the text on one line; of more than 2000 characters the first and last 1000, with the
+   *     length of the text between them
+   */
+  public static String shortened(String text) {
+    int length = text.length();
+    return length <= 2 * KEPT
+        ? of(text)
+        : of(text.substring(0, KEPT))
+            + "... ("
+            + length
+            + " characters) ..."
+            + of(text.substring(length - KEPT));
   }
 
   private static boolean isSafe(char c) {

@@ -28,6 +28,16 @@ class PrintableTextTest {
   }
 
   @Test
+  void leavesOutTheMiddleOfALongText() {
+    String ends = "\u001B" + "a".repeat(1999) + "b\n";
+
+    assertThat(PrintableText.shortened(ends))
+        .isEqualTo(
+            "\\x1B" + "a".repeat(999) + "... (2002 characters) ..." + "a".repeat(998) + "b\\x0A");
+    assertThat(PrintableText.shortened("a\n".repeat(1000))).isEqualTo("a\\x0A".repeat(1000));
+  }
+
+  @Test
   void isAppliedToTheMessageOfASyntaxError() {
     assertThatThrownBy(() -> KrlValue.parse("\u001B[31m\r\nforged"))
         .isInstanceOf(KrlSyntaxException.class)

@@ -37,6 +37,8 @@ import org.slf4j.LoggerFactory;
  * <p>The answer is read without a socket time-out, which would cost two more system calls an
  * exchange; instead the timer closes the socket when an exchange is overdue. A connection that
  * failed stays closed: a late answer on it could be taken for the answer to another request.
+ *
+ * <p>The class is long because both ways of an exchange share its state and its failures.
  */
 final class Connection implements SelectorLoop.Selectable {
   private static final Logger LOG = LoggerFactory.getLogger(Connection.class);

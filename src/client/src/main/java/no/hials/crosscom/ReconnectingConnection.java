@@ -27,6 +27,9 @@ import org.slf4j.LoggerFactory;
  * <p>The {@link Turn} guards an exchange and the use of its answer. A thread that has the turn uses
  * the connection itself. An asynchronous operation that has it runs in the thread of the {@link
  * SelectorLoop}.
+ *
+ * <p>The class is long because threads and asynchronous operations share the state of the
+ * connection.
  */
 final class ReconnectingConnection {
   private static final Logger LOG = LoggerFactory.getLogger(ReconnectingConnection.class);

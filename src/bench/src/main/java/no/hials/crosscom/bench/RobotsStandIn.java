@@ -16,8 +16,8 @@ import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.protocol.Codec;
 
 /**
- * Stands in for many KUKAVARPROXYs, in one thread: answers each read after 5 ms, and never on the
- * first connections if told so. It runs in a process of its own, so that it does not count.
+ * Plays many KUKAVARPROXYs in one thread: answers each read after 5 ms, and never on the first
+ * connections if told so. It runs in a process of its own, so that it does not count.
  */
 public final class RobotsStandIn {
   private static final long DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(5);

@@ -50,8 +50,11 @@ class ArchitectureTest {
 
   private static final int MOST_LINES = 500;
 
-  /** The client's root: 11 exceptions, and the names of 0.2.2, which cannot move. */
-  private static final Map<String, Integer> LARGE_PACKAGES = Map.of(ROOT, 45);
+  /**
+   * The client's root: 11 exceptions, the names of 0.2.2, which cannot move, and the exchanges,
+   * which are package-private.
+   */
+  private static final Map<String, Integer> LARGE_PACKAGES = Map.of(ROOT, 56);
 
   private static final JavaClasses CLASSES =
       new ClassFileImporter()

@@ -3,15 +3,19 @@ package no.hials.crosscom.cli.drive;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.PseudoTerminal;
 import no.hials.crosscom.lab.experiment.KrlPrograms;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.value.Axis;
 import org.assertj.core.api.ThrowingConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -76,6 +80,24 @@ class DriveIT {
       assertThat(shown).contains("code=0");
       assertRestored(shown);
       assertThat(server.controller().axes().a1()).isEqualTo(stoodAt);
+    }
+  }
+
+  @Test
+  void keysThatWereTypedBeforeItStartsDoNotMoveTheRobot() throws Exception {
+    CountDownLatch typed = new CountDownLatch(1);
+    try (MockServer server = robot()) {
+      server.fault(request -> request.name().equals("$MODE_OP"), Fault.hold(typed));
+      Axis start = server.controller().axes();
+      try (PseudoTerminal terminal = drive(server, "--frame=joints", "--max-delay=2s")) {
+        assertThat(server.takeRequest(Duration.ofSeconds(60))).isPresent();
+        terminal.type("wwwwww\rwwwwww").until("\r\nwwwwww"); // the echo
+        typed.countDown();
+        terminal.until(READY).until("| standing | none |").type("q");
+
+        assertThat(terminal.finish()).contains("the robot did not move").doesNotContain("moving");
+      }
+      assertThat(server.controller().axes()).isEqualTo(start);
     }
   }
 

@@ -55,8 +55,8 @@ public final class KeyboardInput implements InputDevice {
   private static final int STEPS = 10;
   private static final long POLL_MILLIS = 50;
 
-  /** The longest wait of {@link #close} for the end of the typing. */
-  private static final long LAST_KEYS_MILLIS = 2000;
+  /** The longest wait for the end of the typing before and after the use. */
+  private static final long DISCARD_MILLIS = 2000;
 
   /** The maximum time between the parts of an escape sequence. */
   private static final long SEQUENCE_MILLIS = 200;
@@ -93,6 +93,13 @@ public final class KeyboardInput implements InputDevice {
   private KeyboardInput(Terminal terminal, LongSupplier clock) {
     this.terminal = terminal;
     this.clock = clock;
+    takeSingleKeys(terminal);
+    thread = new Thread(this::run, "crosscom-input-keyboard");
+    thread.setDaemon(true);
+  }
+
+  /** Passes keys on at once, without an echo; Ctrl-C still sends its signal. */
+  private static void takeSingleKeys(Terminal terminal) {
     Attributes keys = new Attributes(terminal.getAttributes());
     keys.setLocalFlags(EnumSet.of(LocalFlag.ICANON, LocalFlag.ECHO), false);
     keys.setInputFlag(InputFlag.IXON, false);
@@ -100,15 +107,14 @@ public final class KeyboardInput implements InputDevice {
     keys.setControlChar(ControlChar.VMIN, 0);
     keys.setControlChar(ControlChar.VTIME, 1);
     terminal.setAttributes(keys);
-    thread = new Thread(this::run, "crosscom-input-keyboard");
-    thread.setDaemon(true);
   }
 
   /**
-   * Opens the terminal of this process.
+   * Opens the terminal of this process. Discards the keys that were typed before, so that they move
+   * nothing. While a key is still held it waits for its release, at most 2 s.
    *
    * @return the device; the caller must close it
-   * @throws IOException without a terminal
+   * @throws IOException without a terminal, or if a key is held
    */
   public static KeyboardInput open() throws IOException {
     Terminal terminal;
@@ -130,6 +136,12 @@ public final class KeyboardInput implements InputDevice {
       terminal.close();
       throw new IOException("the keyboard needs a terminal that sends single keys, TERM is dumb");
     }
+    try {
+      takeSingleKeys(terminal); // in line mode the system keeps an unfinished line
+      System.in.readNBytes(System.in.available());
+    } catch (IllegalStateException e) {
+      // it is closed already, which is reported below
+    }
     return on(terminal, System::nanoTime);
   }
 
@@ -140,6 +152,10 @@ public final class KeyboardInput implements InputDevice {
     } catch (IllegalStateException e) {
       terminal.close();
       throw new IOException("the terminal is already closed, as while the JVM shuts down", e);
+    }
+    if (!keyboard.discardKeys()) {
+      terminal.close();
+      throw new IOException("a key is held down: release it and start again");
     }
     keyboard.thread.start();
     return keyboard;
@@ -251,16 +267,20 @@ public final class KeyboardInput implements InputDevice {
     return ended;
   }
 
-  private void discardKeys() {
-    long end = System.nanoTime() + LAST_KEYS_MILLIS * 1_000_000;
+  /** Discards keys until no key is held; returns false if one is still held after some time. */
+  private boolean discardKeys() {
+    long end = System.nanoTime() + DISCARD_MILLIS * 1_000_000;
     try {
       NonBlockingReader reader = terminal.reader();
-      while (System.nanoTime() < end && reader.read(HOLD) >= 0) {
-        // the next one
+      while (reader.read(HOLD) >= 0) {
+        if (System.nanoTime() >= end) {
+          return false;
+        }
       }
     } catch (IOException | RuntimeException | java.io.IOError e) {
       // the terminal is closed, and has no more keys
     }
+    return true;
   }
 
   /**

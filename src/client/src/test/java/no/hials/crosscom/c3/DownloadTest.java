@@ -145,14 +145,15 @@ class DownloadTest extends FilesRobotTest {
   @Test
   @EnabledOnOs({OS.LINUX, OS.MAC})
   void aLinkStaysALinkAndItsFileIsOverwritten() throws Exception {
-    Path linked = java.nio.file.Files.writeString(folder.resolve("linked.src"), "old");
-    java.nio.file.Files.createSymbolicLink(target, linked);
+    Path file = java.nio.file.Files.writeString(folder.resolve("linked.src"), "old");
+    Path link = target;
+    java.nio.file.Files.createSymbolicLink(link, file);
 
-    files.download(FILE, target, OVERWRITE);
+    files.download(FILE, link, OVERWRITE);
 
-    assertThat(target).isSymbolicLink().hasBinaryContent(TWO_PARTS);
-    assertThat(linked).isRegularFile();
-    assertThat(local()).containsExactlyInAnyOrder(target, linked);
+    assertThat(link).isSymbolicLink().hasBinaryContent(TWO_PARTS);
+    assertThat(file).isRegularFile();
+    assertThat(local()).containsExactlyInAnyOrder(link, file);
   }
 
   @Test

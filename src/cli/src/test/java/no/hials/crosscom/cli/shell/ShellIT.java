@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.PseudoTerminal;
@@ -50,11 +51,21 @@ class ShellIT {
   @ParameterizedTest
   @ValueSource(strings = {"y\r", "y"})
   void anAnswerThatWasTypedBeforeTheQuestionIsNone(String keys) throws Exception {
+    CountDownLatch asked = new CountDownLatch(1);
     CountDownLatch typed = new CountDownLatch(1);
     try (PseudoTerminal shell = shell(Map.of())) {
       shell.until(PROMPT);
-      server.fault(request -> request.name().equals("$MODE_OP"), Fault.hold(typed));
-      shell.type("MYINT = 5\r").until("\u001B[?2004l").type(keys).until("y");
+      server.faults(
+          request -> {
+            if (!request.name().equals("$MODE_OP")) {
+              return Optional.empty();
+            }
+            asked.countDown();
+            return Optional.of(Fault.hold(typed));
+          });
+      shell.type("MYINT = 5\r");
+      asked.await(); // by now the line editor has given the terminal back, which shows the keys
+      shell.type(keys).until("y");
       typed.countDown();
       shell.until("[y/N] ").type("\r").until("not confirmed");
       shell.until(PROMPT).type(PseudoTerminal.CTRL_D).finish();

@@ -19,8 +19,8 @@ import java.util.function.Consumer;
  *
  * <ul>
  *   <li>{@code crosscom-timer-N} ends exchanges that are overdue, and wakes idle connections.
- *   <li>{@code crosscom-io-N} connects, and does the exchanges of watches and idle connections. It
- *       runs until the runtime is closed.
+ *   <li>{@code crosscom-io-N} connects, and keeps idle connections alive. It runs until the runtime
+ *       is closed.
  *   <li>{@code crosscom-resolver-N}, at most four, find the addresses of host names.
  *   <li>{@code crosscom-listener-N}, at most {@link Builder#listenerThreads}, call listeners and
  *       subscribers. If all of them are blocked, further calls wait.

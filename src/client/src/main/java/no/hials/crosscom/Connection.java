@@ -12,8 +12,6 @@ import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.util.Arrays;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutionException;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.FrameReader;
@@ -31,8 +29,7 @@ import org.slf4j.LoggerFactory;
  * {@link #close}.
  *
  * <p>A thread that waits for an answer reads the channel itself, which is fastest. For asynchronous
- * exchanges the channel is handed over to the {@link SelectorLoop}; threads then wait until the
- * loop has read their answers.
+ * exchanges the channel is handed over to the {@link SelectorLoop}, and back at their end.
  *
  * <p>The answer is read without a socket time-out, which would cost two more system calls an
  * exchange; instead the timer closes the socket when an exchange is overdue. A connection that
@@ -248,9 +245,6 @@ final class Connection implements SelectorLoop.Selectable {
       long waited)
       throws CrossComException {
     begin(frame, length, id, type, effect, name, waited);
-    if (key != null) {
-      return exchangeByLoop();
-    }
     try {
       while (out.hasRemaining()) {
         channel.write(out);
@@ -439,34 +433,6 @@ final class Connection implements SelectorLoop.Selectable {
     if (handler != null) {
       current.handler = null;
       handler.failed(broken(new AsynchronousCloseException()));
-    }
-  }
-
-  /** Waits for the loop to do the exchange under way. */
-  private Answer exchangeByLoop() throws CrossComException {
-    CompletableFuture<Answer> done = new CompletableFuture<>();
-    AnswerHandler handler =
-        new AnswerHandler() {
-          @Override
-          public void answered(Answer received) {
-            done.complete(received);
-          }
-
-          @Override
-          public void failed(CrossComException failure) {
-            done.completeExceptionally(failure);
-          }
-        };
-    loop.execute(() -> transfer(handler));
-    try {
-      return done.get();
-    } catch (InterruptedException e) {
-      close();
-      deadline.end();
-      Thread.currentThread().interrupt();
-      throw broken(new ClosedByInterruptException());
-    } catch (ExecutionException e) {
-      throw (CrossComException) e.getCause();
     }
   }
 

@@ -9,7 +9,6 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.Connection.AnswerHandler;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.protocol.AnswerFrame;
@@ -42,9 +41,6 @@ final class ReconnectingConnection {
   private final SerialExecutor events;
   private final byte[] ping = Codec.encode(new ReadRequest(0, "PING"));
 
-  /** How many operations use the channel by the loop again and again. */
-  private final AtomicInteger loopUsers = new AtomicInteger();
-
   /** Null until the client has connected for the first time. */
   private volatile @Nullable Connection connection;
 
@@ -59,7 +55,7 @@ final class ReconnectingConnection {
   private volatile @Nullable CompletableFuture<Connection> connecting;
 
   /** The next use of an idle connection. */
-  private volatile @Nullable Future<?> duty;
+  private volatile @Nullable Future<?> nextUse;
 
   // guarded by the turn
   private int lastId;
@@ -95,7 +91,7 @@ final class ReconnectingConnection {
     if (connected && config.keepAlive().isZero()) {
       return;
     }
-    callOfDuty(connected ? config.keepAlive().toNanos() : 0);
+    scheduleUse(connected ? config.keepAlive().toNanos() : 0);
   }
 
   /**
@@ -393,29 +389,14 @@ final class ReconnectingConnection {
   /** Ends the turn of an asynchronous operation. */
   void endAsync() {
     Connection last = connection;
-    if (last != null && loopUsers.get() == 0) {
+    if (last != null) {
       last.deregister();
     }
     turn.releaseAsync();
   }
 
   /**
-   * Keeps the channel in the hands of the loop until {@link #endLoopUse}, for an operation that is
-   * repeated.
-   */
-  void beginLoopUse() {
-    loopUsers.incrementAndGet();
-  }
-
-  /** Hands the channel back to threads, unless another operation needs the loop. */
-  void endLoopUse() {
-    if (loopUsers.decrementAndGet() == 0) {
-      beginAsync(this::endAsync);
-    }
-  }
-
-  /**
-   * Does an exchange of the operation that has the turn, like {@link #exchange}.
+   * Does an exchange of the operation that has the turn. It is not repeated.
    *
    * @param handler called once, still with the turn
    */
@@ -431,14 +412,14 @@ final class ReconnectingConnection {
         throw Turn.late(Connection.what(type, name), timeoutNanos);
       }
       if (!mustConnect()) {
-        sendAsync(frame, length, type, effect, name, handler, effect == Repeatability.READ);
+        sendAsync(frame, length, type, effect, name, handler);
         return;
       }
     } catch (CrossComException e) {
       handler.failed(e);
       return;
     }
-    connectAsync(handler, () -> sendAsync(frame, length, type, effect, name, handler, false));
+    connectAsync(handler, () -> sendAsync(frame, length, type, effect, name, handler));
   }
 
   private void connectAsync(AnswerHandler handler, Runnable connected) {
@@ -467,8 +448,7 @@ final class ReconnectingConnection {
       MessageType type,
       Repeatability effect,
       String name,
-      AnswerHandler handler,
-      boolean mayRepeat) {
+      AnswerHandler handler) {
     Connection used = current();
     boolean known = used.hasAnswered();
     used.exchangeAsync(
@@ -492,24 +472,16 @@ final class ReconnectingConnection {
           @Override
           public void failed(CrossComException failure) {
             lost(failure);
-            if (mayRepeat
-                && config.reconnect()
-                && failure instanceof CrossComConnectionLostException) {
-              LOG.debug("repeating the read of {} on a new connection", name);
-              connectAsync(
-                  handler, () -> sendAsync(frame, length, type, effect, name, handler, false));
-            } else {
-              handler.failed(failure);
-            }
+            handler.failed(failure);
           }
         });
   }
 
   /** Uses the connection when it was idle for a while, and reconnects when it is lost. */
-  private void keepUp() {
-    long wait = nextDuty();
+  private void useIdle() {
+    long wait = timeToNextUse();
     if (closed || wait > 0) {
-      endDuty(wait);
+      endUse(wait);
       return;
     }
     exchangeAsync(
@@ -521,39 +493,40 @@ final class ReconnectingConnection {
         new AnswerHandler() {
           @Override
           public void answered(Answer answer) {
-            endDuty(nextDuty());
+            endUse(timeToNextUse());
           }
 
           @Override
           public void failed(CrossComException failure) {
             LOG.debug("keeping the connection failed: {}", failure.getMessage());
-            endDuty(nextDuty());
+            endUse(timeToNextUse());
           }
         });
   }
 
-  private void endDuty(long wait) {
+  private void endUse(long wait) {
     endAsync();
     Connection last = connection;
-    boolean lostForEver = !config.reconnect() && last != null && last.isClosed();
-    if (!lostForEver && !(last != null && config.keepAlive().isZero())) {
-      callOfDuty(Math.max(wait, 1));
+    boolean unusable = !config.reconnect() && last != null && last.isClosed();
+    if (!unusable && !(last != null && config.keepAlive().isZero())) {
+      scheduleUse(Math.max(wait, 1));
     }
   }
 
-  private void callOfDuty(long nanos) {
+  private void scheduleUse(long nanos) {
     if (closed) {
       return;
     }
     try {
-      duty = runtime.timer().schedule(() -> beginAsync(this::keepUp), nanos, TimeUnit.NANOSECONDS);
+      nextUse =
+          runtime.timer().schedule(() -> beginAsync(this::useIdle), nanos, TimeUnit.NANOSECONDS);
     } catch (RejectedExecutionException e) {
       LOG.debug("the runtime is closed");
     }
   }
 
   /** Returns the time until the connection has to be used or made. */
-  private long nextDuty() {
+  private long timeToNextUse() {
     long now = System.nanoTime();
     Connection last = connection;
     if ((last == null || last.isClosed()) && failedAttempts > 0) {
@@ -592,7 +565,7 @@ final class ReconnectingConnection {
     if (attempt != null) {
       attempt.cancel(false);
     }
-    Future<?> waiting = duty;
+    Future<?> waiting = nextUse;
     if (waiting != null) {
       waiting.cancel(false);
     }

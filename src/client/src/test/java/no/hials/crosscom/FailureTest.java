@@ -138,7 +138,7 @@ class FailureTest extends RobotTest {
 
   @Test
   void manyFastExchangesUnderAShortLimitDoNotTimeOut() throws Exception {
-    // enough for the watchdog to sleep, wake and doze
+    // enough for the timer to look several times and to rest
     try (CrossComClient hasty = client(Duration.ofSeconds(1))) {
       KRLInt i = new KRLInt("MYINT");
       for (int n = 0; n < 30_000; n++) {

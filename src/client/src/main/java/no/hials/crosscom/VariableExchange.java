@@ -61,7 +61,7 @@ final class VariableExchange {
   // --- by name
 
   TextAnswer read(String name) throws CrossComException {
-    return readAny(VariableName.check(name));
+    return readAny(VariableName.check(name), null);
   }
 
   TextAnswer write(String name, String value) throws CrossComException {
@@ -130,7 +130,7 @@ final class VariableExchange {
       return;
     }
     if (frame == null || access.holdsText(variable)) {
-      take(variable, readAny(name), false);
+      take(variable, readAny(name, frame), false);
       return;
     }
     String text;
@@ -387,12 +387,14 @@ final class VariableExchange {
    * Reads a variable whose type is not known with function 0, and again if it has a text. Each text
    * of KRL is in double quotes, which no code page changes; only the server's own variables have
    * texts without.
+   *
+   * @param encoded the request, if it has been encoded before
    */
-  private TextAnswer readAny(String name) throws CrossComException {
+  private TextAnswer readAny(String name, byte @Nullable [] encoded) throws CrossComException {
     if (!TextCharset.isPlain(name) || name.startsWith("@")) {
       return readText(name);
     }
-    byte[] frame = Codec.encode(new ReadRequest(0, name));
+    byte[] frame = encoded == null ? Codec.encode(new ReadRequest(0, name)) : encoded;
     connection.acquire(MessageType.READ, name);
     try {
       Answer answer = sendRead(frame, name);

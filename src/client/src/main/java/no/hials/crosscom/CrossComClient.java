@@ -167,7 +167,7 @@ public final class CrossComClient extends TypedAccess {
     private final ClientConfig config;
     private final ReconnectingConnection connection;
     private final Threads threads;
-    private final Throwable opened = new Throwable("the client was created here");
+    private final String place = place();
 
     Abandoned(ClientConfig config, ReconnectingConnection connection, Threads threads) {
       this.config = config;
@@ -175,14 +175,26 @@ public final class CrossComClient extends TypedAccess {
       this.threads = threads;
     }
 
+    /** Returns the line of the program that creates the client. */
+    private static String place() {
+      return StackWalker.getInstance()
+          .walk(frames -> frames.filter(Abandoned::isOfTheProgram).findFirst())
+          .map(StackWalker.StackFrame::toString)
+          .orElse("an unknown place");
+    }
+
+    private static boolean isOfTheProgram(StackWalker.StackFrame frame) {
+      return !frame.getClassName().matches(".*\\.CrossComClient(\\$.*)?");
+    }
+
     @Override
     public void run() {
       if (!connection.isClosed()) {
         LOG.warn(
-            "a client of {}:{} was dropped without close(), and is closed now",
+            "a client of {}:{}, created by {}, was dropped without close(), and is closed now",
             config.host(),
             config.port(),
-            opened);
+            place);
       }
       connection.close();
       threads.shutdown();

@@ -3,6 +3,8 @@ package no.hials.crosscom;
 import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.internal.CancellableOperation;
 import no.hials.crosscom.internal.MessageChannel;
+import no.hials.crosscom.internal.exchange.MessageAnswer;
+import no.hials.crosscom.internal.exchange.Repeatability;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;

@@ -1,5 +1,6 @@
 package no.hials.crosscom;
 
+import no.hials.crosscom.internal.exchange.TextAnswer;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.MalformedFrameException;
 import no.hials.crosscom.protocol.MessageType;

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
+import no.hials.crosscom.internal.exchange.TextCharset;
 import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 

@@ -3,13 +3,14 @@ package no.hials.crosscom;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import no.hials.crosscom.internal.exchange.DaemonThreads;
+import no.hials.crosscom.internal.exchange.SelectorLoop;
 
 /**
  * The threads that clients share. A program with several clients needs only one runtime; {@link
@@ -42,13 +43,13 @@ public final class ClientRuntime implements AutoCloseable {
 
   private ClientRuntime(Builder options) {
     int number = COUNT.incrementAndGet();
-    timer = new ScheduledThreadPoolExecutor(1, Threads.daemons("crosscom-timer-" + number));
+    timer = new ScheduledThreadPoolExecutor(1, DaemonThreads.named("crosscom-timer-" + number));
     timer.setRemoveOnCancelPolicy(true);
     timer.setKeepAliveTime(1, TimeUnit.SECONDS);
     timer.allowCoreThreadTimeOut(true);
     loop = new SelectorLoop("crosscom-io-" + number);
-    resolver = pool(4, "crosscom-resolver-" + number);
-    listeners = pool(options.listenerThreads, "crosscom-listener-" + number);
+    resolver = DaemonThreads.pool(4, "crosscom-resolver-" + number);
+    listeners = DaemonThreads.pool(options.listenerThreads, "crosscom-listener-" + number);
     callbacks =
         new ThreadPoolExecutor(
             0,
@@ -56,21 +57,8 @@ public final class ClientRuntime implements AutoCloseable {
             1,
             TimeUnit.SECONDS,
             new SynchronousQueue<>(),
-            Threads.daemons("crosscom-callback-" + number),
+            DaemonThreads.named("crosscom-callback-" + number),
             new ThreadPoolExecutor.CallerRunsPolicy());
-  }
-
-  private static ThreadPoolExecutor pool(int threads, String name) {
-    ThreadPoolExecutor pool =
-        new ThreadPoolExecutor(
-            threads,
-            threads,
-            1,
-            TimeUnit.SECONDS,
-            new LinkedBlockingQueue<>(),
-            Threads.daemons(name));
-    pool.allowCoreThreadTimeOut(true);
-    return pool;
   }
 
   /** Returns the runtime of this process, which need not be closed. */

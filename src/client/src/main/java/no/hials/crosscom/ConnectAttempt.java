@@ -13,6 +13,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
+import no.hials.crosscom.internal.exchange.SelectorLoop;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -12,6 +12,13 @@ import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.util.Arrays;
+import no.hials.crosscom.internal.exchange.Answer;
+import no.hials.crosscom.internal.exchange.ExchangeDeadline;
+import no.hials.crosscom.internal.exchange.ExchangeEvent;
+import no.hials.crosscom.internal.exchange.ForeignService;
+import no.hials.crosscom.internal.exchange.MessageAnswer;
+import no.hials.crosscom.internal.exchange.Repeatability;
+import no.hials.crosscom.internal.exchange.SelectorLoop;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.FrameReader;
@@ -290,11 +297,7 @@ final class Connection implements SelectorLoop.Selectable {
   private void record(boolean withAnswer) {
     event.end();
     if (event.shouldCommit()) {
-      event.server = remote;
-      event.request = current.what();
-      event.queueTime = current.waited;
-      event.requestLength = out.limit();
-      event.answered = withAnswer;
+      event.set(remote, current.what(), current.waited, out.limit(), withAnswer);
       event.commit();
     }
   }

@@ -3,6 +3,7 @@ package no.hials.crosscom;
 import java.util.Objects;
 import java.util.stream.Collectors;
 import no.hials.crosscom.internal.Versions;
+import no.hials.crosscom.internal.exchange.Repeatability;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;

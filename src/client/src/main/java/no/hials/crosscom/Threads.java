@@ -4,14 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
-import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.internal.CancellableOperation;
 import no.hials.crosscom.internal.Cancellation;
+import no.hials.crosscom.internal.exchange.DaemonThreads;
 import org.jspecify.annotations.Nullable;
 
 /** The executors of a client, which run operations and the program's callbacks. */
@@ -36,8 +34,8 @@ final class Threads {
   private final AtomicInteger pending = new AtomicInteger();
 
   Threads(ClientConfig config) {
-    async = lazy("crosscom-async-" + config.port());
-    transfers = lazy("crosscom-files-" + config.port());
+    async = DaemonThreads.pool(1, "crosscom-async-" + config.port());
+    transfers = DaemonThreads.pool(1, "crosscom-files-" + config.port());
     runtime = config.runtime();
     maxPending = config.maxPendingCalls();
   }
@@ -103,22 +101,5 @@ final class Threads {
       executor.getQueue().drainTo(queued); // the operation under way may wait for one of them
       queued.forEach(task -> ((Task<?>) task).call.refuse(runtime.listeners()));
     }
-  }
-
-  static ThreadFactory daemons(String name) {
-    return task -> {
-      Thread thread = new Thread(task, name);
-      thread.setDaemon(true);
-      return thread;
-    };
-  }
-
-  /** Creates an executor with one daemon thread, which ends when idle. */
-  static ThreadPoolExecutor lazy(String name) {
-    ThreadPoolExecutor executor =
-        new ThreadPoolExecutor(
-            1, 1, 1, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), daemons(name));
-    executor.allowCoreThreadTimeOut(true);
-    return executor;
   }
 }

@@ -1,10 +1,10 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 
 /** Recognises a service of another protocol by the first bytes that it sends. */
-final class ForeignService {
+public final class ForeignService {
   /** No frame begins with as many letters: the fifth byte is its function, the sixth a length. */
   private static final int MIN_TEXT = 8;
 
@@ -24,7 +24,7 @@ final class ForeignService {
    * @param length the number of bytes
    * @return a phrase; null if the bytes are not those of a known protocol
    */
-  static @Nullable String of(byte[] bytes, int length) {
+  public static @Nullable String of(byte[] bytes, int length) {
     String line = firstLine(bytes, length);
     if (line.length() < MIN_TEXT) {
       boolean tls = length > 4 && (bytes[0] == TLS_ALERT || bytes[0] == TLS_HANDSHAKE);

@@ -1,7 +1,7 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 /** The length of a value as a controller prints it. */
-final class PrintedLength {
+public final class PrintedLength {
   /** The length of the longest number, such as -2.22039314E-12. */
   private static final int NUMBER = 15;
 
@@ -17,7 +17,7 @@ final class PrintedLength {
    *
    * @param text the value as the client sends it
    */
-  static int longest(String text) {
+  public static int longest(String text) {
     int length = 0;
     boolean quoted = false;
     boolean start = true;

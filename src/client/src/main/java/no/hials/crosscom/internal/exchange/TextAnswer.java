@@ -1,4 +1,4 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 /**
  * A value that the server sent.
@@ -6,9 +6,9 @@ package no.hials.crosscom;
  * @param text the value as KRL text
  * @param nanos how long the exchange took, in ns
  */
-record TextAnswer(String text, long nanos) {
+public record TextAnswer(String text, long nanos) {
   /** Describes the access to a variable in one line. */
-  String describe(String name) {
+  public String describe(String name) {
     return name + " #read time=" + nanos / 1_000_000 + "ms  #value=" + text.strip();
   }
 }

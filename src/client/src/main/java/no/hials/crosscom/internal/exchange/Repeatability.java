@@ -1,11 +1,11 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.file.FileRequest.EndWriteRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.BenchmarkReadRequest;
 
 /** Whether a request can be repeated after the connection was lost. */
-enum Repeatability {
+public enum Repeatability {
   /** It only reads: it can be repeated. */
   READ,
   /**
@@ -16,7 +16,7 @@ enum Repeatability {
   /** It can change something: it is never repeated, and its outcome can be unknown. */
   CHANGE;
 
-  static Repeatability of(Request request) {
+  public static Repeatability of(Request request) {
     return switch (request.type()) {
       case READ,
           READ_UTF16,

@@ -1,4 +1,4 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import no.hials.crosscom.protocol.TypedResponse;
 
@@ -8,4 +8,4 @@ import no.hials.crosscom.protocol.TypedResponse;
  * @param response the message
  * @param nanos how long the exchange took, in ns
  */
-record MessageAnswer(TypedResponse response, long nanos) {}
+public record MessageAnswer(TypedResponse response, long nanos) {}

@@ -1,4 +1,4 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.MalformedFrameException;
@@ -7,29 +7,30 @@ import no.hials.crosscom.protocol.MalformedFrameException;
  * The answer to an exchange, and how long the exchange took.
  *
  * <p>Each connection has one, and the next exchange changes it, so that an exchange creates no
- * objects. The lock of the {@link ReconnectingConnection} guards it.
+ * objects. The turn of the connection guards it.
  */
-final class Answer {
+public final class Answer {
   private final AnswerFrame frame = new AnswerFrame();
   private long nanos;
 
-  void set(byte[] buffer, int length, long exchangeNanos) throws MalformedFrameException {
+  /** Sets it to an answer that a buffer has from its beginning. */
+  public void set(byte[] buffer, int length, long exchangeNanos) throws MalformedFrameException {
     nanos = exchangeNanos;
     frame.wrap(buffer, length);
   }
 
   /** Returns the frame; if it answers a read or write, its value is open. */
-  AnswerFrame frame() {
+  public AnswerFrame frame() {
     return frame;
   }
 
   /** Returns the time from sending the request to having the answer. */
-  long nanos() {
+  public long nanos() {
     return nanos;
   }
 
   /** Returns a copy of the value. */
-  TextAnswer toText() {
+  public TextAnswer toText() {
     return new TextAnswer(frame.toString(), nanos);
   }
 }

@@ -1,4 +1,4 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -18,12 +18,12 @@ import org.slf4j.LoggerFactory;
  * Waits for many channels in one daemon thread, which starts with the first task. No task may block
  * or run code of the program.
  */
-final class SelectorLoop implements Executor {
+public final class SelectorLoop implements Executor {
   private static final Logger LOG = LoggerFactory.getLogger(SelectorLoop.class);
 
   /** The user of a channel. */
   @FunctionalInterface
-  interface Selectable {
+  public interface Selectable {
     /** Called by the loop when the channel is ready. */
     void ready();
   }
@@ -35,7 +35,7 @@ final class SelectorLoop implements Executor {
   private @Nullable Thread thread;
   private volatile boolean closed;
 
-  SelectorLoop(String name) {
+  public SelectorLoop(String name) {
     this.name = name;
   }
 
@@ -55,20 +55,21 @@ final class SelectorLoop implements Executor {
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }
-      thread = Threads.daemons(name).newThread(this::run);
+      thread = DaemonThreads.named(name).newThread(this::run);
       thread.start();
     }
     return selector;
   }
 
   /** Takes over a channel. Called by the loop. */
-  SelectionKey register(SocketChannel channel, int operations, Selectable user) throws IOException {
+  public SelectionKey register(SocketChannel channel, int operations, Selectable user)
+      throws IOException {
     channel.configureBlocking(false);
     return channel.register(start(), operations, user);
   }
 
   /** Hands a channel over to threads that block. Called by the loop. */
-  void deregister(SelectionKey key) throws IOException {
+  public void deregister(SelectionKey key) throws IOException {
     key.cancel();
     start().selectNow(this::collect); // only then the channel can be registered again
     key.channel().configureBlocking(true);
@@ -111,7 +112,7 @@ final class SelectorLoop implements Executor {
   }
 
   /** Ends the thread. */
-  void close() {
+  public void close() {
     closed = true;
     if (selector != null) {
       selector.wakeup();

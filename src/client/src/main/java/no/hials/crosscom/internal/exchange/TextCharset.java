@@ -1,4 +1,4 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
@@ -14,10 +14,10 @@ import org.jspecify.annotations.Nullable;
  * The character set in which KUKAVARPROXY carries texts. The bytes of a message are characters of
  * the same number in a String.
  */
-final class TextCharset {
+public final class TextCharset {
   private final Charset charset;
 
-  TextCharset(Charset charset) {
+  public TextCharset(Charset charset) {
     this.charset = charset;
   }
 
@@ -26,7 +26,7 @@ final class TextCharset {
    * page is: it is ASCII without a double quote, which each text of KRL has
    * (docs/reference/c3-messages.md#code-pages).
    */
-  static boolean isPlain(CharSequence value) {
+  public static boolean isPlain(CharSequence value) {
     if (value instanceof KrlText) {
       return true; // a number, BOOL or structure of numbers
     }
@@ -39,7 +39,7 @@ final class TextCharset {
   }
 
   /** Returns whether a charset has the characters of ASCII in the same bytes, and the reverse. */
-  static boolean isUsable(Charset charset) {
+  public static boolean isUsable(Charset charset) {
     StringBuilder ascii = new StringBuilder();
     for (char c = 0; c < 0x80; c++) {
       ascii.append(c); // with ESC, SO and SI, which change the meaning of later bytes of ISO-2022
@@ -52,7 +52,7 @@ final class TextCharset {
   }
 
   /** Returns why a text cannot be sent; null if its bytes are those of no other text. */
-  @Nullable String violation(String text) {
+  public @Nullable String violation(String text) {
     String read = new String(text.getBytes(charset), charset);
     if (read.equals(text)) {
       return null;
@@ -66,7 +66,7 @@ final class TextCharset {
   }
 
   /** Returns the bytes of a text that has no {@link #violation}. */
-  String encode(String text) {
+  public String encode(String text) {
     return new String(text.getBytes(charset), StandardCharsets.ISO_8859_1);
   }
 
@@ -75,7 +75,7 @@ final class TextCharset {
    *
    * @throws IllegalArgumentException if the charset has no character for some of them
    */
-  String decode(String bytes) {
+  public String decode(String bytes) {
     ByteBuffer in = ByteBuffer.wrap(bytes.getBytes(StandardCharsets.ISO_8859_1));
     CharsetDecoder decoder = charset.newDecoder();
     CharBuffer out = CharBuffer.allocate((int) (in.remaining() * decoder.maxCharsPerByte()));

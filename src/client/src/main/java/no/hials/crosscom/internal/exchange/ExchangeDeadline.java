@@ -1,4 +1,4 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * The timer stops after such a time without an exchange; the next exchange starts it again. An
  * exchange creates no objects otherwise.
  */
-final class ExchangeDeadline {
+public final class ExchangeDeadline {
   /** No exchange is under way. */
   private static final long NONE = Long.MIN_VALUE;
 
@@ -48,23 +48,23 @@ final class ExchangeDeadline {
    *
    * @param expired called by a thread of the timer when an exchange is overdue
    */
-  ExchangeDeadline(ScheduledExecutorService timer, Runnable expired) {
+  public ExchangeDeadline(ScheduledExecutorService timer, Runnable expired) {
     this.timer = timer;
     this.expired = expired;
   }
 
   /** Sets the limit of the next exchanges, in ns; 0 for none. */
-  void setLimit(long nanos) {
+  public void setLimit(long nanos) {
     limit = nanos;
   }
 
   /** Returns the limit of an exchange, in ns; 0 for none. */
-  long limit() {
+  public long limit() {
     return limit;
   }
 
   /** Begins an exchange, which is overdue at a time by {@link System#nanoTime}. */
-  void begin(long dueAt) {
+  public void begin(long dueAt) {
     due.set(dueAt);
     if (dueAt - nextLook < 0) {
       lookAt(dueAt);
@@ -72,12 +72,12 @@ final class ExchangeDeadline {
   }
 
   /** Ends an exchange, and returns whether it was overdue. */
-  boolean end() {
+  public boolean end() {
     return due.getAndSet(NONE) == EXPIRED;
   }
 
   /** Stops the timer. */
-  synchronized void stop() {
+  public synchronized void stop() {
     stopped = true;
     if (task != null) {
       task.cancel(false);

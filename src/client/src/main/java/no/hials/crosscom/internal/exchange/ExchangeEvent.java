@@ -1,4 +1,4 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import jdk.jfr.Category;
 import jdk.jfr.DataAmount;
@@ -18,7 +18,7 @@ import jdk.jfr.Timespan;
 @Category("CrossCom")
 @Description("A request to a robot controller and its answer")
 @StackTrace(false)
-final class ExchangeEvent extends Event {
+public final class ExchangeEvent extends Event {
   @Label("Server")
   String server = "";
 
@@ -35,4 +35,13 @@ final class ExchangeEvent extends Event {
 
   @Label("Answered")
   boolean answered;
+
+  /** Sets what the recorder shows of an exchange. */
+  public void set(String toServer, String what, long queueNanos, int bytes, boolean withAnswer) {
+    server = toServer;
+    request = what;
+    queueTime = queueNanos;
+    requestLength = bytes;
+    answered = withAnswer;
+  }
 }

@@ -1,4 +1,4 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,7 +6,7 @@ import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 
 /** Describes the lengths of the parts of an aggregate that is too long. */
-final class AggregateLength {
+public final class AggregateLength {
   private AggregateLength() {}
 
   /**
@@ -16,7 +16,7 @@ final class AggregateLength {
    * @return such as {@code (SPEED 9, SEAM 19 (X 5, Y 6))} after a blank, where a length counts
    *     name, blank and value; empty if the text is not an aggregate
    */
-  static String describe(String text) {
+  public static String describe(String text) {
     KrlScanner scanner = new KrlScanner(text);
     try {
       return " (" + fields(scanner) + ")";

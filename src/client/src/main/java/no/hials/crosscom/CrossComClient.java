@@ -32,8 +32,6 @@ import no.hials.crosscom.internal.c3.C3Programs;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * Reads and writes the variables of a KUKA robot controller on which KUKAVARPROXY or C3 Bridge
@@ -71,9 +69,6 @@ import org.slf4j.LoggerFactory;
  * <p>The class is long because it holds the whole API of 0.2.2; most of it is documentation.
  */
 public final class CrossComClient extends TypedAccess {
-  private static final Logger LOG = LoggerFactory.getLogger(CrossComClient.class);
-  private static final Cleaner CLEANER = Cleaner.create();
-
   private final ClientConfig config;
   private final ReconnectingConnection connection;
   private final Threads threads;
@@ -145,7 +140,7 @@ public final class CrossComClient extends TypedAccess {
     this.files = new C3Files(channel);
     this.information = new C3Information(channel);
     // not this client: its views are as good as the client
-    this.cleanable = CLEANER.register(channel, new Abandoned(config, connection, threads));
+    this.cleanable = DroppedClient.register(channel, config, connection, threads);
   }
 
   /**
@@ -160,45 +155,6 @@ public final class CrossComClient extends TypedAccess {
     CrossComClient client = new CrossComClient(config, new ReconnectingConnection(config));
     client.connection.start();
     return client;
-  }
-
-  /** Closes a client that the program has dropped without closing it. */
-  private static final class Abandoned implements Runnable {
-    private final ClientConfig config;
-    private final ReconnectingConnection connection;
-    private final Threads threads;
-    private final String place = place();
-
-    Abandoned(ClientConfig config, ReconnectingConnection connection, Threads threads) {
-      this.config = config;
-      this.connection = connection;
-      this.threads = threads;
-    }
-
-    /** Returns the line of the program that creates the client. */
-    private static String place() {
-      return StackWalker.getInstance()
-          .walk(frames -> frames.filter(Abandoned::isOfTheProgram).findFirst())
-          .map(StackWalker.StackFrame::toString)
-          .orElse("an unknown place");
-    }
-
-    private static boolean isOfTheProgram(StackWalker.StackFrame frame) {
-      return !frame.getClassName().matches(".*\\.CrossComClient(\\$.*)?");
-    }
-
-    @Override
-    public void run() {
-      if (!connection.isClosed()) {
-        LOG.warn(
-            "a client of {}:{}, created by {}, was dropped without close(), and is closed now",
-            config.host(),
-            config.port(),
-            place);
-      }
-      connection.close();
-      threads.shutdown();
-    }
   }
 
   /**

@@ -1,0 +1,58 @@
+package no.hials.crosscom;
+
+import java.lang.ref.Cleaner;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Closes a client that the program has dropped without closing it. */
+final class DroppedClient implements Runnable {
+  private static final Logger LOG = LoggerFactory.getLogger(CrossComClient.class);
+  private static final Cleaner CLEANER = Cleaner.create();
+
+  private final ClientConfig config;
+  private final ReconnectingConnection connection;
+  private final Threads threads;
+  private final String place = place();
+
+  private DroppedClient(ClientConfig config, ReconnectingConnection connection, Threads threads) {
+    this.config = config;
+    this.connection = connection;
+    this.threads = threads;
+  }
+
+  /**
+   * Closes a client when nothing refers to an object any more.
+   *
+   * @param object to which the client and its views refer
+   * @return closes the client earlier, without a warning
+   */
+  static Cleaner.Cleanable register(
+      Object object, ClientConfig config, ReconnectingConnection connection, Threads threads) {
+    return CLEANER.register(object, new DroppedClient(config, connection, threads));
+  }
+
+  /** Returns the line of the program that creates the client. */
+  private static String place() {
+    return StackWalker.getInstance()
+        .walk(frames -> frames.filter(DroppedClient::isOfTheProgram).findFirst())
+        .map(StackWalker.StackFrame::toString)
+        .orElse("an unknown place");
+  }
+
+  private static boolean isOfTheProgram(StackWalker.StackFrame frame) {
+    return !frame.getClassName().matches(".*\\.(CrossComClient|DroppedClient)");
+  }
+
+  @Override
+  public void run() {
+    if (!connection.isClosed()) {
+      LOG.warn(
+          "a client of {}:{}, created by {}, was dropped without close(), and is closed now",
+          config.host(),
+          config.port(),
+          place);
+    }
+    connection.close();
+    threads.shutdown();
+  }
+}

@@ -286,6 +286,21 @@ final class FileTreeTest {
     }
 
     @Test
+    void keepsALinkToAFileOfTheFolderAndRefusesItsName() throws IOException {
+      tree.put(PROGRAM + "x.src", "kept");
+      Path link = Files.createSymbolicLink(program("link.src"), Path.of("x.src"));
+
+      for (String name : new String[] {PROGRAM + "link.src", PROGRAM + "LINK.SRC"}) {
+        String refusal = name + " is a link, or not a file";
+        assertThatIOException().isThrownBy(() -> tree.get(name)).withMessage(refusal);
+        assertThatIOException().isThrownBy(() -> tree.put(name, "x")).withMessage(refusal);
+        assertThatIOException().isThrownBy(() -> tree.delete(name)).withMessage(refusal);
+        assertThat(move(PROGRAM + "x.src", name)).isEqualTo(ErrorCode.ACCESS);
+      }
+      assertThat(link).isSymbolicLink().hasContent("kept");
+    }
+
+    @Test
     void deletesAFolderWithALinkInItNotWhatTheLinkShows() throws IOException {
       Path kept = Files.writeString(outside.resolve("kept.txt"), "kept");
       Files.createDirectory(program("A"));

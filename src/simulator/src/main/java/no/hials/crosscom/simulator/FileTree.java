@@ -52,8 +52,8 @@ public interface FileTree {
 
   /**
    * Opens a folder of this machine as a tree. Clients change its files. They cannot access anything
-   * outside: names with {@code ..} are refused, and links are not followed. Missing folders of a KR
-   * C4 are created.
+   * outside: names with {@code ..} are refused, and so are links, even those to a file in the
+   * folder, whether to read, write, move or delete. Missing folders of a KR C4 are created.
    *
    * <p>The attributes that clients set, read-only too, are kept in memory only.
    *

@@ -5,7 +5,7 @@ final class Fields {
 
   private Fields() {}
 
-  /** Returns the value, and 0 for -0, which a controller prints as 0.0, too. */
+  /** Returns the value, and 0 for -0 (docs/reference/krl-values.md#negative-zero). */
   static double finite(String field, double value) {
     if (!Double.isFinite(value)) {
       throw new IllegalArgumentException(field + " must be finite, is " + value);

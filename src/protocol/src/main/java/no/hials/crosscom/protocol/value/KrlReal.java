@@ -5,8 +5,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A KRL REAL, which is an IEEE 754 32-bit float on the controller.
  *
- * @param value the number; finite; a negative zero becomes zero, since a controller prints both as
- *     {@code 0.0}
+ * @param value the number; finite; -0 becomes 0, so that equal numbers are equal objects
+ *     (docs/reference/krl-values.md#negative-zero)
  */
 public record KrlReal(float value) implements KrlValue {
 

@@ -66,9 +66,19 @@ abstract sealed class Space<P> {
         "a law must implement one kind of law, "
             + law.getClass().getName()
             + " implements several");
-    return law instanceof Law.CartesianPosition || law instanceof Law.CartesianVelocity
+    return isCartesian(law)
         ? new Cartesian(channel, config, law, target)
         : new Joint(channel, config, law, target);
+  }
+
+  /** Returns whether a law returns positions or velocities of the tool, not of the axes. */
+  static boolean isCartesian(Law law) {
+    return law instanceof Law.CartesianPosition || law instanceof Law.CartesianVelocity;
+  }
+
+  /** Returns whether a law returns velocities. */
+  static boolean isVelocity(Law law) {
+    return law instanceof Law.CartesianVelocity || law instanceof Law.JointVelocity;
   }
 
   /** Returns the variable that the program follows. */
@@ -83,7 +93,7 @@ abstract sealed class Space<P> {
 
   /** Returns whether the law returns velocities. */
   final boolean isVelocity() {
-    return law instanceof Law.CartesianVelocity || law instanceof Law.JointVelocity;
+    return isVelocity(law);
   }
 
   /** Calls the law and returns the desired position. */

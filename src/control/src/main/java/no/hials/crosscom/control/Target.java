@@ -35,15 +35,9 @@ public record Target(String name, boolean increment) {
 
   /** Returns the default variable of a law, from the programs in {@code krl}. */
   static Target standard(Law law) {
-    if (law instanceof Law.CartesianPosition) {
-      return absolute("JOV_POS");
-    } else if (law instanceof Law.CartesianVelocity) {
-      return increment("MYPOS");
-    } else if (law instanceof Law.JointPosition) {
-      return absolute("JOV_AXIS");
-    } else if (law instanceof Law.JointVelocity) {
-      return increment("MYAXIS");
-    }
-    throw new AssertionError(law);
+    boolean cartesian = Space.isCartesian(law);
+    return Space.isVelocity(law)
+        ? increment(cartesian ? "MYPOS" : "MYAXIS")
+        : absolute(cartesian ? "JOV_POS" : "JOV_AXIS");
   }
 }

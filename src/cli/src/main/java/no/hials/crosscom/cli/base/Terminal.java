@@ -83,8 +83,7 @@ public final class Terminal {
     }
   }
 
-  /** Drops the keys that were typed on an open terminal and that it has not read. */
-  public static void dropTyped(org.jline.terminal.Terminal open) throws IOException {
+  private static void dropTyped(org.jline.terminal.Terminal open) throws IOException {
     // in line mode the system keeps an unfinished line, which a later Enter would complete
     Attributes before = open.enterRawMode();
     try {

@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cli.base.Console;
-import no.hials.crosscom.cli.base.Terminal;
 import org.jline.reader.EndOfFileException;
 import org.jline.reader.LineReader;
 import org.jline.reader.LineReaderBuilder;
@@ -27,7 +26,7 @@ import org.jspecify.annotations.Nullable;
 final class ShellTerminal implements Closeable {
   private static final int MAX_HISTORY = 2000;
 
-  /** The time in which JLine passes on a key that it has read. */
+  /** The time in which JLine passes on a key that was typed. */
   private static final long READ_AHEAD_MILLIS = 50;
 
   private final org.jline.terminal.Terminal terminal;
@@ -75,6 +74,7 @@ final class ShellTerminal implements Closeable {
             .variable(LineReader.DISABLE_HISTORY, true)
             .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
             .build();
+    questions.getWidgets().put(LineReader.CALLBACK_INIT, this::dropTyped);
     keepHistory(console);
     (coloured ? ShellCompleter.COLOURED : ShellCompleter.PLAIN).forEach(reader::setVariable);
   }
@@ -125,15 +125,19 @@ final class ShellTerminal implements Closeable {
 
   /** Returns an answer that is typed after the question, null for none. */
   private @Nullable String ask(String question) {
+    return read(questions, question, null);
+  }
+
+  /** Drops the keys that were typed before a question. Called when JLine is about to show it. */
+  private boolean dropTyped() {
     try {
-      Terminal.dropTyped(terminal);
       while (terminal.reader().read(READ_AHEAD_MILLIS) >= 0) {
-        // JLine had begun to read it
+        // the terminal passes on single keys by now, also those of an unfinished line
       }
     } catch (IOException e) {
-      return null;
+      Thread.currentThread().interrupt(); // there is no answer, as after Ctrl-C
     }
-    return read(questions, question, null);
+    return true;
   }
 
   private static @Nullable String read(

@@ -56,8 +56,8 @@ def run(host, port):
     try:
         print("mode", client.readText("$MODE_OP"))
         print("A1 to A6 in degrees:", list(client.readJointAngles()))
-        client.writeText("$OV_PRO", "50")
-        print("override in %:", client.readText("$OV_PRO"))
+        client.writeInt("$OV_PRO", 50)
+        print("override in %:", client.readInt("$OV_PRO"))
         refused(client)
         move(client)
     finally:
@@ -76,13 +76,11 @@ def refused(client):
 def move(client):
     while client.readText("JOV_AXIS") != client.readText("$AXIS_ACT"):
         check_active(client)  # until the program's target is where the robot stands
-    target = jpype.JClass("no.hials.crosscom.KRL.structs.KRLE6Axis")("JOV_AXIS")
-    client.readVariable(target)
-    target.setA1(target.getA1() + 3)
-    client.writeVariable(target)  # moves a machine
-    while abs(client.readJointAngles()[0] - target.getA1()) > 0.01:
+    target = client.readReal("JOV_AXIS.A1") + 3
+    client.writeReal("JOV_AXIS.A1", target)  # moves a machine
+    while abs(client.readReal("$AXIS_ACT.A1") - target) > 0.01:
         check_active(client)
-    print(f"A1 is at {client.readJointAngles()[0]:.1f} degrees")
+    print(f"A1 is at {client.readReal('$AXIS_ACT.A1'):.1f} degrees")
 
 
 def check_active(client):

@@ -4,11 +4,6 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.Optional;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.KRLEnum;
-import no.hials.crosscom.KRL.KRLReal;
-import no.hials.crosscom.KRL.KRLString;
-import no.hials.crosscom.KRL.structs.KRLE6Axis;
-import no.hials.crosscom.VariableResult;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
@@ -59,30 +54,23 @@ public final class CheckBeforeMoving {
       System.out.println("not moved: " + objection.get());
       return;
     }
-    KRLE6Axis target = new KRLE6Axis("JOV_AXIS");
-    target.setA1(to);
-    client.writeFields(target, "A1");
+    client.writeReal("JOV_AXIS.A1", to);
     await(client, "A1 at " + to, () -> Math.abs(client.readJointAngles()[0] - to) < ARRIVED);
     System.out.println("A1 is at " + client.readJointAngles()[0]);
   }
 
   private static Optional<String> objection(CrossComClient client, double to) throws IOException {
-    KRLEnum mode = new KRLEnum("$MODE_OP");
-    KRLEnum state = new KRLEnum("$PRO_STATE1");
-    KRLString program = new KRLString("$PRO_NAME1[]");
-    KRLReal least = new KRLReal("$SOFTN_END[1]");
-    KRLReal most = new KRLReal("$SOFTP_END[1]");
-    for (VariableResult result : client.readVariables(mode, state, program, least, most)) {
-      result.orThrow(); // a failed read is not a permission
+    String mode = client.readText("$MODE_OP"); // a failed read throws, and permits nothing
+    if (!mode.equals("#T1")) {
+      return Optional.of("the mode must be #T1, is " + mode);
     }
-    if (!"#T1".equals(mode.getValue())) {
-      return Optional.of("the mode must be #T1, is " + mode.getValue());
+    String program = client.readString("$PRO_NAME1[]");
+    String state = client.readText("$PRO_STATE1");
+    if (!program.equals("FOLLOW_AXIS") || !state.equals("#P_ACTIVE")) {
+      return Optional.of(program + " is " + state);
     }
-    if (!"FOLLOW_AXIS".equals(program.getValue()) || !"#P_ACTIVE".equals(state.getValue())) {
-      return Optional.of(program.getValue() + " is " + state.getValue());
-    }
-    double min = least.doubleValue() + MARGIN;
-    double max = most.doubleValue() - MARGIN;
+    double min = client.readReal("$SOFTN_END[1]") + MARGIN;
+    double max = client.readReal("$SOFTP_END[1]") - MARGIN;
     if (to < min || to > max) {
       return Optional.of("A1 must be " + min + " to " + max + ", would be " + to);
     }

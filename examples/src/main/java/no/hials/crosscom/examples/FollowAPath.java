@@ -5,11 +5,11 @@ import java.time.Duration;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Watch;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.simulator.Controller;
@@ -54,16 +54,14 @@ public final class FollowAPath {
   private static void follow(String host, int port) throws IOException, InterruptedException {
     try (CrossComClient client = new CrossComClient(host, port)) {
       awaitReady(client);
-      double[] start = client.readJointAngles();
+      Axis start = client.read("$AXIS_ACT", Axis.class);
       for (int i = 1; i <= POINTS; i++) {
-        double a1 = start[0] + SWING / 2 * (1 - Math.cos(2 * Math.PI * i / POINTS));
-        KRLE6Axis point = new KRLE6Axis("JOV_PATH_AXIS[" + i + "]");
-        point.setA1ToA6(a1, start[1], start[2], start[3], start[4], start[5]);
-        client.writeFields(point, "A1", "A2", "A3", "A4", "A5", "A6");
+        double a1 = start.a1() + SWING / 2 * (1 - Math.cos(2 * Math.PI * i / POINTS));
+        client.write("JOV_PATH_AXIS[" + i + "]", start.with(0, a1));
       }
-      client.writeText("JOV_COUNT", String.valueOf(POINTS));
-      client.writeText("JOV_RESULT", "0");
-      client.writeText("JOV_COMMAND", "1"); // last, because it starts the motion
+      client.writeInt("JOV_COUNT", POINTS);
+      client.writeInt("JOV_RESULT", 0);
+      client.writeInt("JOV_COMMAND", 1); // last, because it starts the motion
       printUntilDone(client);
     }
   }
@@ -71,7 +69,7 @@ public final class FollowAPath {
   /** Waits until the program is ready; until then it would clear the command. */
   private static void awaitReady(CrossComClient client) throws IOException {
     long end = System.nanoTime() + Duration.ofSeconds(10).toNanos();
-    while (client.readText("JOV_RESULT").equals("0")) {
+    while (client.readInt("JOV_RESULT") == 0) {
       if (System.nanoTime() > end) {
         throw new IOException("PLAY_PATH is not ready: it does not run, or plays a path");
       }

@@ -6,7 +6,6 @@ import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComException;
-import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.mock.MockServer;
 
 /** Shows the exceptions of failed accesses, and how to set time limits. */
@@ -31,18 +30,16 @@ public final class HandleErrors {
   }
 
   private static void access(CrossComClient client) {
-    KRLInt speed = new KRLInt("MYSPEED");
     try {
-      client.readVariable(speed);
+      System.out.println("MYSPEED = " + client.readInt("MYSPEED"));
     } catch (CrossComAccessException e) {
       System.out.println(e.getVariable() + ": " + e.getMessage());
     } catch (IOException e) {
       System.out.println("no answer: " + e.getMessage());
     }
 
-    speed.setValue(10);
     try {
-      client.writeVariable(speed);
+      client.writeInt("MYSPEED", 10);
     } catch (CrossComException e) {
       System.out.println(
           e.isOutcomeUnknown() ? "check before you write again" : "nothing was written");

@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 
@@ -50,10 +49,8 @@ public final class InjectFaults {
   }
 
   private static String read(CrossComClient client) {
-    KRLInt override = new KRLInt("$OV_PRO");
     try {
-      client.readVariable(override);
-      return override.intValue() + " %";
+      return client.readInt("$OV_PRO") + " %";
     } catch (IOException e) {
       return e.getClass().getSimpleName();
     }

@@ -54,7 +54,7 @@ public final class LoadOwnProgram {
       }
       controller.load("weigh.src", PROGRAM);
       controller.robot().select("WEIGH");
-      client.writeText("PARTS", "4");
+      client.writeInt("PARTS", 4);
       controller.robot().start();
       controller.stepUntil(
           () -> controller.robot().state() == ProgramState.END, Duration.ofMinutes(1));

@@ -3,10 +3,10 @@ package no.hials.crosscom.examples;
 import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.SimulationClock;
@@ -52,10 +52,9 @@ public final class MoveTheSimulatedRobot {
   }
 
   private static void print(Controller controller, CrossComClient client) throws IOException {
-    KRLE6Pos position = new KRLE6Pos("$POS_ACT");
-    client.readVariable(position);
+    Frame position = client.read("$POS_ACT", Frame.class);
     System.out.printf(
         "%5d ms: X %.1f mm, Z %.1f mm, %s%n",
-        controller.time().toMillis(), position.getX(), position.getZ(), controller);
+        controller.time().toMillis(), position.x(), position.z(), controller);
   }
 }

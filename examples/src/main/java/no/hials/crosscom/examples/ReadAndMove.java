@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.Locale;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
@@ -48,20 +47,18 @@ public final class ReadAndMove {
     try {
       System.out.println("mode " + client.readText("$MODE_OP"));
       System.out.println("A1 to A6 in degrees: " + Arrays.toString(client.readJointAngles()));
-      client.writeText("$OV_PRO", "50");
-      System.out.println("override in %: " + client.readText("$OV_PRO"));
+      client.writeInt("$OV_PRO", 50);
+      System.out.println("override in %: " + client.readInt("$OV_PRO"));
 
       while (!client.readText("JOV_AXIS").equals(client.readText("$AXIS_ACT"))) {
         checkActive(client); // until the program has set its target to the robot's position
       }
-      KRLE6Axis target = new KRLE6Axis("JOV_AXIS");
-      client.readVariable(target);
-      target.setA1(target.getA1() + 3);
-      client.writeVariable(target); // moves a machine
-      while (Math.abs(client.readJointAngles()[0] - target.getA1()) > 0.01) {
+      double target = client.readReal("JOV_AXIS.A1") + 3;
+      client.writeReal("JOV_AXIS.A1", target); // moves a machine
+      while (Math.abs(client.readReal("$AXIS_ACT.A1") - target) > 0.01) {
         checkActive(client);
       }
-      System.out.printf(Locale.ROOT, "A1 is at %.1f degrees%n", client.readJointAngles()[0]);
+      System.out.printf(Locale.ROOT, "A1 is at %.1f degrees%n", client.readReal("$AXIS_ACT.A1"));
     } finally {
       client.close();
     }

@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.structs.KRLE6Pos;
 import no.hials.crosscom.KRL.structs.KRLPos;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.c3.Verification;
@@ -93,7 +92,7 @@ public final class RunKrlProgram {
 
   private static void move(CrossComClient client) throws IOException {
     double z = height(client);
-    while (client.readText("JOV_STEPS").equals("0")) {
+    while (client.readInt("JOV_STEPS") == 0) {
       checkActive(client); // until the program is in its loop
     }
     client.writeVariable(new KRLPos("MYPOS").setZ(1)); // mm per step
@@ -105,9 +104,7 @@ public final class RunKrlProgram {
   }
 
   private static double height(CrossComClient client) throws IOException {
-    KRLE6Pos position = new KRLE6Pos("$POS_ACT");
-    client.readVariable(position);
-    return position.getZ();
+    return client.readReal("$POS_ACT.Z");
   }
 
   private static void checkActive(CrossComClient client) throws IOException {

@@ -6,9 +6,9 @@ import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.SimulationClock;
@@ -64,19 +64,17 @@ public final class TwoRobots {
   private static void follow(CrossComClient leader, CrossComClient follower, boolean print)
       throws IOException, ExecutionException, InterruptedException {
     // Each client waits for its own controller: two at once take the time of the slower one.
-    CompletableFuture<double[]> lead = leader.async(c -> c.readJointAngles());
-    CompletableFuture<double[]> actual = follower.async(c -> c.readJointAngles());
+    CompletableFuture<Axis> lead = leader.async(c -> c.read("$AXIS_ACT", Axis.class));
+    CompletableFuture<Axis> actual = follower.async(c -> c.read("$AXIS_ACT", Axis.class));
     CompletableFuture.allOf(lead, actual).get();
 
-    KRLE6Axis target = new KRLE6Axis("JOV_AXIS");
-    target.setA1ToA6(lead.get());
-    follower.writeVariable(target);
+    follower.write("JOV_AXIS", lead.get());
     if (print) {
       System.out.printf(
           Locale.ROOT,
           "leader A1 %.2f degrees, follower A1 %.2f degrees%n",
-          lead.get()[0],
-          actual.get()[0]);
+          lead.get().a1(),
+          actual.get().a1());
     }
   }
 }

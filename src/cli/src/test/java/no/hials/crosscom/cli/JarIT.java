@@ -101,6 +101,22 @@ class JarIT {
   }
 
   @Test
+  @EnabledOnOs(OS.LINUX)
+  void servesUntilItsTerminalIsClosedAndEndsWithCode129() throws Exception {
+    Process mock =
+        Jar.withDefaultSignal("HUP", Jar.process("mock", "--port", "0", "--no-discovery")).start();
+    try (BufferedReader out =
+        new BufferedReader(new InputStreamReader(mock.getInputStream(), StandardCharsets.UTF_8))) {
+      assertThat(out.readLine()).startsWith("listening on ");
+      Jar.send("HUP", mock);
+
+      assertThat(mock.waitFor()).isEqualTo(129);
+    } finally {
+      mock.destroyForcibly();
+    }
+  }
+
+  @Test
   @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no SIGTERM")
   void leavesNothingOfADownloadThatSigtermEnds() throws Exception {
     try (MockServer bridge =

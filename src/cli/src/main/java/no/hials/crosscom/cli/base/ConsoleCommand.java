@@ -26,8 +26,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
       "70:internal error, please report it",
       "74:stdout or a file could not be written",
       "129:ended by SIGHUP, as when its terminal is closed",
-      "130:ended by Ctrl-C (SIGINT)",
-      "143:ended by SIGTERM"
+      "130:ended by Ctrl-C (SIGINT), unless described above",
+      "143:ended by SIGTERM, unless described above"
     })
 public abstract class ConsoleCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // picocli sets it

@@ -67,7 +67,7 @@ import picocli.CommandLine.Option;
       "UDP: one JSON object per datagram, several times per second:",
       "  {\"axes\": [0.5, 0, 0], \"deadMan\": true}",
       "",
-      "Exit code: 0 after a normal end, 1 if a limit or the state of the controller stopped the"
+      "Exit code: 0 after a normal end, also by Ctrl-C (SIGINT) or SIGTERM, 1 if a limit or the state of the controller stopped the"
           + " robot, 4 if the connection or the device failed.",
       "",
       "Examples:",

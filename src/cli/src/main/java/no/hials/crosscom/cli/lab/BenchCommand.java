@@ -51,7 +51,8 @@ import picocli.CommandLine.Parameters;
       "A time is measured from the call of the client to its return. Failed accesses are counted"
           + " by kind, and not included in the times. After a lost connection, a client"
           + " reconnects; it gives up if that fails, or after 10 consecutive failures. Ctrl-C"
-          + " ends the measurement and prints the results so far. The command itself has one more"
+          + " (SIGINT) or SIGTERM ends the measurement and prints the results so far, with exit"
+          + " code 0 if no access failed. The command itself has one more"
           + " connection open, so KUKAVARPROXY, which accepts 10, allows --clients 9.",
       "",
       "C3 Bridge can measure reads itself: SERVER is the mean time of a read without the"

@@ -1,5 +1,7 @@
 package no.hials.crosscom.cli.base;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,6 +23,18 @@ public final class Jar {
     builder.environment().keySet().removeIf(name -> name.startsWith("JOPENSHOWVAR_"));
     builder.environment().put("XDG_CONFIG_HOME", FILE.resolveSibling("none").toAbsolutePath() + "");
     return builder;
+  }
+
+  /** Lets a signal through also where the build ignores it, by {@code env} of coreutils. */
+  public static ProcessBuilder withDefaultSignal(String signal, ProcessBuilder builder) {
+    builder.command().addAll(0, List.of("env", "--default-signal=" + signal));
+    return builder;
+  }
+
+  /** Sends a signal to a process. */
+  public static void send(String signal, Process process) throws IOException, InterruptedException {
+    assertThat(new ProcessBuilder("kill", "-" + signal, "" + process.pid()).start().waitFor())
+        .isZero();
   }
 
   /** Runs a process until it ends, with stdout and stderr in files of the folder. */

@@ -18,6 +18,8 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Runs {@code watch} and {@code record} from the jar, on a terminal and without one. */
 @Timeout(120)
@@ -148,6 +150,34 @@ class SamplingIT {
     assertThat(dir.resolve("err")).content().startsWith("recorded to " + file + ": " + rows + " s");
     // the first one was a test
     assertThat(rows).isEqualTo((int) server.requestCount() - 1);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "watch MYINT, MYINT = 0",
+    "record MYINT --out -, recorded: ",
+    "bench MYINT --for 10m, read MYINT "
+  })
+  @EnabledOnOs(OS.LINUX)
+  void aClosedTerminalEndsACommandWithCode129AfterItsOutput(String command, String last)
+      throws Exception {
+    Path shown = dir.resolve("shown");
+    Process process =
+        Jar.withDefaultSignal("HUP", Jar.process(Cli.argsOn(server, command)))
+            .redirectErrorStream(true)
+            .redirectOutput(shown.toFile())
+            .start();
+    try {
+      while (server.requestCount() < 10 && process.isAlive()) {
+        Thread.onSpinWait();
+      }
+      Jar.send("HUP", process);
+
+      assertThat(process.waitFor()).as(Files.readString(shown)).isEqualTo(129);
+    } finally {
+      process.destroyForcibly();
+    }
+    assertThat(shown).content().contains(last);
   }
 
   @Test

@@ -84,7 +84,13 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
   private static Profiles of(TomlTable root, Path file, ServerType simulated) throws FileException {
     root.allow(DEFAULT, ROBOTS);
     Map<String, Robot> robots = new TreeMap<>();
+    Map<String, TomlTable> names = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
     for (TomlTable robot : root.tables(ROBOTS)) {
+      TomlTable same = names.put(robot.name(), robot);
+      if (same != null) {
+        throw robot.error(
+            "the name differs only in case from " + same.name() + " in " + same.place());
+      }
       robots.put(robot.name(), robot(robot, simulated));
     }
     String name = root.text(DEFAULT);

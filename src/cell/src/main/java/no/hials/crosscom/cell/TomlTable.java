@@ -155,6 +155,11 @@ final class TomlTable {
     }
   }
 
+  /** Returns the file and line of the table. */
+  String place() {
+    return place(path);
+  }
+
   /** Returns the file and line of a key. */
   String place(String key) {
     return place(pathOf(key));

@@ -402,6 +402,20 @@ class ProfilesTest {
   }
 
   @Test
+  void refusesTwoNamesThatDifferOnlyInCase() throws IOException {
+    Path file = config(robot("a", one), "[robots.b]", "mock = true", robot("A", two));
+
+    run("read", "MYINT", "@a")
+        .fails(2)
+        .startsWith(
+            "jopenshowvar: "
+                + file
+                + ":7: robots.A: the name differs only in case from a in "
+                + file
+                + ":1");
+  }
+
+  @Test
   void takesTheFileThatTheDocumentationShows() throws IOException {
     String page = Files.readString(Path.of("..", "..", "docs", "how-to", "name-your-robots.md"));
     int start = page.indexOf("```toml") + "```toml".length();

@@ -13,12 +13,16 @@ import org.jspecify.annotations.Nullable;
  */
 public record HostAndPort(String host, @Nullable Integer port) {
   /** An IPv6 address needs brackets before a port, since it has colons itself. */
-  private static final Pattern WITH_PORT = Pattern.compile("([^:]*|\\[.*]):([^:]*)");
+  private static final Pattern WITH_PORT = Pattern.compile("([^:]*|\\[.*]):([^:/]+)");
+
+  /** A name or an IPv4 address, or an IPv6 address, which has two colons at least. */
+  private static final Pattern HOST =
+      Pattern.compile("[^\\s/:\\[\\]]+|(?=.*:.*:)[\\p{XDigit}:.]+(?:%[^\\s/:]+)?");
 
   /**
    * Parses a text.
    *
-   * @throws IllegalArgumentException if it has no host, or the port is not 1 to 65535
+   * @throws IllegalArgumentException if it has another form, or the port is not 1 to 65535
    */
   public static HostAndPort parse(String text) {
     Matcher form = WITH_PORT.matcher(text);
@@ -26,7 +30,7 @@ public record HostAndPort(String host, @Nullable Integer port) {
     if (host.startsWith("[") && host.endsWith("]")) {
       host = host.substring(1, host.length() - 1);
     }
-    if (host.isBlank() || host.startsWith("[")) {
+    if (!HOST.matcher(host).matches()) {
       throw new IllegalArgumentException(
           "must be HOST, HOST:PORT or [IPV6]:PORT, is '" + text + "'");
     }

@@ -18,18 +18,43 @@ class HostAndPortTest {
     "fe80::1:7000, fe80::1:7000,",
     "::, ::,",
     "[::1], ::1,",
-    "[::1]:65535, ::1, 65535"
+    "[::1]:65535, ::1, 65535",
+    "fe80::1%eth0, fe80::1%eth0,",
+    "[::ffff:127.0.0.1%2]:7001, ::ffff:127.0.0.1%2, 7001",
+    "[krc]:1, krc, 1"
   })
   void findsThePortAfterTheHost(String text, String host, Integer port) {
     assertThat(HostAndPort.parse(text)).isEqualTo(new HostAndPort(host, port));
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", " ", ":7000", "[]:7000", "[::1", "h:", "h:0", "h:65536", "h:x"})
-  void refusesOtherTexts(String text) {
+  @ValueSource(
+      strings = {
+        "",
+        " ",
+        ":7000",
+        "[]:7000",
+        "[::1",
+        "h:",
+        "127.0.0.1:",
+        "a b",
+        "::1%",
+        "http://h",
+        "http://127.0.0.1:7110",
+        "h:7000/x"
+      })
+  void refusesOtherTextsWithTheForms(String text) {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> HostAndPort.parse(text))
-        .withMessageContaining("must be ");
+        .withMessage("must be HOST, HOST:PORT or [IPV6]:PORT, is '" + text + "'");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"0", "65536", "x"})
+  void refusesAWrongPort(String port) {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> HostAndPort.parse("h:" + port))
+        .withMessage("the port must be 1 to 65535, is " + port);
   }
 
   @Test

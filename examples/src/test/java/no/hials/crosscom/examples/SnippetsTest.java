@@ -10,15 +10,23 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Compares the Java and KRL snippets of the documentation with the examples and programs. */
+/**
+ * Compares the Java and KRL snippets of the documentation, and the Java statements in its tables,
+ * with the examples and programs.
+ */
 class SnippetsTest {
   /** The folders with the sources of each language. */
   private static final Map<String, Path> SOURCES =
       Map.of("java", Path.of("src"), "krl", MarkdownPages.ROOT.resolve("krl"));
+
+  /** A line of Java in a table: it ends with a semicolon. */
+  private static final Pattern STATEMENT = Pattern.compile("`([^`]+;)`");
 
   record Snippet(Path page, int line, String language, List<String> lines) {
     @Override
@@ -43,6 +51,10 @@ class SnippetsTest {
           open = null;
         } else if (open != null) {
           open.add(text);
+        } else if (text.startsWith("|")) {
+          for (MatchResult match : STATEMENT.matcher(text).results().toList()) {
+            snippets.add(new Snippet(page, line, "java", List.of(match.group(1))));
+          }
         }
       }
     }

@@ -35,8 +35,9 @@ import org.slf4j.LoggerFactory;
  * One TCP connection and the exchanges on it. Not thread-safe: the {@link Turn} guards it, except
  * {@link #close}.
  *
- * <p>A thread that waits for an answer reads the channel itself, which is fastest. For asynchronous
- * exchanges the channel is handed over to the {@link SelectorLoop}, and back at their end.
+ * <p>A thread that waits for an answer reads the channel itself, which is fastest. An asynchronous
+ * exchange registers the channel with the {@link SelectorLoop}, where it stays until a thread wants
+ * to wait again: so a channel that only one side uses is never handed over.
  *
  * <p>The answer is read without a socket time-out, which would cost two more system calls an
  * exchange; instead the timer closes the socket when an exchange is overdue. A connection that
@@ -79,7 +80,7 @@ final class Connection implements SelectorLoop.Selectable {
 
   private boolean answered;
 
-  /** The key of the channel while the loop has it. */
+  /** The key of the channel; null while threads use it. */
   private volatile @Nullable SelectionKey key;
 
   private final Current current = new Current();
@@ -253,6 +254,9 @@ final class Connection implements SelectorLoop.Selectable {
       throws CrossComException {
     begin(frame, length, id, type, effect, name, waited);
     try {
+      if (key != null) {
+        takeOver();
+      }
       while (out.hasRemaining()) {
         channel.write(out);
       }
@@ -356,23 +360,20 @@ final class Connection implements SelectorLoop.Selectable {
         current.write);
   }
 
-  // --- by the loop
-
-  /** Hands the channel over to threads. Called by the loop. */
-  void deregister() {
+  /** Takes the channel from the loop, so that this thread can wait for it. */
+  private void takeOver() throws IOException {
     SelectionKey own = key;
     if (own != null) {
       key = null;
-      try {
-        loop.deregister(own);
-      } catch (IOException e) {
-        LOG.debug("taking over the channel failed", e); // the next exchange finds out
-      }
+      own.cancel();
+      channel.configureBlocking(true);
     }
   }
 
+  // --- by the loop
+
   /**
-   * Sends a request; the loop calls the handler later. Called by the loop, which has the channel.
+   * Sends a request; the loop calls the handler later. Called by the loop.
    *
    * @param handler receives the answer
    */
@@ -394,10 +395,6 @@ final class Connection implements SelectorLoop.Selectable {
       handler.failed(broken(e));
       return;
     }
-    transfer(handler);
-  }
-
-  private void transfer(AnswerHandler handler) {
     current.handler = handler;
     ready();
   }
@@ -406,10 +403,14 @@ final class Connection implements SelectorLoop.Selectable {
   public void ready() {
     AnswerHandler handler = current.handler;
     SelectionKey own = key;
-    if (handler == null || own == null) {
-      return; // this exchange has ended
+    if (own == null) {
+      return; // a thread uses the channel
     }
     try {
+      if (handler == null) {
+        own.interestOps(0); // bytes that no exchange waits for, or the end of the stream
+        return;
+      }
       if (out.hasRemaining()) {
         channel.write(out);
         own.interestOps(out.hasRemaining() ? SelectionKey.OP_WRITE : SelectionKey.OP_READ);
@@ -417,7 +418,7 @@ final class Connection implements SelectorLoop.Selectable {
       }
       int length = reader.advance();
       if (length != 0) {
-        own.interestOps(0);
+        // still interested in reading: the next exchange then need not say so again
         Answer received = received(length);
         current.handler = null;
         handler.answered(received);
@@ -575,8 +576,8 @@ final class Connection implements SelectorLoop.Selectable {
       }
       closeQuietly(channel);
       deadline.stop();
-      if (key != null) {
-        loop.execute(this::fail);
+      if (key != null || channel.isRegistered()) {
+        loop.execute(this::fail); // the selector also has to let go of the socket
       }
       LOG.debug("closed the connection to {}, local port {}", remote, localPort);
     }

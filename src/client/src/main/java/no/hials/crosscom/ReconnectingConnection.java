@@ -327,9 +327,7 @@ final class ReconnectingConnection {
   void connect() throws CrossComException {
     CompletableFuture<Connection> attempt = attempt();
     try {
-      Connection made = attempt.get();
-      CompletableFuture.runAsync(made::deregister, loop).join();
-      adopt(made);
+      adopt(attempt.get());
     } catch (InterruptedException e) {
       if (!attempt.cancel(false) && !attempt.isCompletedExceptionally()) {
         attempt.join().close();
@@ -393,10 +391,6 @@ final class ReconnectingConnection {
 
   /** Ends the turn of an asynchronous operation. */
   void endAsync() {
-    Connection last = connection;
-    if (last != null) {
-      last.deregister();
-    }
     turn.releaseAsync();
   }
 

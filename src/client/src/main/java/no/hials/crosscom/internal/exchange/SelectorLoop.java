@@ -2,6 +2,7 @@ package no.hials.crosscom.internal.exchange;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
@@ -10,6 +11,7 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
+import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -30,10 +32,18 @@ public final class SelectorLoop implements Executor {
 
   private final String name;
   private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
-  private final List<Selectable> ready = new ArrayList<>();
+
+  /** The users of channels that are ready, until they have been called. */
+  private List<Selectable> ready = new ArrayList<>();
+
   private @Nullable Selector selector;
   private @Nullable Thread thread;
   private volatile boolean closed;
+
+  /** Whether the thread has ended, so that tasks run in the threads that queue them. */
+  private volatile boolean ended;
+
+  private final ReentrantLock remaining = new ReentrantLock();
 
   public SelectorLoop(String name) {
     this.name = name;
@@ -43,7 +53,9 @@ public final class SelectorLoop implements Executor {
   @Override
   public void execute(Runnable task) {
     tasks.add(task);
-    if (Thread.currentThread() != thread) {
+    if (ended) {
+      runRemaining();
+    } else if (Thread.currentThread() != thread) {
       start().wakeup();
     }
   }
@@ -64,15 +76,16 @@ public final class SelectorLoop implements Executor {
   /** Takes over a channel. Called by the loop. */
   public SelectionKey register(SocketChannel channel, int operations, Selectable user)
       throws IOException {
+    Selector own = start();
     channel.configureBlocking(false);
-    return channel.register(start(), operations, user);
-  }
-
-  /** Hands a channel over to threads that block. Called by the loop. */
-  public void deregister(SelectionKey key) throws IOException {
-    key.cancel();
-    start().selectNow(this::collect); // only then the channel can be registered again
-    key.channel().configureBlocking(true);
+    try {
+      if (channel.isRegistered()) {
+        own.selectNow(this::collect); // removes the key that a thread has cancelled
+      }
+      return channel.register(own, operations, user);
+    } catch (ClosedSelectorException e) {
+      throw new IOException("the runtime is closed", e);
+    }
   }
 
   private void collect(SelectionKey key) {
@@ -85,21 +98,41 @@ public final class SelectorLoop implements Executor {
     Selector own = start();
     while (!closed) {
       try {
-        own.select(this::collect);
+        if (ready.isEmpty()) {
+          own.select(this::collect);
+        }
       } catch (IOException e) {
         LOG.warn("waiting for channels failed", e);
       }
-      List<Selectable> users = List.copyOf(ready);
-      ready.clear();
+      List<Selectable> users = ready;
+      ready = new ArrayList<>(users.size());
       users.forEach(user -> runSafely(user::ready));
-      for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
-        runSafely(task);
-      }
+      runTasks();
     }
     try {
       own.close();
     } catch (IOException e) {
       LOG.debug("closing the selector failed", e);
+    }
+    ended = true;
+    runRemaining();
+  }
+
+  /** Runs the tasks that come after the end, such as the failure of an exchange under way. */
+  private void runRemaining() {
+    if (!remaining.isHeldByCurrentThread()) {
+      remaining.lock();
+      try {
+        runTasks();
+      } finally {
+        remaining.unlock();
+      }
+    }
+  }
+
+  private void runTasks() {
+    for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
+      runSafely(task);
     }
   }
 

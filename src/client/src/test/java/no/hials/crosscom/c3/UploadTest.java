@@ -125,7 +125,7 @@ class UploadTest extends FilesRobotTest {
         .withMessage(
             "the upload of "
                 + FILE
-                + " failed after 0 bytes: the file exists on the controller, and overwrite is"
+                + " (nothing was stored) failed after 0 bytes: the file exists on the controller, and overwrite is"
                 + " false")
         .satisfies(e -> assertThat(e.getFile()).isEqualTo(FILE));
     assertThat(tree.text(FILE)).contains("old");
@@ -237,6 +237,7 @@ class UploadTest extends FilesRobotTest {
               CrossComTimeoutException.class,
               CrossComProtocolException.class);
       assertThat(failure.isOutcomeUnknown()).isEqualTo(step == Step.END);
+      assertThat(failure.getMessage().contains("nothing was stored")).isEqualTo(step != Step.END);
     }
     // the client goes on
     files.upload(TWO_PARTS, FILE, OVERWRITE);
@@ -333,7 +334,8 @@ class UploadTest extends FilesRobotTest {
   void aRefusedNameIsReportedAsARefusedUpload() {
     assertThatExceptionOfType(CrossComRefusedException.class)
         .isThrownBy(() -> files.upload(TWO_PARTS, "KRC:\\R1\\..\\..\\E.SRC"))
-        .withMessageStartingWith("the server refused the upload of KRC:\\R1\\..\\..\\E.SRC: code");
+        .withMessageStartingWith(
+            "the server refused the upload of KRC:\\R1\\..\\..\\E.SRC (nothing was stored): code");
   }
 
   // --- verification of what is stored

@@ -206,7 +206,9 @@ class FileTransferTest {
     Cli.Result result = put(large.toString(), file("b.txt", "b"), "KRC:\\R1\\TP\\");
 
     result.failsInLines(4).last().isEqualTo("not uploaded: KRC:\\R1\\TP\\b.txt");
-    assertThat(result.errLines().get(0)).startsWith("jopenshowvar: the connection to ");
+    assertThat(result.errLines().get(0))
+        .startsWith("jopenshowvar: the connection to ")
+        .contains("(nothing was stored)");
     assertThat(server.files().exists("KRC:\\R1\\TP\\large.bin")).isFalse();
   }
 
@@ -216,7 +218,9 @@ class FileTransferTest {
 
     Cli.Result result = put(file("a.src", A), "/R1/");
 
-    assertThat(result.errLines().get(0)).contains("the outcome is unknown");
+    assertThat(result.errLines().get(0))
+        .contains("the outcome is unknown")
+        .doesNotContain("nothing was stored");
     assertThat(result.code()).isEqualTo(4);
     assertThat(server.requests())
         .filteredOn(each -> each.request() instanceof EndWriteRequest)

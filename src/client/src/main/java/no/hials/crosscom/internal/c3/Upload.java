@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.util.Arrays;
 import java.util.EnumSet;
 import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComTransferException;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.c3.Verification;
 import no.hials.crosscom.internal.Cancellation;
@@ -35,6 +36,9 @@ import org.slf4j.LoggerFactory;
 final class Upload extends Transfer {
   private static final Logger LOG = LoggerFactory.getLogger(Upload.class);
 
+  /** Names the upload from its last message on, with which the server stores the file. */
+  private final String upload;
+
   private final long size;
 
   Upload(
@@ -43,7 +47,8 @@ final class Upload extends Transfer {
       long size,
       TransferConfig config,
       Cancellation cancellation) {
-    super(channel, "upload of " + name, name, config, cancellation);
+    super(channel, "upload of " + name + " (nothing was stored)", name, config, cancellation);
+    this.upload = "upload of " + name;
     this.size = size;
   }
 
@@ -52,7 +57,7 @@ final class Upload extends Transfer {
       throw failed("a file must have at most " + MAX_SIZE + " bytes, has " + size);
     }
     // first, because otherwise the error would name the properties and not the upload
-    channel.require(MessageType.WRITE_CONTENT, what);
+    channel.require(MessageType.WRITE_CONTENT, upload);
     if (!config.overwrite() && C3Files.exists(channel, name, what)) {
       throw failed("the file exists on the controller, and overwrite is false");
     }
@@ -73,7 +78,7 @@ final class Upload extends Transfer {
       checkSize(
           one.ask(sizeRequest(), ContentSizeResponse.class, what), ContentOperation.SIZE, size);
       cancellation.commit();
-      one.ask(new EndWriteRequest(0, flags(), name), ContentResponse.class, what);
+      one.ask(new EndWriteRequest(0, flags(), name), ContentResponse.class, upload);
       stored = true;
     } finally {
       if (!stored) {
@@ -154,11 +159,15 @@ final class Upload extends Transfer {
             .properties()
             .size();
     if (stored != size) {
-      throw failed("the file is stored, but has " + stored + " bytes instead of " + size);
+      throw wronglyStored("has " + stored + " bytes instead of " + size);
     }
     if (digest != null
         && !Arrays.equals(digest.digest(), Download.digest(channel, check, name, config))) {
-      throw failed("the file is stored, but its content differs from the content sent");
+      throw wronglyStored("its content differs from the content sent");
     }
+  }
+
+  private CrossComTransferException wronglyStored(String why) {
+    return channel.transferFailed(upload, name, bytes, "the file is stored, but " + why);
   }
 }

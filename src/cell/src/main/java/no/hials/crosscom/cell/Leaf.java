@@ -48,7 +48,7 @@ public record Leaf(String name, KrlValue value) {
   }
 
   /** Returns whether a name stands for a whole array, {@code NAME[]} or {@code NAME[2,]}. */
-  static boolean isWholeArray(String name) {
+  public static boolean isWholeArray(String name) {
     return name.endsWith("[]") || name.endsWith(",]");
   }
 

@@ -2,26 +2,58 @@ package no.hials.crosscom.cli.base;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.regex.Pattern;
+import no.hials.crosscom.cell.Leaf;
+import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.protocol.value.KrlValue;
 
-/** Explains why the text of a value that a user typed is not a KRL value. */
+/** Parses values that a user typed. */
 public final class ValueText {
   /** The maximum length of a text that a hint repeats as an example. */
   private static final int LONGEST_EXAMPLE = 100;
 
+  /** The text before a second field without a comma: a name and a value. */
+  private static final Pattern FIELD =
+      Pattern.compile(".*[{,:]\\s*[\\w$]+(\\[])?\\s+\\S+\\s+", Pattern.DOTALL);
+
   private ValueText() {}
 
   /**
-   * Returns the message of the parser and a hint to the usual mistakes.
+   * Parses a value that shall be written to a variable.
    *
-   * @param quote the quotation mark around the value, for its example; empty if it needs none
+   * @param quote the quotation mark around the value, for an example; empty if it needs none
+   * @throws IllegalArgumentException if the text is not a KRL value, has several values for a name
+   *     that is no array, or no field; with the message of the parser and a hint to the usual
+   *     mistakes
    */
-  public static String explain(KrlSyntaxException e, String quote) {
-    String hint = hint(e.text().strip(), quote);
-    return hint.isEmpty() ? String.valueOf(e.getMessage()) : e.getMessage() + "; " + hint;
+  public static KrlValue parse(String name, String text, String quote) {
+    try {
+      KrlValue value = KrlValue.parse(text);
+      if (value instanceof KrlArray array
+          && array.elements().size() > 1
+          && !Leaf.isWholeArray(name)) {
+        int start = text.length() - text.stripLeading().length();
+        throw wrong(text, start, "one value, since the name does not end with []");
+      }
+      if (value instanceof KrlStruct struct && struct.fields().isEmpty()) {
+        throw wrong(text, text.lastIndexOf('}'), "a field with its value");
+      }
+      return value;
+    } catch (KrlSyntaxException e) {
+      String hint = hint(e, quote);
+      String message = hint.isEmpty() ? e.getMessage() : e.getMessage() + "; " + hint;
+      throw new IllegalArgumentException("is not a KRL value: " + message, e);
+    }
   }
 
-  private static String hint(String text, String quote) {
+  private static KrlSyntaxException wrong(String text, int position, String expected) {
+    return new KrlSyntaxException(text, position, expected, "'" + text.charAt(position) + "'");
+  }
+
+  private static String hint(KrlSyntaxException e, String quote) {
+    String text = e.text().strip();
     if (text.matches("\\w*[\\p{L}_][^\"#{}]*")) {
       if (text.length() > LONGEST_EXAMPLE) {
         return "a text needs double quotes";
@@ -34,6 +66,12 @@ public final class ValueText {
     }
     if (text.matches("[-+]?\\d+,\\d+")) {
       return "a decimal number has a point: " + text.replace(',', '.');
+    }
+    if (text.matches("'(?![BbHh]\\p{XDigit}*')[^'\"]*'")) {
+      return "a text needs double quotes instead of single ones";
+    }
+    if (FIELD.matcher(e.text().substring(0, e.position())).matches()) {
+      return "fields need commas between them, such as {X 1.0,Y 2.0}";
     }
     Deque<Integer> open = new ArrayDeque<>();
     int quotedFrom = -1;

@@ -12,8 +12,6 @@ import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Suggestions;
 import no.hials.crosscom.cli.base.ValueText;
-import no.hials.crosscom.protocol.value.KrlSyntaxException;
-import no.hials.crosscom.protocol.value.KrlValue;
 import picocli.CommandLine.TypeConversionException;
 
 /** A parsed line of the shell language; the same for typed lines, pipes and files. */
@@ -242,9 +240,9 @@ sealed interface ShellLine {
     String name = name(words.get(0));
     String text = String.join(" ", value);
     try {
-      KrlValue.parse(text);
-    } catch (KrlSyntaxException e) {
-      String what = text + " is not a KRL value: " + ValueText.explain(e, "");
+      ValueText.parse(name, text, "");
+    } catch (IllegalArgumentException e) {
+      String what = text + " " + e.getMessage();
       throw new ShellSyntaxException(
           command.isEmpty() && !sign ? "unknown command: " + name + "; as a write: " + what : what);
     }

@@ -10,7 +10,6 @@ import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.ValueText;
 import no.hials.crosscom.cli.base.WriteAnswer;
 import no.hials.crosscom.cli.base.WriteOptions;
-import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -105,9 +104,9 @@ public final class WriteCommand extends ControllerCommand {
 
   private KrlValue parse() {
     try {
-      return KrlValue.parse(value);
-    } catch (KrlSyntaxException e) {
-      throw wrongUsage("VALUE is not a KRL value: " + ValueText.explain(e, "'"));
+      return ValueText.parse(name, value, "'");
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage("VALUE " + e.getMessage());
     }
   }
 }

@@ -102,6 +102,7 @@ class ShellLineTest {
         "$OV_PRO = fifty  | fifty is not a KRL value",
         "S[] = hello      | a text needs double quotes: \"hello\", a constant",
         "MYPOS = {X 1     | the brace at position 0 is not closed",
+        "MYINT = 1 2      | 1 2 is not a KRL value: expected one value, since the name",
         "$OV_PRO =        | the value is missing",
         "set $OV_PRO      | the value is missing: set NAME VALUE",
         "get              | missing names of variables: get NAME...",

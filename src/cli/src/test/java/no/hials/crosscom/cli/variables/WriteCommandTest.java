@@ -85,6 +85,15 @@ class WriteCommandTest {
         "MYFRAME | {A {X 1}     | the brace at position 0 is not closed",
         "MYREAL  | 1,5          | a decimal number has a point: 1.5",
         "MYINT   | 5x           | expected",
+        "MYINT   | 'abc'        | found 'a', in: 'abc'; a text needs double quotes instead of",
+        "S[]     | 'hello'      | a text needs double quotes instead of single ones",
+        "MYINT   | 1 2          | expected one value, since the name does not end with [] at"
+            + " position 0, found '1', in: 1 2",
+        "A[1]    | #A #B        | expected one value, since the name does not end with []",
+        "MYFRAME | {X 1 Y 2}    | found 'Y', in: {X 1 Y 2}; fields need commas between them",
+        "MYPOS   | {POS: X 1, Y 2 T 3} | found 'T', in: {POS: X 1, Y 2 T 3}; fields need commas",
+        "MYFRAME | {}           | expected a field with its value at position 1, found '}', in: {}",
+        "MYFRAME | {X}          | expected a field with its value at position 2, found '}'",
       })
   void refusesAMalformedValueBeforeItConnects(String name, String value, String hint) {
     server.refuseConnections();

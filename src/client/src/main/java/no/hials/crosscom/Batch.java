@@ -324,9 +324,7 @@ abstract class Batch {
       if (item.variable instanceof KRLArray array && array.getDeclaredLength() > 0) {
         oneByOne(List.of(item));
       } else {
-        item.failure =
-            new CrossComValueException(
-                item.name(), "", "the value is too long for an answer (code 10)", null);
+        item.failure = CrossComValueException.tooLong(item.name());
       }
     }
   }

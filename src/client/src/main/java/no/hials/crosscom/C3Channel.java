@@ -68,10 +68,19 @@ final class C3Channel implements MessageChannel {
 
   /** Answers a question about the server, or reads from it as it can. */
   <T> T find(String what, Question<T> question) throws CrossComException {
+    return find(what, question, question);
+  }
+
+  /**
+   * Does the same.
+   *
+   * @param again asked instead if the connection breaks
+   */
+  <T> T find(String what, Question<T> question, Question<T> again) throws CrossComException {
     connection.acquire(MessageType.FEATURES, what);
     try {
       begin(what);
-      return answer(question);
+      return answer(question, again);
     } finally {
       connection.release();
     }
@@ -126,11 +135,11 @@ final class C3Channel implements MessageChannel {
    * @param before a question about the server that is answered first, and repeated once if the
    *     connection breaks
    */
-  <T> T change(String what, Question<?> before, Question<T> change) throws CrossComException {
+  <B, T> T change(String what, Question<B> before, Question<T> change) throws CrossComException {
     connection.acquire(MessageType.FEATURES, what);
     try {
       begin(what);
-      answer(before);
+      answer(before, before);
       return change.to(detector);
     } finally {
       connection.release();
@@ -149,7 +158,7 @@ final class C3Channel implements MessageChannel {
    * Asks the server, and repeats the question once if the connection breaks. This thread has the
    * turn.
    */
-  private <T> T answer(Question<T> question) throws CrossComException {
+  private <T> T answer(Question<T> question, Question<T> again) throws CrossComException {
     try {
       return question.to(detector);
     } catch (CrossComConnectionLostException e) {
@@ -158,7 +167,7 @@ final class C3Channel implements MessageChannel {
       }
       LOG.debug("asking again on a new connection, since: {}", e.getMessage());
       connection.connect();
-      return question.to(detector);
+      return again.to(detector);
     }
   }
 

@@ -12,6 +12,7 @@ import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.util.Arrays;
+import no.hials.crosscom.internal.VariableName;
 import no.hials.crosscom.internal.exchange.Answer;
 import no.hials.crosscom.internal.exchange.ExchangeDeadline;
 import no.hials.crosscom.internal.exchange.ExchangeEvent;
@@ -187,7 +188,7 @@ final class Connection implements SelectorLoop.Selectable {
         channel.configureBlocking(false);
       }
       if (reader.poll() < 0) {
-        throw new EOFException(endOfStream());
+        throw new EOFException(endOfStream(false));
       }
       if (blocks) {
         channel.configureBlocking(true);
@@ -198,7 +199,7 @@ final class Connection implements SelectorLoop.Selectable {
       return foreign != null
           ? foreign
           : new CrossComConnectionLostException(
-              "the connection to " + remote + " broke while it was not used: " + reason(e),
+              "the connection to " + remote + " broke while it was not used: " + reason(e, false),
               e,
               false);
     }
@@ -213,17 +214,28 @@ final class Connection implements SelectorLoop.Selectable {
     return null;
   }
 
-  private String endOfStream() {
+  /**
+   * Returns what is known of the end of the connection.
+   *
+   * @param exchanging whether an exchange is under way
+   */
+  private String endOfStream(boolean exchanging) {
+    boolean read = current.type == MessageType.READ || current.type == MessageType.READ_UTF16;
+    String tooLong =
+        exchanging && read && VariableName.isWhole(current.name)
+            ? "; C3 Bridge does so if the value is too long for an answer"
+            : "";
     return answered
-        ? "the server closed it"
-        : "the server closed it before it had answered anything; it may have as many clients as it"
-            + " takes (KUKAVARPROXY takes 10), or the answer may be too long for a message of C3"
-            + " Bridge";
+        ? "the server closed it" + tooLong
+        : "the server closed it before it answered anything; it may have too many clients"
+            + " (KUKAVARPROXY takes 10)"
+            + tooLong;
   }
 
-  private String reason(IOException e) {
+  private String reason(IOException e, boolean exchanging) {
     if (!answered && e instanceof SocketException) {
-      return e.getMessage() + "; " + endOfStream(); // a reset instead of an orderly end
+      // a reset instead of an orderly end
+      return e.getMessage() + "; " + endOfStream(exchanging);
     }
     if (e instanceof ClosedByInterruptException) {
       return "the thread was interrupted";
@@ -309,7 +321,7 @@ final class Connection implements SelectorLoop.Selectable {
   /** Ends an exchange whose answer has arrived. */
   private Answer received(int length) throws IOException {
     if (length < 0) {
-      throw new EOFException(endOfStream());
+      throw new EOFException(endOfStream(true));
     }
     long end = System.nanoTime();
     record(true);
@@ -355,7 +367,12 @@ final class Connection implements SelectorLoop.Selectable {
           "the client was closed during the " + current.what(), e, current.write);
     }
     return new CrossComConnectionLostException(
-        "the connection to " + remote + " broke during the " + current.what() + ": " + reason(e),
+        "the connection to "
+            + remote
+            + " broke during the "
+            + current.what()
+            + ": "
+            + reason(e, true),
         e,
         current.write);
   }

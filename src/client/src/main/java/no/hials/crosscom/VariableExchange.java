@@ -19,6 +19,7 @@ import no.hials.crosscom.internal.exchange.TextAnswer;
 import no.hials.crosscom.internal.exchange.TextCharset;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.FrameWriter;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
@@ -27,9 +28,12 @@ import no.hials.crosscom.protocol.TextResponse;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.protocol.variable.AccessResult;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadMultipleRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadUtf16Request;
 import no.hials.crosscom.protocol.variable.VariableRequest.WriteUtf16Request;
+import no.hials.crosscom.protocol.variable.VariableResponse.MultipleResponse;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -96,7 +100,7 @@ final class VariableExchange {
     }
   }
 
-  /** Writes likewise. */
+  /** Writes like {@link #write(String, String)}, with an empty value for a refusal. */
   TextAnswer writeOrEmpty(String name, String value) throws CrossComException {
     long start = System.nanoTime();
     try {
@@ -135,7 +139,7 @@ final class VariableExchange {
       take(variable, readText(name), false);
       return;
     }
-    if (frame == null || access.holdsText(variable)) {
+    if (frame == null || access.holdsText(variable) || VariableName.isWhole(name)) {
       take(variable, readAny(name, frame), false);
       return;
     }
@@ -188,8 +192,9 @@ final class VariableExchange {
     Objects.requireNonNull(progress, "progress");
     try {
       readWhole(Objects.requireNonNull(array, "array"));
-    } catch (CrossComAccessException e) {
-      if (array.getDeclaredLength() == 0) {
+    } catch (CrossComAccessException | CrossComValueException e) {
+      boolean unreadable = !(e instanceof CrossComValueException value) || value.isTooLong();
+      if (array.getDeclaredLength() == 0 || !unreadable) {
         throw e;
       }
       readElements(array, progress);
@@ -327,9 +332,8 @@ final class VariableExchange {
     return checkRead(connection.exchange(frame, frame.length, MessageType.READ, name), name);
   }
 
-  /** Does the same as {@link #sendRead} on the current connection, whose server is known. */
-  private Answer sendReadHere(String name, String bytes) throws CrossComException {
-    byte[] frame = Codec.encode(new ReadRequest(0, bytes));
+  /** Does the same on the current connection, without a repetition. */
+  private Answer sendReadHere(byte[] frame, String name) throws CrossComException {
     checkLength(frame, name);
     return checkRead(
         connection.send(frame, frame.length, MessageType.READ, Repeatability.READ, name), name);
@@ -401,36 +405,74 @@ final class VariableExchange {
       return readText(name);
     }
     byte[] frame = encoded == null ? Codec.encode(new ReadRequest(0, name)) : encoded;
-    connection.acquire(MessageType.READ, name);
-    try {
-      Answer answer = sendRead(frame, name);
-      TextAnswer bytes = answer.toText();
-      if (TextCharset.isPlain(answer.frame())) {
-        return bytes;
-      }
-      Connection answered = connection.connection();
-      ServerType type = channel.find("read of " + name, ServerDetector::type);
-      if (type == ServerType.KUKAVARPROXY && answered == connection.connection()) {
-        return decode(bytes, name, false);
-      }
-      if (bytes.text().length() > MAX_UTF16_ANSWER) {
-        throw new CrossComValueException(
-            name, bytes.text(), "the text is too long for an answer in UTF-16", null);
-      }
-      return readText(name);
-    } finally {
-      connection.release();
+    C3Channel.Question<TextAnswer> read = server -> exact(server, sendReadHere(frame, name), name);
+    return channel.find(
+        "read of " + name,
+        read,
+        VariableName.isWhole(name) ? server -> readWhole(server, name) : read);
+  }
+
+  /** Returns the text of an answer to function 0; reads it again if that is not exact. */
+  private TextAnswer exact(ServerDetector server, Answer answer, String name)
+      throws CrossComException {
+    TextAnswer bytes = answer.toText();
+    if (TextCharset.isPlain(answer.frame())) {
+      return bytes;
     }
+    if (server.type() == ServerType.KUKAVARPROXY) {
+      return decode(bytes, name, false);
+    }
+    if (bytes.text().length() > MAX_UTF16_ANSWER) {
+      throw new CrossComValueException(
+          name, bytes.text(), "the value is too long for an answer in UTF-16", null);
+    }
+    return readUtf16(name);
   }
 
   /** Reads a variable that has a text. */
   private TextAnswer readText(String name) throws CrossComException {
     return channel.find(
-        "read of " + name,
-        server ->
-            server.type() == ServerType.KUKAVARPROXY
-                ? decode(sendReadHere(name, encodeName(name)).toText(), name, false)
-                : readUtf16(name));
+        "read of " + name, server -> readText(server, name), server -> readWhole(server, name));
+  }
+
+  private TextAnswer readText(ServerDetector server, String name) throws CrossComException {
+    return server.type() == ServerType.KUKAVARPROXY
+        ? decode(
+            sendReadHere(Codec.encode(new ReadRequest(0, encodeName(name))), name).toText(),
+            name,
+            false)
+        : readUtf16(name);
+  }
+
+  /**
+   * Reads an array or a text when the first read has lost the connection. C3 Bridge closes the
+   * connection if a value is too long for messages 0 and 4, but answers message 6
+   * (docs/reference/c3-messages.md#framing).
+   */
+  private TextAnswer readWhole(ServerDetector server, String name) throws CrossComException {
+    if (!VariableName.isWhole(name) || !server.supportsCorrectly(MessageType.READ_MULTIPLE)) {
+      return readText(server, name);
+    }
+    MessageAnswer answer =
+        connection.send(
+            Codec.encode(new ReadMultipleRequest(0, List.of(name))),
+            MessageType.READ_MULTIPLE,
+            Repeatability.READ,
+            "read of " + name,
+            MultipleResponse.class);
+    Tail tail = answer.response().tail();
+    if (tail.code() == ErrorCode.LONG_ANSWER.code()) {
+      throw CrossComValueException.tooLong(name);
+    }
+    if (!(answer.response() instanceof MultipleResponse one) || one.results().size() != 1) {
+      return readText(server, name);
+    }
+    AccessResult result = one.results().get(0);
+    if (!result.success() || result.value().isEmpty()) {
+      throw new CrossComAccessException(
+          name, Operation.READ, result.success(), result.code().number());
+    }
+    return new TextAnswer(result.value(), answer.nanos());
   }
 
   private TextAnswer readUtf16(String name) throws CrossComException {

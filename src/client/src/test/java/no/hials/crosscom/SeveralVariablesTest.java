@@ -19,7 +19,10 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Reads and writes many variables, and arrays element by element. */
 class SeveralVariablesTest extends RobotTest {
@@ -165,6 +168,79 @@ class SeveralVariablesTest extends RobotTest {
         .hasMessage("LONGTEXT[]: the value is too long for an answer (code 10)");
     assertThat(reals.getValue()).hasSize(3500);
     assertThat(robot.requests()).extracting(RecordedRequest::connection).containsOnly(1);
+  }
+
+  /** Returns a client that reconnects to a C3 Bridge with values too long for an answer. */
+  private CrossComClient clientOfLongValues() throws Exception {
+    assumeThat(server).isEqualTo(ServerType.C3_BRIDGE);
+    robot.variables().declare("LONGTEXT[40000]", "CHAR", "\"" + "x".repeat(40_000) + "\"");
+    robot.variables().declare("LONGREALS[9000]", "REAL", "-1.2345678");
+    return client(cfg -> cfg.requestTimeout(LONG));
+  }
+
+  @Test
+  void anArrayTooLongForAnAnswerIsReadElementByElement() throws Exception {
+    try (CrossComClient reading = clientOfLongValues()) {
+      KRLRealArray reals = new KRLRealArray("LONGREALS", 9000);
+      List<Integer> progress = new ArrayList<>();
+
+      reading.readVariable(reals, (done, total) -> progress.add(done));
+
+      assertThat(reals.getValue()).hasSize(9000).containsOnly(-1.23456776);
+      assertThat(progress).hasSize(9000);
+      assertThat(robot.requests())
+          .extracting(RecordedRequest::names)
+          .filteredOn(names -> names.contains("LONGREALS[]"))
+          .as("once as usual, once by message 6")
+          .hasSize(2);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"LONGTEXT[]", "LONGREALS[]"})
+  void aReadOfAValueTooLongForAnAnswerSaysSoAndTheConnectionStaysUsable(String name)
+      throws Exception {
+    try (CrossComClient reading = clientOfLongValues()) {
+      List<ThrowingCallable> reads =
+          List.of(
+              () -> reading.readText(name),
+              () -> reading.readValue(name),
+              () ->
+                  reading.read(
+                      name.startsWith("LONGTEXT") ? new KRLString(name) : new KRLRealArray(name)));
+      for (ThrowingCallable read : reads) {
+        assertThatExceptionOfType(CrossComValueException.class)
+            .isThrownBy(read)
+            .withMessageStartingWith(name + ": the value is too long for an answer");
+        assertThat(reading.readInt("MYINT")).isZero();
+      }
+    }
+  }
+
+  @Test
+  void withoutReconnectingALostReadOfAWholeArrayNamesItsLengthAsAPossibleReason() throws Exception {
+    clientOfLongValues().close();
+
+    assertThatExceptionOfType(CrossComConnectionLostException.class)
+        .isThrownBy(() -> client.readRealArray("LONGREALS"))
+        .withMessageEndingWith("C3 Bridge does so if the value is too long for an answer");
+  }
+
+  @Test
+  void aReadOfAnArrayWhoseConnectionBreaksForAnotherReasonIsRepeatedOnce() throws Exception {
+    robot.variables().set("MYREALS[2]", "2.5");
+    try (CrossComClient reading = client(cfg -> cfg.requestTimeout(LONG))) {
+      robot.enqueue(Fault.closeBefore());
+      assertThat(reading.readRealArray("MYREALS")[1]).isEqualTo(2.5);
+      robot.enqueue(Fault.closeBefore());
+      assertThat(reading.readText("MYREALS[]")).contains(" 2.50000 ");
+
+      robot.fault(r -> r.names().contains("MYREALS[]"), Fault.closeBefore());
+      robot.clearRequests();
+      assertThatExceptionOfType(CrossComConnectionLostException.class)
+          .isThrownBy(() -> reading.readRealArray("MYREALS"));
+      assertThat(robot.requests()).filteredOn(r -> r.names().contains("MYREALS[]")).hasSize(2);
+    }
   }
 
   @Test

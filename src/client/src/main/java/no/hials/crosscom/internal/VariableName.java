@@ -12,6 +12,14 @@ public final class VariableName {
 
   private VariableName() {}
 
+  /** Returns whether a name stands for the elements of an array, or for a text. */
+  public static boolean isWhole(String name) {
+    int last = name.length() - 1;
+    return last > 0
+        && name.charAt(last) == ']'
+        && (name.charAt(last - 1) == '[' || name.charAt(last - 1) == ',');
+  }
+
   /**
    * Checks a name.
    *

@@ -10,6 +10,9 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cli.base.CommandTree;
 import no.hials.crosscom.cli.base.Console;
@@ -26,12 +29,17 @@ import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
 import picocli.CommandLine.MissingParameterException;
 import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Runs {@code jopenshowvar}, the command line. */
 public final class Main {
+  /** The commands for usual words of other programs. */
+  private static final Map<String, String> SYNONYMS =
+      Map.of("get", "read", "set", "write", "cat", "file get", "delete", "file rm");
+
   private Main() {}
 
   /**
@@ -141,7 +149,7 @@ public final class Main {
     }
     if (e instanceof UnmatchedArgumentException unmatched) {
       String typed = unmatched.getUnmatched().get(0);
-      String question = Suggestions.question(suggestions(command, typed));
+      String question = Suggestions.question(suggestions(console, command, typed));
       if (!question.isEmpty()) {
         console.hint(question);
       }
@@ -151,14 +159,27 @@ public final class Main {
   }
 
   /** Returns the options, or the commands, that a mistyped one may stand for. */
-  private static List<String> suggestions(CommandLine command, String typed) {
-    return typed.startsWith("-")
-        ? Suggestions.of(
-            typed.replaceFirst("=.*", ""),
-            command.getCommandSpec().optionsMap().keySet().stream()
-                .filter(name -> name.startsWith("--"))
-                .toList())
-        : Suggestions.of(typed, command.getSubcommands().keySet());
+  private static List<String> suggestions(Console console, CommandLine command, String typed) {
+    if (typed.startsWith("-")) {
+      return Suggestions.of(
+          typed.replaceFirst("=.*", ""),
+          command.getCommandSpec().optionsMap().keySet().stream()
+              .filter(name -> name.startsWith("--"))
+              .toList());
+    }
+    Set<String> words = command.getSubcommands().keySet();
+    List<String> elsewhere = words.isEmpty() ? List.of() : elsewhere(console, typed);
+    return elsewhere.isEmpty() ? Suggestions.of(typed, words) : elsewhere;
+  }
+
+  /** Returns the commands that a word stands for in another place, or in other programs. */
+  private static List<String> elsewhere(Console console, String typed) {
+    CommandSpec program = commandLine(console).getCommandSpec();
+    Stream<String> same =
+        HelpText.commands(program)
+            .filter(each -> each.name().equals(typed))
+            .map(each -> each.qualifiedName().substring(program.name().length() + 1));
+    return Stream.concat(Stream.ofNullable(SYNONYMS.get(typed)), same).toList();
   }
 
   private static ExitCode failure(Console console, Exception e, boolean verbose) {

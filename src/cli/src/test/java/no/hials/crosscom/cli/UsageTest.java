@@ -108,6 +108,14 @@ class UsageTest {
     "help raed, read",
     "file gte a b, get",
     "program strat, start",
+    "ls, file ls",
+    "get MYINT, read or file get",
+    "set MYINT 5, write",
+    "cat /R1/A.SRC, file get",
+    "delete /R1/A.SRC, file rm",
+    "file delete /R1/A.SRC, file rm",
+    "help ls, file ls",
+    "program stat, file stat",
     "read MYINT --mokc, --mock",
     "read MYINT --hots=h, --host",
     "write --read MYINT 5, --read-only",
@@ -131,6 +139,7 @@ class UsageTest {
   @Test
   void suggestsNothingIfNothingIsNear() {
     assertThat(Cli.run("frobnicate").errLines()).hasSize(2);
+    assertThat(Cli.run("info", "--mock", "get").errLines()).hasSize(2);
   }
 
   @Test

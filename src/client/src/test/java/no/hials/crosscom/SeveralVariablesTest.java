@@ -11,6 +11,7 @@ import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLIntArray;
 import no.hials.crosscom.KRL.KRLReal;
 import no.hials.crosscom.KRL.KRLRealArray;
+import no.hials.crosscom.KRL.KRLRecord;
 import no.hials.crosscom.KRL.KRLString;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
@@ -377,19 +378,42 @@ class SeveralVariablesTest extends RobotTest {
   }
 
   @Test
+  void aWriteOfManyFramesToE6PosIsDividedSoThatItsAnswersFit() {
+    List<KRLFrame> frames = declarePositions(255).stream().map(KRLFrame::new).toList();
+
+    assertThat(client.writeVariables(frames)).hasSize(255).allMatch(VariableResult::isOk);
+    assertThat(robot.variables().get("POSITION_OF_PART_254.X")).isEqualTo("0.0");
+    assertThat(robot.variables().get("POSITION_OF_PART_254.E6")).isEqualTo("-1234.56787");
+  }
+
+  /** One field of a LOAD. */
+  private record Mass(double m) {}
+
+  @Test
   void writesWhoseAnswerDoesNotFitAreUnknownAndTheRestIsWritten() {
-    List<KRLVariable> frames = new ArrayList<>();
-    // the server answers the whole E6POS
-    declarePositions(240).forEach(name -> frames.add(new KRLFrame(name)));
+    List<KRLVariable> masses = new ArrayList<>();
+    for (int i = 0; i < 255; i++) {
+      KRLRecord<Mass> mass = new KRLRecord<>("LOAD_OF_PART_" + i, Mass.class);
+      mass.setValue(new Mass(0));
+      masses.add(mass);
+      // the server answers the whole LOAD
+      robot
+          .variables()
+          .declare(
+              mass.getName(),
+              "LOAD",
+              "{M 1.0,CM {X -1234.56789,Y -1234.56789,Z -1234.56789,A -1234.56789,B -1234.56789,"
+                  + "C -1234.56789},J {X -1234.56789,Y -1234.56789,Z -1234.56789}}");
+    }
     KRLInt last = new KRLInt("MYINT");
     last.setValue(7);
-    frames.add(last);
+    masses.add(last);
 
-    List<VariableResult> results = client.writeVariables(frames);
+    List<VariableResult> results = client.writeVariables(masses);
 
-    assertThat(results.get(240).isOk()).isTrue();
+    assertThat(results.get(255).isOk()).isTrue();
     assertThat(robot.variables().get("MYINT")).isEqualTo("7");
-    assertThat(robot.variables().get("POSITION_OF_PART_0.X")).isEqualTo("0.0");
+    assertThat(robot.variables().get("LOAD_OF_PART_0.M")).isEqualTo("0.0");
     if (server == ServerType.C3_BRIDGE) {
       assertThat(results.get(0).failure())
           .hasMessageContaining("code 10 (it does not fit into one message)")

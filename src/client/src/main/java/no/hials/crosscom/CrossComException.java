@@ -7,7 +7,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Thrown if an operation of the client fails. There is one subclass for each cause that callers
- * handle differently.
+ * handle differently. The message is safe to print on one line; of more than 2000 characters it
+ * leaves out the middle.
  */
 public abstract sealed class CrossComException extends IOException
     permits CrossComConnectException,
@@ -28,7 +29,7 @@ public abstract sealed class CrossComException extends IOException
 
   CrossComException(String message, @Nullable Throwable cause, boolean outcomeUnknown) {
     super(
-        PrintableText.of(message)
+        PrintableText.shortened(message)
             + (outcomeUnknown
                 ? "; the outcome is unknown: the controller may or may not have done it"
                 : ""),

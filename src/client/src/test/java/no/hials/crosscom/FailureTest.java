@@ -20,6 +20,7 @@ import java.util.stream.Stream;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.variables.Struct;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -113,6 +114,20 @@ class FailureTest extends RobotTest {
       assertThatExceptionOfType(CrossComException.class)
           .isThrownBy(() -> hasty.readText("$OV_JOG"));
     }
+  }
+
+  @Test
+  void aMessageLeavesOutTheMiddleOfALongNameAndKeepsTheEnd() {
+    robot.enqueue(Fault.closeBefore());
+
+    assertThatExceptionOfType(CrossComException.class)
+        .isThrownBy(() -> client.writeText("A".repeat(5000), "5"))
+        .withMessageContaining("AAA... (")
+        .withMessageContaining(" characters) ...")
+        .satisfies(e -> assertThat(e.getMessage()).hasSizeLessThan(2200));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Struct.parseString("\"" + "A".repeat(5000) + "\""))
+        .satisfies(e -> assertThat(e.getMessage()).hasSizeLessThan(2200));
   }
 
   @Test

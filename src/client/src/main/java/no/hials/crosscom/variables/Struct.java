@@ -41,7 +41,7 @@ public class Struct extends Variable<List<StructNode>> {
       return nodes(struct);
     }
     throw new IllegalArgumentException(
-        "expected an aggregate in braces, found: " + PrintableText.of(value));
+        "expected an aggregate in braces, found: " + PrintableText.shortened(value));
   }
 
   static List<StructNode> nodes(KrlStruct struct) {

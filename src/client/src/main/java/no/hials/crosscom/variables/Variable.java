@@ -158,6 +158,8 @@ public abstract class Variable<E> implements Comparable<Variable<E>> {
       return new Struct(id, name, Struct.nodes(struct), time);
     }
     throw new NumberFormatException(
-        name + " must be an INT, REAL, BOOL, ENUM or aggregate, is " + PrintableText.of(text));
+        name
+            + " must be an INT, REAL, BOOL, ENUM or aggregate, is "
+            + PrintableText.shortened(text));
   }
 }

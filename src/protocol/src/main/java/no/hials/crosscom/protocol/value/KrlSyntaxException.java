@@ -25,7 +25,7 @@ public final class KrlSyntaxException extends IllegalArgumentException {
    */
   public KrlSyntaxException(CharSequence text, int position, String expected, String found) {
     super(
-        PrintableText.of(
+        PrintableText.shortened(
             "expected "
                 + expected
                 + " at position "

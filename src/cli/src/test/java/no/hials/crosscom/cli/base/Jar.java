@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Runs the built jar in a process of its own. */
 public final class Jar {
@@ -13,11 +14,21 @@ public final class Jar {
 
   private Jar() {}
 
+  /**
+   * Returns the command to start, with the options of Java that the start script takes for commands
+   * that end at once.
+   */
+  static List<String> command(String... args) {
+    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    return Stream.concat(
+            Stream.of(java, "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-XX:-UsePerfData"),
+            Stream.concat(Stream.of("-jar", FILE.toString()), Stream.of(args)))
+        .toList();
+  }
+
   /** Returns the process to start, without the environment of the user who runs the tests. */
   public static ProcessBuilder process(String... args) {
-    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-    ProcessBuilder builder = new ProcessBuilder(java, "-jar", FILE.toString());
-    builder.command().addAll(List.of(args));
+    ProcessBuilder builder = new ProcessBuilder(command(args));
     // the JVM says on stderr that it found them
     builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
     builder.environment().keySet().removeIf(name -> name.startsWith("JOPENSHOWVAR_"));

@@ -6,13 +6,11 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * The jar on a terminal made by {@code script} of util-linux: what is typed and shown. {@code env}
@@ -57,11 +55,8 @@ public final class PseudoTerminal implements AutoCloseable {
    */
   public static PseudoTerminal start(Map<String, String> environment, String form, String... args)
       throws IOException {
-    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     String command =
-        Stream.concat(Stream.of(java, "-jar", "target/jopenshowvar.jar"), Stream.of(args))
-            .map(arg -> "'" + arg + "'")
-            .collect(Collectors.joining(" "));
+        Jar.command(args).stream().map(arg -> "'" + arg + "'").collect(Collectors.joining(" "));
     ProcessBuilder builder =
         new ProcessBuilder(
             "env", "--default-signal=INT", "script", "-qec", form.formatted(command), "/dev/null");

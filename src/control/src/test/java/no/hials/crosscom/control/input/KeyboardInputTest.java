@@ -13,15 +13,21 @@ import org.jline.terminal.Attributes;
 import org.jline.terminal.Attributes.LocalFlag;
 import org.jline.terminal.impl.LineDisciplineTerminal;
 import org.jline.utils.NonBlockingReader;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The effect of keys, on a terminal within this process. */
+/**
+ * The effect of keys, on a terminal within this process. It is opened once, since opening and
+ * closing wait for the release of keys.
+ */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 @Timeout(60)
 class KeyboardInputTest {
   private static final long HOLD = KeyboardInput.HOLD * 1_000_000L;
@@ -30,7 +36,7 @@ class KeyboardInputTest {
   private LineDisciplineTerminal terminal;
   private KeyboardInput keyboard;
 
-  @BeforeEach
+  @BeforeAll
   void open() throws IOException {
     terminal =
         new LineDisciplineTerminal(
@@ -39,6 +45,17 @@ class KeyboardInputTest {
   }
 
   @AfterEach
+  void release() throws IOException {
+    if (keyboard.isEnded()) {
+      keyboard.close();
+      open();
+    }
+    press("+".repeat(10) + " ");
+    await(input -> !input.deadMan() && keyboard.scale() == 1);
+    clock.set(7);
+  }
+
+  @AfterAll
   void close() throws IOException {
     keyboard.close();
   }

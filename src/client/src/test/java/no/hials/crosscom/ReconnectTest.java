@@ -284,14 +284,14 @@ class ReconnectTest extends RobotTest {
 
   @Test
   void keepAliveHoldsAnIdleConnection() throws Exception {
-    try (MockServer strict = MockServer.start(cfg -> cfg.idleTimeout(Duration.ofMillis(1500)));
+    try (MockServer strict = MockServer.start(cfg -> cfg.idleTimeout(Duration.ofSeconds(1)));
         CrossComClient its =
             new CrossComClient(
                 ClientConfig.create(
                     strict.host(),
-                    cfg -> cfg.port(strict.port()).keepAlive(Duration.ofMillis(100))))) {
+                    cfg -> cfg.port(strict.port()).keepAlive(Duration.ofMillis(60))))) {
       int port = its.getLocalPort();
-      // twenty times 100 ms are well above the 1500
+      // twenty times 60 ms are above the 1000
       for (int i = 0; i < 20; i++) {
         assertThat(strict.takeRequest(Duration.ofSeconds(60)))
             .hasValueSatisfying(r -> assertThat(r.name()).isEqualTo("PING"));

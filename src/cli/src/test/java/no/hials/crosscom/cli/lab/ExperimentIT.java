@@ -20,7 +20,7 @@ class ExperimentIT {
 
   private String[] experiment(String name) {
     return new String[] {
-      "experiment", name, "--latency", "none", "--for", "50s", "--csv", "--out", folder.toString()
+      "experiment", name, "--latency", "none", "--for", "20s", "--csv", "--out", folder.toString()
     };
   }
 
@@ -29,8 +29,8 @@ class ExperimentIT {
     try (PseudoTerminal terminal =
         PseudoTerminal.start(Map.of(), "exec %s", experiment("position-circle"))) {
       terminal.until("position-circle: starting the robot");
-      terminal.until("position-circle: warming up, ").until(" of 5.0 s");
-      terminal.until("position-circle: measuring, 1.").until(" of 50.0 s");
+      terminal.until("position-circle: warming up, ").until(" of 2.0 s");
+      terminal.until("position-circle: measuring, 1.").until(" of 20.0 s");
       terminal.type(PseudoTerminal.CTRL_C);
       PseudoTerminal.Shown shown = terminal.end();
 

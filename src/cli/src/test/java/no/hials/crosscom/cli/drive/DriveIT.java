@@ -62,10 +62,8 @@ class DriveIT {
         PseudoTerminal terminal = drive(server, "--frame=joints", "--max-delay=2s")) {
       terminal.until(READY);
       double start = server.controller().axes().a1();
-      // as a keyboard repeats
       while (server.controller().axes().a1() < start + 1) {
-        terminal.type("w");
-        Thread.onSpinWait();
+        repeat(server, terminal, "w");
       }
 
       terminal.until("| standing | none |");
@@ -101,13 +99,20 @@ class DriveIT {
     }
   }
 
+  /** Repeats a held key as a keyboard does: no faster than it is read, or its end comes late. */
+  private static void repeat(MockServer server, PseudoTerminal terminal, String key)
+      throws IOException, InterruptedException {
+    terminal.type(key);
+    assertThat(server.takeRequest(Duration.ofSeconds(60))).isPresent();
+  }
+
   /** Waits for the keys to be taken, and moves the third axis, so that there is what to stop. */
-  private static void move(MockServer server, PseudoTerminal terminal) throws IOException {
+  private static void move(MockServer server, PseudoTerminal terminal)
+      throws IOException, InterruptedException {
     terminal.until(READY);
     double start = server.controller().axes().a3();
     while (server.controller().axes().a3() > start - 0.5) {
-      terminal.type("f");
-      Thread.onSpinWait();
+      repeat(server, terminal, "f");
     }
   }
 

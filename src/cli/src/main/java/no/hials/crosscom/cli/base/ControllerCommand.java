@@ -54,7 +54,9 @@ public abstract class ControllerCommand extends ConsoleCommand {
       names = "--server",
       paramLabel = "SERVER",
       completionCandidates = Converters.ServerName.class,
-      description = "Server of the simulated controller: kukavarproxy, or c3 for C3 Bridge.")
+      description =
+          "Server of the simulated controller: kukavarproxy, or c3 for C3 Bridge. The type of a"
+              + " real server is detected.")
   private @Nullable ServerType server;
 
   @Option(

@@ -339,7 +339,8 @@ public interface ControllerFiles {
   }
 
   /**
-   * Downloads a file to a file of this computer.
+   * Downloads a file to a file of this computer. A symbolic link stays, and the file that it points
+   * to is replaced; a device, a pipe or a link to nothing is refused.
    *
    * @param name its name on the controller
    * @param target the file to create or replace, in an existing directory

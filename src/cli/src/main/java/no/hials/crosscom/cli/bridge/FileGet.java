@@ -36,7 +36,8 @@ import picocli.CommandLine.Parameters;
           + " file.",
       "",
       "An existing local file is overwritten only after confirmation or with --yes. Each file is"
-          + " first written as NAME.RANDOM.part and renamed when it is complete.",
+          + " first written as NAME.RANDOM.part and renamed when it is complete. Of a symbolic link, the file that"
+          + " it points to is overwritten; devices, pipes and links to nothing are refused.",
       "",
       "JSON: one object per file (JSON Lines) with command, local, name and size.",
       "",

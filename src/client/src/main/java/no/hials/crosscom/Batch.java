@@ -1,5 +1,6 @@
 package no.hials.crosscom;
 
+import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -72,6 +73,15 @@ abstract class Batch {
     /** Whether the answer with nothing else was too long. */
     boolean tooLong;
 
+    /** The value that was read, if it was copied. */
+    @Nullable TextAnswer answer;
+
+    /** When the request for it was sent; null if there was none, or it is not recorded. */
+    @Nullable Instant time;
+
+    /** How long its exchange took, in ns. */
+    long nanos;
+
     Item(KRLVariable variable) {
       this.variable = variable;
     }
@@ -79,13 +89,19 @@ abstract class Batch {
     String name() {
       return variable.getName();
     }
+
+    /** Records that an exchange with it has ended now. */
+    void accessed(long exchangeNanos) {
+      nanos = exchangeNanos;
+      time = Instant.now().minusNanos(exchangeNanos);
+    }
   }
 
   /** Runs the batch, and returns one result per variable. */
   final List<VariableResult> run() {
     divide(canSendSeveral());
     for (List<Item> group = nextGroup(); group != null; group = nextGroup()) {
-      if (group.size() == 1 && !group.get(0).suspect) {
+      if (isAlone(group)) {
         alone(group.get(0));
       } else {
         send(group);
@@ -94,7 +110,16 @@ abstract class Batch {
     return results();
   }
 
-  final List<VariableResult> results() {
+  /** Returns whether a group is a single item, to be read or written by a message for one. */
+  static boolean isAlone(List<Item> group) {
+    return group.size() == 1 && !group.get(0).suspect;
+  }
+
+  final List<Item> items() {
+    return items;
+  }
+
+  private List<VariableResult> results() {
     return items.stream().map(item -> new VariableResult(item.variable, item.failure)).toList();
   }
 
@@ -173,10 +198,12 @@ abstract class Batch {
     }
     try {
       exchangeAlone(item);
-    } catch (CrossComAccessException | CrossComValueException e) {
-      item.failure = e;
     } catch (CrossComException e) {
-      fail(List.of(item), e);
+      if (isOfOneItem(e)) {
+        item.failure = e;
+      } else {
+        fail(List.of(item), e);
+      }
     } catch (IllegalArgumentException e) {
       // the server cannot take this name: the results of the other variables are kept
       if (!(e.getCause() instanceof CrossComUnsupportedException unsupported)) {
@@ -184,6 +211,13 @@ abstract class Batch {
       }
       item.failure = unsupported;
     }
+  }
+
+  /** Returns whether a failure is that of one item, after which others can be tried. */
+  static boolean isOfOneItem(CrossComException failure) {
+    return failure instanceof CrossComAccessException
+        || failure instanceof CrossComValueException
+        || failure instanceof CrossComUnsupportedException;
   }
 
   /** Records that an exchange failed, which ends the batch. */
@@ -264,7 +298,7 @@ abstract class Batch {
   }
 
   /** Reads variables. */
-  static final class Reading extends Batch {
+  static class Reading extends Batch {
     Reading(VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
       super(exchange, channel, variables, MessageType.READ_MULTIPLE, "read", "read");
     }
@@ -291,13 +325,18 @@ abstract class Batch {
     @Override
     void take(Item item, AccessResult result, long nanos) throws CrossComException {
       if (result.success() && !result.value().isEmpty()) {
-        VariableExchange.take(item.variable, new TextAnswer(result.value(), nanos), false);
+        take(item, new TextAnswer(result.value(), nanos));
       } else if (item.variable instanceof KRLArray array && array.getDeclaredLength() > 0) {
         oneByOne(List.of(item));
       } else {
         throw new CrossComAccessException(
             item.name(), Operation.READ, result.success(), result.code().number());
       }
+    }
+
+    /** Takes the value of an item. */
+    void take(Item item, TextAnswer answer) throws CrossComException {
+      VariableExchange.take(item.variable, answer, false);
     }
 
     /**
@@ -326,6 +365,18 @@ abstract class Batch {
       } else {
         item.failure = CrossComValueException.tooLong(item.name());
       }
+    }
+  }
+
+  /** Reads variables, whose values it copies without a look at them. */
+  static final class Copying extends Reading {
+    Copying(VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
+      super(exchange, channel, variables);
+    }
+
+    @Override
+    void take(Item item, TextAnswer answer) {
+      item.answer = answer;
     }
   }
 

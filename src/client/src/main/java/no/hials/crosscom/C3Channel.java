@@ -39,6 +39,10 @@ final class C3Channel implements MessageChannel {
     this.origin = origin;
   }
 
+  ServerDetector detector() {
+    return detector;
+  }
+
   @Override
   public MessageChannel onOneConnection() {
     return new C3Channel(connection, detector, threads, this);

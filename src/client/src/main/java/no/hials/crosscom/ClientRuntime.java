@@ -19,12 +19,14 @@ import no.hials.crosscom.internal.exchange.SelectorLoop;
  * <p>All threads are daemons and start when they are needed, where N is the number of the runtime:
  *
  * <ul>
- *   <li>{@code crosscom-timer-N} ends exchanges that are overdue, and wakes idle connections.
- *   <li>{@code crosscom-io-N} connects, and keeps idle connections alive. It runs until the runtime
- *       is closed.
+ *   <li>{@code crosscom-timer-N} ends exchanges that are overdue, wakes idle connections, and
+ *       starts the readings of watches.
+ *   <li>{@code crosscom-io-N} connects, does the exchanges of watches, and keeps idle connections
+ *       alive. It runs until the runtime is closed.
  *   <li>{@code crosscom-resolver-N}, at most four, find the addresses of host names.
- *   <li>{@code crosscom-listener-N}, at most {@link Builder#listenerThreads}, call listeners and
- *       subscribers. If all of them are blocked, further calls wait.
+ *   <li>{@code crosscom-listener-N}, at most {@link Builder#listenerThreads}, create the samples of
+ *       watches, and call listeners and subscribers. If all of them are blocked, further calls
+ *       wait, and watches miss periods.
  *   <li>{@code crosscom-callback-N}, at most {@link Builder#callbackThreads}, run the functions
  *       that follow on the future of an asynchronous call. If all of them are blocked, the thread
  *       that ran the call does so.
@@ -109,7 +111,7 @@ public final class ClientRuntime implements AutoCloseable {
     connections.remove(connection);
   }
 
-  /** Closes the clients that use this runtime, and ends its threads. */
+  /** Closes the clients that use this runtime and their watches, and ends its threads. */
   @Override
   public void close() {
     List.copyOf(connections).forEach(ReconnectingConnection::close);

@@ -9,9 +9,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLArray;
@@ -56,15 +54,13 @@ import org.jspecify.annotations.Nullable;
  * #pendant}, {@link #files} and {@link #information}. These five always return the same objects,
  * whose methods throw {@link CrossComUnsupportedException} on KUKAVARPROXY.
  *
- * <p>The client uses the threads of its {@link ClientRuntime}, and creates these daemon threads
- * while they have work, where PORT is the server's:
+ * <p>The client and its watches use the threads of its {@link ClientRuntime}. It creates these
+ * daemon threads while they have work, where PORT is the server's:
  *
  * <ul>
  *   <li>{@code crosscom-async-PORT} runs the operations of {@link #async}.
  *   <li>{@code crosscom-files-PORT} runs the transfers of files.
  * </ul>
- *
- * <p>Each {@link Watch} has a thread of its own.
  *
  * <p>The class is long because it holds the whole API of 0.2.2; most of it is documentation.
  */
@@ -72,7 +68,6 @@ public final class CrossComClient extends TypedAccess {
   private final ClientConfig config;
   private final ReconnectingConnection connection;
   private final Threads threads;
-  private final Set<Watch> watches = ConcurrentHashMap.newKeySet();
   private final C3Channel channel;
   private final VariableExchange variables;
   private final Programs programs;
@@ -367,13 +362,9 @@ public final class CrossComClient extends TypedAccess {
       throws IOException {
     Objects.requireNonNull(watchConfig, "watchConfig");
     connection.checkOpen();
-    Watch watch = new Watch(variables, connection, watchConfig, config.runtime(), watches::remove);
+    Watch watch = new Watch(variables, connection, channel, watchConfig, config.runtime());
     watch.addListener(listener);
-    watches.add(watch);
     watch.start();
-    if (isClosed()) {
-      watch.close();
-    }
     return watch;
   }
 
@@ -660,7 +651,6 @@ public final class CrossComClient extends TypedAccess {
   @Override
   public void close() throws IOException {
     connection.close();
-    watches.forEach(Watch::close);
     cleanable.clean();
   }
 

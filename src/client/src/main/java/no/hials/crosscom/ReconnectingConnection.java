@@ -3,12 +3,15 @@ package no.hials.crosscom;
 import java.io.IOException;
 import java.time.Instant;
 import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import no.hials.crosscom.Connection.AnswerHandler;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.internal.exchange.Answer;
@@ -51,6 +54,9 @@ final class ReconnectingConnection {
 
   /** Completed while connected; set with the turn. */
   private volatile CompletableFuture<@Nullable Void> connected = new CompletableFuture<>();
+
+  /** End with the client. */
+  private final Set<Watch> watches = ConcurrentHashMap.newKeySet();
 
   private volatile long timeoutNanos;
   private volatile boolean closed;
@@ -239,6 +245,17 @@ final class ReconnectingConnection {
     }
   }
 
+  /** Decodes the answer to the last exchange, which is a message. */
+  MessageAnswer message(Answer answer, Class<? extends TypedResponse> answerClass)
+      throws CrossComException {
+    try {
+      return current().message(answer, answerClass);
+    } catch (CrossComException e) {
+      lost(e);
+      throw e;
+    }
+  }
+
   private void count(MessageType type, Answer answer) {
     AnswerFrame frame = answer.frame();
     boolean refused = !frame.success() || (type == MessageType.READ && frame.isEmpty());
@@ -395,33 +412,32 @@ final class ReconnectingConnection {
   }
 
   /**
-   * Does an exchange of the operation that has the turn. It is not repeated.
+   * Connects if there is no usable connection. The operation has the turn.
    *
-   * @param handler called once, still with the turn
+   * @param then called once there is one
+   * @param failed called instead with the failure
    */
-  void exchangeAsync(
-      byte[] frame,
-      int length,
-      MessageType type,
-      Repeatability effect,
-      String name,
-      AnswerHandler handler) {
+  void connectedAsync(Runnable then, Consumer<CrossComException> failed) {
+    boolean usable;
     try {
       if (timeoutNanos > 0 && turn.waited() >= timeoutNanos) {
-        throw Turn.late(Connection.what(type, name), timeoutNanos);
+        meter.timedOutInQueue();
+        throw Turn.late("exchange", timeoutNanos);
       }
-      if (!mustConnect()) {
-        sendAsync(frame, length, type, effect, name, handler);
-        return;
-      }
+      usable = !mustConnect();
     } catch (CrossComException e) {
-      handler.failed(e);
+      failed.accept(e);
       return;
     }
-    connectAsync(handler, () -> sendAsync(frame, length, type, effect, name, handler));
+    if (usable) {
+      then.run();
+    } else {
+      connectAsync(then, failed);
+    }
   }
 
-  private void connectAsync(AnswerHandler handler, Runnable connected) {
+  /** Connects like {@link #connectedAsync}, also if the time of the next attempt has not come. */
+  void connectAsync(Runnable then, Consumer<CrossComException> failed) {
     CompletableFuture<Void> unused =
         attempt()
             .handleAsync(
@@ -432,16 +448,21 @@ final class ReconnectingConnection {
                     }
                     adopt(made);
                   } catch (CrossComException e) {
-                    handler.failed(e);
+                    failed.accept(e);
                     return null;
                   }
-                  connected.run();
+                  then.run();
                   return null;
                 },
                 loop);
   }
 
-  private void sendAsync(
+  /**
+   * Sends a request on the current connection. The operation has the turn.
+   *
+   * @param handler called once, still with the turn
+   */
+  void sendAsync(
       byte[] frame,
       int length,
       MessageType type,
@@ -483,12 +504,7 @@ final class ReconnectingConnection {
       endUse(wait);
       return;
     }
-    exchangeAsync(
-        ping,
-        ping.length,
-        MessageType.READ,
-        Repeatability.NONE,
-        "PING",
+    AnswerHandler end =
         new AnswerHandler() {
           @Override
           public void answered(Answer answer) {
@@ -500,7 +516,10 @@ final class ReconnectingConnection {
             LOG.debug("keeping the connection failed: {}", failure.getMessage());
             endUse(timeToNextUse());
           }
-        });
+        };
+    connectedAsync(
+        () -> sendAsync(ping, ping.length, MessageType.READ, Repeatability.NONE, "PING", end),
+        end::failed);
   }
 
   private void endUse(long wait) {
@@ -550,6 +569,18 @@ final class ReconnectingConnection {
         });
   }
 
+  /** Closes a watch when this is closed. */
+  void add(Watch watch) {
+    watches.add(watch);
+    if (isClosed()) {
+      watch.close();
+    }
+  }
+
+  void remove(Watch watch) {
+    watches.remove(watch);
+  }
+
   /** Closes for good; an exchange under way fails. Closing again does nothing. */
   void close() {
     if (closed) {
@@ -568,6 +599,7 @@ final class ReconnectingConnection {
     if (waiting != null) {
       waiting.cancel(false);
     }
+    watches.forEach(Watch::close);
     runtime.remove(this);
     CompletableFuture<@Nullable Void> pending = connected;
     runtime

@@ -339,13 +339,13 @@ final class VariableExchange {
         connection.send(frame, frame.length, MessageType.READ, Repeatability.READ, name), name);
   }
 
-  private void checkLength(byte[] frame, String name) throws CrossComValueException {
+  void checkLength(byte[] frame, String name) throws CrossComValueException {
     if (frame.length > config.maxRequestLength()) {
       throw tooLong(name, name, frame.length);
     }
   }
 
-  private static Answer checkRead(Answer answer, String name) throws CrossComAccessException {
+  static Answer checkRead(Answer answer, String name) throws CrossComAccessException {
     AnswerFrame result = answer.frame();
     // KUKAVARPROXY of 2019 and later says success when the controller refuses
     // (docs/reference/kukavarproxy.md#refused-accesses)
@@ -401,7 +401,7 @@ final class VariableExchange {
    * @param encoded the request, if it has been encoded before
    */
   private TextAnswer readAny(String name, byte @Nullable [] encoded) throws CrossComException {
-    if (!TextCharset.isPlain(name) || name.startsWith("@")) {
+    if (isReadAsText(name)) {
       return readText(name);
     }
     byte[] frame = encoded == null ? Codec.encode(new ReadRequest(0, name)) : encoded;
@@ -422,11 +422,21 @@ final class VariableExchange {
     if (server.type() == ServerType.KUKAVARPROXY) {
       return decode(bytes, name, false);
     }
+    checkUtf16(bytes, name);
+    return readUtf16(name);
+  }
+
+  /** Returns whether function 0 cannot read a variable, or its value can have any character. */
+  static boolean isReadAsText(String name) {
+    return !TextCharset.isPlain(name) || name.startsWith("@");
+  }
+
+  /** Refuses to read a value again in UTF-16 if it is too long. */
+  static void checkUtf16(TextAnswer bytes, String name) throws CrossComValueException {
     if (bytes.text().length() > MAX_UTF16_ANSWER) {
       throw new CrossComValueException(
           name, bytes.text(), "the value is too long for an answer in UTF-16", null);
     }
-    return readUtf16(name);
   }
 
   /** Reads a variable that has a text. */
@@ -460,12 +470,18 @@ final class VariableExchange {
             Repeatability.READ,
             "read of " + name,
             MultipleResponse.class);
+    TextAnswer whole = whole(answer, name);
+    return whole == null ? readText(server, name) : whole;
+  }
+
+  /** Returns the value of an answer to message 6 for one variable; null if it has no result. */
+  static @Nullable TextAnswer whole(MessageAnswer answer, String name) throws CrossComException {
     Tail tail = answer.response().tail();
     if (tail.code() == ErrorCode.LONG_ANSWER.code()) {
       throw CrossComValueException.tooLong(name);
     }
     if (!(answer.response() instanceof MultipleResponse one) || one.results().size() != 1) {
-      return readText(server, name);
+      return null;
     }
     AccessResult result = one.results().get(0);
     if (!result.success() || result.value().isEmpty()) {
@@ -483,6 +499,11 @@ final class VariableExchange {
             Repeatability.READ,
             "read of " + name,
             TextResponse.class);
+    return utf16(answer, name);
+  }
+
+  /** Returns the value of an answer to a read in UTF-16. */
+  static TextAnswer utf16(MessageAnswer answer, String name) throws CrossComAccessException {
     Tail tail = answer.response().tail();
     String text = text(answer.response());
     if (!tail.success() || text.isEmpty()) {
@@ -526,7 +547,7 @@ final class VariableExchange {
     return new TextAnswer(text(answer.response()), answer.nanos());
   }
 
-  private String encodeName(String name) {
+  String encodeName(String name) {
     String violation = charset.violation(name);
     if (violation != null) {
       throw new IllegalArgumentException(
@@ -545,8 +566,7 @@ final class VariableExchange {
     return charset.encode(value);
   }
 
-  private TextAnswer decode(TextAnswer bytes, String name, boolean written)
-      throws CrossComValueException {
+  TextAnswer decode(TextAnswer bytes, String name, boolean written) throws CrossComValueException {
     try {
       return new TextAnswer(charset.decode(bytes.text()), bytes.nanos());
     } catch (IllegalArgumentException e) {

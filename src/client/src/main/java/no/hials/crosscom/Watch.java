@@ -11,14 +11,18 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Flow;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.SubmissionPublisher;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
+import no.hials.crosscom.Batch.Item;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.Sample.Reading;
+import no.hials.crosscom.internal.exchange.SerialExecutor;
+import no.hials.crosscom.internal.exchange.TextAnswer;
 import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
@@ -36,33 +40,52 @@ import org.slf4j.LoggerFactory;
  * to a limit; further samples are dropped and counted. While the connection is lost, the watch
  * continues; the next sample contains the number of failed readings.
  *
- * <p>It runs the daemon thread {@code crosscom-watch-N}. It ends when it or its client is closed;
- * subscribers then get {@code onComplete}. A variable that cannot be read, for example because its
- * name is too long for a request, is a failed {@link Reading} in each sample. Only an unexpected
- * exception ends the watch with {@code onError}.
+ * <p>A watch has no thread. The {@link ClientRuntime} of the client starts its readings by the
+ * timer and reads in the selector thread, both for all watches; the threads of listeners create the
+ * samples. If all of these are blocked, periods are missed, because at most one reading waits until
+ * its sample is created.
+ *
+ * <p>A watch ends when it, its client or the runtime is closed; subscribers then get {@code
+ * onComplete}. A variable that cannot be read, for example because its name is too long for a
+ * request, is a failed {@link Reading} in each sample. Only an unexpected exception ends the watch
+ * with {@code onError}.
  */
 public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
-  private static final AtomicInteger COUNT = new AtomicInteger();
 
   private final VariableExchange exchange;
   private final ReconnectingConnection connection;
-  private final Consumer<Watch> ended;
+  private final C3Channel channel;
   private final WatchConfig config;
+  private final ClientRuntime runtime;
   private final List<KRLAny> variables;
+
+  /** Creates and publishes the samples. */
+  private final SerialExecutor sampler;
+
   private final SubmissionPublisher<Sample> publisher;
-  private final Thread thread;
   private final AtomicLong dropped = new AtomicLong();
-  private volatile boolean closed;
   private final AtomicLong polls = new AtomicLong();
   private final AtomicLong missed = new AtomicLong();
   private final AtomicLong failed = new AtomicLong();
   private final AtomicLong listenerFailures = new AtomicLong();
   private volatile @Nullable Throwable listenerFailure;
 
-  // used only by the watching thread
+  /** When the next reading starts, by {@link System#nanoTime}; used by one thread at a time. */
+  private long next;
+
+  /** Whether a reading waits until its sample is created. */
+  private volatile boolean waiting;
+
+  // guarded by this
+  private boolean reading;
+  private boolean closed;
+  private boolean ended;
+  private @Nullable Future<?> nextTick;
+
+  // used only by the sampler
   private long samples;
-  private long missedSinceSample;
+  private long missedInSamples;
   private long failedSinceSample;
 
   /** The readings last reported as changed; the dead band is relative to them. */
@@ -74,23 +97,25 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   Watch(
       VariableExchange exchange,
       ReconnectingConnection connection,
+      C3Channel channel,
       WatchConfig config,
-      ClientRuntime runtime,
-      Consumer<Watch> ended) {
+      ClientRuntime runtime) {
     this.exchange = exchange;
     this.connection = connection;
-    this.ended = ended;
+    this.channel = channel;
     this.config = config;
+    this.runtime = runtime;
     this.variables = config.names().stream().map(KRLAny::new).toList();
-    String name = "crosscom-watch-" + COUNT.incrementAndGet();
+    this.sampler = new SerialExecutor(runtime.listeners());
     // not shut down: a subscriber may request waiting samples after the end
     this.publisher = new SubmissionPublisher<>(runtime.listeners(), config.bufferSize());
-    this.thread = new Thread(this::run, name);
-    thread.setDaemon(true);
   }
 
+  /** Starts the first reading. */
   void start() {
-    thread.start();
+    connection.add(this);
+    next = System.nanoTime();
+    scheduleTick();
   }
 
   /**
@@ -161,68 +186,179 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     return listenerFailure;
   }
 
-  private void run() {
+  // --- readings, in the threads of the timer and the selector
+
+  private synchronized void scheduleTick() {
+    if (closed) {
+      return;
+    }
     try {
-      long period = config.period().toNanos();
-      long next = System.nanoTime();
-      while (!closed) {
-        long late = System.nanoTime() - next;
-        if (late < 0) {
-          LockSupport.parkNanos(this, -late);
-          continue;
-        }
-        long leftOut = late / period;
-        missed.addAndGet(leftOut);
-        missedSinceSample += leftOut;
-        next += (leftOut + 1) * period;
-        poll();
-      }
-    } catch (RuntimeException | Error e) {
-      LOG.warn("a watch failed", e);
-      publisher.closeExceptionally(e);
-    } finally {
-      ended.accept(this);
-      publisher.close();
+      long wait = next - System.nanoTime();
+      nextTick = runtime.timer().schedule(this::tick, wait, TimeUnit.NANOSECONDS);
+    } catch (RejectedExecutionException e) {
+      close(); // the runtime is closed
     }
   }
 
-  private void poll() {
-    polls.incrementAndGet();
-    Instant time = Instant.now();
-    long start = System.nanoTime();
-    Map<String, Reading> readings = new LinkedHashMap<>();
-    for (VariableResult result : exchange.readAll(variables)) {
-      CrossComException failure = result.failure();
-      if (failure instanceof CrossComClosedException) {
-        close();
-        return;
-      }
-      if (failure != null
-          && !(failure instanceof CrossComAccessException)
-          && !(failure instanceof CrossComValueException)
-          && !(failure instanceof CrossComUnsupportedException)) {
-        LOG.debug("a reading failed: {}", failure.getMessage());
-        failed.incrementAndGet();
-        failedSinceSample++;
-        if (connection.isClosed()) {
-          close(); // the connection is lost and reconnecting is off
-        }
-        return;
-      }
-      readings.put(
-          result.variable().getName(),
-          new Reading(failure == null ? ((KRLAny) result.variable()).getValue() : null, failure));
+  /** Starts a reading at its time, unless the last one still waits. */
+  private void tick() {
+    long period = config.period().toNanos();
+    long late = (System.nanoTime() - next) / period;
+    next += (late + 1) * period;
+    missed.addAndGet(late);
+    if (waiting) {
+      missed.incrementAndGet();
+      scheduleTick();
+    } else if (begin()) {
+      polls.incrementAndGet();
+      new WatchReading(exchange, connection, channel, variables, new Begun()).start();
     }
-    Duration duration = Duration.ofNanos(System.nanoTime() - start);
+  }
+
+  private synchronized boolean begin() {
+    reading = !closed;
+    return reading;
+  }
+
+  /** A reading that has begun. */
+  private final class Begun implements WatchReading.Listener {
+    private final Instant time = Instant.now();
+    private final long start = System.nanoTime();
+    private final long missedBefore = missed.get();
+
+    @Override
+    public void read(List<Item> items) {
+      Duration duration = Duration.ofNanos(System.nanoTime() - start);
+      CrossComException failure = failure(items);
+      boolean lost = false;
+      if (failure != null) {
+        LOG.debug("a reading failed: {}", failure.getMessage());
+        lost = failure instanceof CrossComClosedException;
+        if (!lost) {
+          failed.incrementAndGet();
+        }
+        lost |= connection.isClosed(); // or lost with reconnecting off
+      }
+      waiting = true;
+      sampler.execute(
+          () -> {
+            waiting = false;
+            sample(items, duration);
+          });
+      if (lost) {
+        close();
+      }
+      endReading();
+    }
+
+    private void sample(List<Item> items, Duration duration) {
+      try {
+        if (failure(items) != null) {
+          failedSinceSample++;
+        } else {
+          add(items, time, duration, missedBefore);
+        }
+      } catch (RuntimeException | Error e) {
+        broken(e);
+      }
+    }
+
+    @Override
+    public void broken(Throwable failure) {
+      LOG.warn("a watch failed", failure);
+      end(() -> publisher.closeExceptionally(failure));
+    }
+  }
+
+  /** Returns the failure of a whole reading; null if only single variables could not be read. */
+  private static @Nullable CrossComException failure(List<Item> items) {
+    for (Item item : items) {
+      CrossComException failure = item.failure;
+      if (failure != null && !Batch.isOfOneItem(failure)) {
+        return failure;
+      }
+    }
+    return null;
+  }
+
+  private void endReading() {
+    synchronized (this) {
+      reading = false;
+    }
+    if (isClosed()) {
+      end(publisher::close);
+    } else {
+      scheduleTick();
+    }
+  }
+
+  private synchronized boolean isClosed() {
+    return closed;
+  }
+
+  /** Ends the watch after the current reading, and completes the subscribers. */
+  @Override
+  public void close() {
+    synchronized (this) {
+      closed = true;
+      if (reading) {
+        return;
+      }
+    }
+    end(publisher::close);
+  }
+
+  /**
+   * Ends the watch.
+   *
+   * @param completion completes the subscribers, after the samples so far
+   */
+  private void end(Runnable completion) {
+    synchronized (this) {
+      closed = true;
+      if (ended) {
+        return;
+      }
+      ended = true;
+      if (nextTick != null) {
+        nextTick.cancel(false);
+      }
+    }
+    connection.remove(this);
+    sampler.execute(completion);
+  }
+
+  // --- samples, in the threads of listeners
+
+  private void add(List<Item> items, Instant time, Duration duration, long missedBefore) {
+    Map<String, Reading> readings = new LinkedHashMap<>();
+    for (int i = 0; i < items.size(); i++) {
+      readings.put(items.get(i).name(), reading(variables.get(i), items.get(i)));
+    }
     Set<String> changed = changed(readings);
     if (!changed.isEmpty() || !config.changesOnly()) {
+      long missedNow = missedBefore - missedInSamples;
       publish(
-          new Sample(
-              ++samples, time, duration, readings, changed, missedSinceSample, failedSinceSample));
+          new Sample(++samples, time, duration, readings, changed, missedNow, failedSinceSample),
+          missedBefore);
     }
   }
 
-  private void publish(Sample sample) {
+  private static Reading reading(KRLAny variable, Item item) {
+    CrossComException failure = item.failure;
+    TextAnswer answer = item.answer;
+    if (failure == null) {
+      try {
+        VariableExchange.take(variable, Objects.requireNonNull(answer), false);
+        return new Reading(variable.getValue(), null);
+      } catch (CrossComValueException e) {
+        failure = e;
+      }
+    }
+    return new Reading(null, failure);
+  }
+
+  private void publish(Sample sample, long missedBefore) {
     sample.changed().forEach(name -> published.put(name, sample.readings().get(name)));
     long before = dropped.get();
     publisher.offer(
@@ -232,7 +368,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
           return false;
         });
     if (dropped.get() == before) {
-      missedSinceSample = 0;
+      missedInSamples = missedBefore;
       failedSinceSample = 0;
       undelivered.clear();
     } else {
@@ -275,12 +411,5 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
               .anyMatch(i -> differs(a.elements().get(i), b.elements().get(i)));
     }
     return !before.equals(now);
-  }
-
-  /** Ends the watch after the current reading, and completes the subscribers. */
-  @Override
-  public void close() {
-    closed = true;
-    LockSupport.unpark(thread);
   }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.sun.management.ThreadMXBean;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.time.Duration;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLReal;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
@@ -71,6 +72,15 @@ class AllocationTest extends RobotTest {
   @Test
   void readingAnE6AxisCreatesNoObjects() throws IOException {
     assertThat(allocated(i -> client.readVariable(axes))).isZero();
+  }
+
+  @Test
+  void readingAnIntCreatesNoObjectsWhileAnotherClientIsWatched() throws Exception {
+    try (CrossComClient other = client(cfg -> {});
+        Watch watch = other.watch(Duration.ofMillis(1), sample -> {}, "MYINT")) {
+      assertThat(allocated(i -> client.readVariable(number))).isZero();
+      assertThat(watch.failedPolls()).isZero();
+    }
   }
 
   @Test

@@ -406,7 +406,7 @@ class WatchTest extends RobotTest {
     assertThat(next().value("$OV_PRO")).isEqualTo(new KrlInt(100));
   }
 
-  private static Flow.Subscriber<Sample> ending(CountDownLatch ended) {
+  static Flow.Subscriber<Sample> ending(CountDownLatch ended) {
     return new Flow.Subscriber<>() {
       @Override
       public void onSubscribe(Flow.Subscription subscription) {

@@ -1,0 +1,305 @@
+package no.hials.crosscom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicIntegerArray;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlString;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Watches many robots in the threads of one runtime. */
+class SharedWatchesTest extends RobotTest {
+  private static final Duration PERIOD = Duration.ofMillis(5);
+  private static final int CLIENTS = 200;
+  private static final int LISTENER_THREADS = 4;
+
+  private final ClientRuntime runtime =
+      ClientRuntime.create(cfg -> cfg.listenerThreads(LISTENER_THREADS));
+  private final BlockingQueue<Sample> samples = new LinkedBlockingQueue<>();
+
+  @AfterEach
+  void closeRuntime() {
+    runtime.close();
+  }
+
+  private CrossComClient clientOf(MockServer of) throws Exception {
+    return client(cfg -> cfg.port(of.port()).runtime(runtime));
+  }
+
+  private Sample next() throws InterruptedException {
+    Sample sample = samples.poll(60, TimeUnit.SECONDS);
+    assertThat(sample).as("a sample within a minute").isNotNull();
+    return sample;
+  }
+
+  @Test
+  void twoHundredWatchesNeedTheThreadsOfOneRuntime() throws Exception {
+    Set<Thread> before = Thread.getAllStackTraces().keySet();
+    List<CrossComClient> clients = new ArrayList<>();
+    AtomicIntegerArray counts = new AtomicIntegerArray(CLIENTS);
+    CountDownLatch all = new CountDownLatch(CLIENTS);
+    try (MockServer many = MockServer.start(cfg -> cfg.server(server).maxClients(CLIENTS))) {
+      for (int i = 0; i < CLIENTS; i++) {
+        int number = i;
+        CrossComClient its = clientOf(many);
+        clients.add(its);
+        its.watch(
+            Duration.ofMillis(50),
+            sample -> {
+              if (counts.incrementAndGet(number) == 3) {
+                all.countDown();
+              }
+            },
+            "$AXIS_ACT",
+            "$OV_PRO");
+      }
+      assertThat(all.await(60, TimeUnit.SECONDS)).isTrue();
+      long threads =
+          Thread.getAllStackTraces().keySet().stream()
+              .filter(t -> t.getName().startsWith("crosscom-") && !before.contains(t))
+              .count();
+
+      assertThat(threads)
+          .as("a timer, a selector and listeners")
+          .isLessThanOrEqualTo(2 + LISTENER_THREADS);
+    } finally {
+      for (CrossComClient its : clients) {
+        its.close();
+      }
+    }
+  }
+
+  @Test
+  void serversThatNeverAnswerDelayNoOther() throws Exception {
+    List<CrossComClient> clients = new ArrayList<>();
+    AtomicInteger ofSilent = new AtomicInteger();
+    try (MockServer silent = MockServer.start(cfg -> cfg.server(server).maxClients(50))) {
+      silent.fault(request -> true, Fault.dropAnswer());
+      for (int i = 0; i < 50; i++) {
+        CrossComClient its = clientOf(silent);
+        clients.add(its);
+        its.watch(PERIOD, sample -> ofSilent.incrementAndGet(), "$OV_PRO");
+      }
+      while (silent.requestCount() < 50) {
+        Thread.onSpinWait();
+      }
+      try (CrossComClient its = clientOf(robot);
+          Watch watch = its.watch(PERIOD, samples::add, "$OV_PRO")) {
+        for (int i = 0; i < 20; i++) {
+          assertThat(next().value("$OV_PRO")).isEqualTo(new KrlInt(100));
+        }
+        assertThat(watch.failedPolls()).isZero();
+      }
+      assertThat(ofSilent).hasValue(0);
+    } finally {
+      for (CrossComClient its : clients) {
+        its.close();
+      }
+    }
+  }
+
+  static List<Fault> faults() {
+    return FailureTest.breaks().toList();
+  }
+
+  @ParameterizedTest
+  @MethodSource("faults")
+  void callsNextToAWatchHaveTheRightValuesAndNoWriteIsRepeatedThoughConnectionsBreak(Fault fault)
+      throws Exception {
+    detectServer();
+    Random random = new Random(1);
+    robot.faults(request -> random.nextInt(20) == 0 ? Optional.of(fault) : Optional.empty());
+    Duration tiny = Duration.ofMillis(1);
+    int failures = 0;
+    try (CrossComClient its = client(cfg -> cfg.runtime(runtime).reconnectBackoff(tiny, tiny));
+        Watch watch = its.watch(tiny, samples::add, "MYINT", "$OV_PRO")) {
+      for (int i = 1; i <= 300; i++) {
+        int value = i;
+        try {
+          its.writeInt("MYINT", value);
+          assertThat(its.readInt("MYINT")).isEqualTo(value);
+        } catch (CrossComException e) {
+          failures++;
+        }
+      }
+      robot.clearFaults();
+      Sample sample;
+      do {
+        sample = next();
+        KrlInt seen = (KrlInt) sample.value("MYINT");
+        assertThat(seen.value()).isBetween(0, 300);
+        assertThat(sample.value("$OV_PRO")).isEqualTo(new KrlInt(100));
+      } while (!samples.isEmpty());
+      assertThat(watch.failedPolls()).isLessThan(watch.polls());
+    }
+    assertThat(failures).isPositive();
+    List<String> writes =
+        robot.requests().stream()
+            .filter(RecordedRequest::isWrite)
+            .map(RecordedRequest::value)
+            .toList();
+    assertThat(writes).doesNotHaveDuplicates();
+  }
+
+  @Test
+  void aReadingIsRepeatedOnceOnANewConnection() throws Exception {
+    try (CrossComClient its = client(cfg -> cfg.runtime(runtime));
+        Watch watch = its.watch(PERIOD, samples::add, "$OV_PRO", "MYINT")) {
+      next();
+      robot.disconnectClients();
+      while (its.statistics().reconnects() == 0) {
+        next();
+      }
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
+  @Test
+  void aTextThatWasChangedToNonAsciiIsReadAgainWithItsCharset() throws Exception {
+    robot.variables().declare("MYTEXT[20]", "CHAR", "\"plain\"");
+    try (CrossComClient its = client(cfg -> cfg.runtime(runtime));
+        Watch watch =
+            its.watch(
+                WatchConfig.create(
+                    List.of("MYTEXT[]"), cfg -> cfg.period(PERIOD).changesOnly(true)),
+                samples::add)) {
+      assertThat(next().value("MYTEXT[]")).isEqualTo(new KrlString("plain"));
+      robot.variables().set("MYTEXT[]", "\"gr\u00fcn\"");
+      assertThat(next().value("MYTEXT[]")).isEqualTo(new KrlString("gr\u00fcn"));
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
+  @Test
+  void aValueTooLongForAnAnswerFailsAlone() throws Exception {
+    assumeThat(server).isEqualTo(ServerType.C3_BRIDGE);
+    robot.variables().declare("LONGTEXT[40000]", "CHAR", "\"" + "x".repeat(40_000) + "\"");
+    try (CrossComClient its = client(cfg -> cfg.runtime(runtime));
+        Watch watch = its.watch(PERIOD, samples::add, "LONGTEXT[]")) {
+      Sample sample = next();
+      assertThatExceptionOfType(CrossComValueException.class)
+          .isThrownBy(() -> sample.value("LONGTEXT[]"))
+          .withMessageContaining("too long for an answer");
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
+  @Test
+  void aRuntimeThatIsClosedEndsItsWatches() throws Exception {
+    CountDownLatch ended = new CountDownLatch(2);
+    CrossComClient its = client(cfg -> cfg.runtime(runtime));
+    Watch busy = its.watch(PERIOD, samples::add, "$OV_PRO");
+    Watch idle = its.watch(Duration.ofDays(1), samples::add, "$OV_PRO");
+    busy.subscribe(WatchTest.ending(ended));
+    idle.subscribe(WatchTest.ending(ended));
+    next();
+    runtime.close();
+
+    assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+    assertThat(its.isClosed()).isTrue();
+  }
+
+  @Test
+  void closingTheClientEndsAWatchThatConnects() throws Exception {
+    // a full backlog makes the system drop the request to connect
+    try (ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      List<Socket> fillers = new ArrayList<>();
+      for (int i = 0; i < 3; i++) {
+        Socket filler = new Socket();
+        fillers.add(filler);
+        try {
+          filler.connect(full.getLocalSocketAddress(), 100);
+        } catch (SocketTimeoutException e) {
+          break;
+        }
+      }
+      CountDownLatch ended = new CountDownLatch(1);
+      CrossComClient its =
+          CrossComClient.lazy(
+              ClientConfig.create(
+                  "127.0.0.1",
+                  cfg -> cfg.port(full.getLocalPort()).connectTimeout(LONG).runtime(runtime)));
+      Watch watch = its.watch(PERIOD, samples::add, "$OV_PRO");
+      watch.subscribe(WatchTest.ending(ended));
+      while (watch.polls() == 0) {
+        Thread.onSpinWait();
+      }
+      its.close();
+
+      assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+      for (Socket filler : fillers) {
+        filler.close();
+      }
+    }
+  }
+
+  /** The requests of the steps of a reading: of the detection, of one or of several variables. */
+  static List<String> steps() {
+    return List.of("@PROXY_TYPE", "$OV_PRO", "NOSUCHVAR");
+  }
+
+  @ParameterizedTest
+  @MethodSource("steps")
+  void closingTheClientEndsAWatchInEachStep(String name) throws Exception {
+    CountDownLatch asked = new CountDownLatch(1);
+    CountDownLatch ended = new CountDownLatch(1);
+    robot.faults(
+        request -> {
+          if (!request.names().contains(name)) {
+            return Optional.empty();
+          }
+          asked.countDown();
+          return Optional.of(Fault.dropAnswer());
+        });
+    CrossComClient its = client(cfg -> cfg.runtime(runtime));
+    Watch watch = its.watch(PERIOD, samples::add, "$OV_PRO", "NOSUCHVAR");
+    watch.subscribe(WatchTest.ending(ended));
+    asked.await();
+    its.close();
+
+    assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
+    assertThat(samples).isEmpty();
+    assertThat(runtime.timer().getQueue()).isEmpty();
+  }
+
+  @Test
+  void aReadingThatTimesOutIsCountedAndTheNextOneConnectsAgain() throws Exception {
+    detectServer();
+    try (CrossComClient its = client(cfg -> cfg.runtime(runtime).requestTimeout(SHORT));
+        Watch watch = its.watch(PERIOD, samples::add, "$OV_PRO")) {
+      next();
+      robot.enqueue(Fault.dropAnswer());
+      Sample sample;
+      do {
+        sample = next();
+      } while (!sample.hasGapBefore());
+      assertThat(watch.failedPolls()).isPositive();
+      assertThat(its.statistics().timeouts()).isPositive();
+      assertThat(its.statistics().reconnects()).isPositive();
+    }
+  }
+}

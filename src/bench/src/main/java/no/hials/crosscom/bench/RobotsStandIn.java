@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
+import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
@@ -63,9 +64,13 @@ public final class RobotsStandIn {
     server.register(selector, SelectionKey.OP_ACCEPT);
     System.out.println(server.socket().getLocalPort());
     endWithInput();
-    while (selector.isOpen()) {
-      selector.select(this::serve, timeToNext());
-      answerDue();
+    try {
+      while (true) {
+        selector.select(this::serve, timeToNext());
+        answerDue();
+      }
+    } catch (ClosedSelectorException e) {
+      // the input has ended
     }
   }
 

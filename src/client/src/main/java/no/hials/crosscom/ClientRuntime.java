@@ -9,6 +9,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import no.hials.crosscom.internal.exchange.DaemonThreads;
 import no.hials.crosscom.internal.exchange.SelectorLoop;
 
@@ -114,7 +115,7 @@ public final class ClientRuntime implements AutoCloseable {
   /** Closes the clients that use this runtime and their watches, and ends its threads. */
   @Override
   public void close() {
-    List.copyOf(connections).forEach(ReconnectingConnection::close);
+    List.copyOf(connections).forEach(connection -> connection.close(ChangeReason.RUNTIME_CLOSED));
     resolver.shutdown();
     timer.shutdownNow();
     loop.close();

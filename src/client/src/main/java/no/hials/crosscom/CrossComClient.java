@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLArray;
 import no.hials.crosscom.KRL.KRLRealArray;
@@ -112,7 +113,7 @@ public final class CrossComClient extends TypedAccess {
     try {
       connection.connectFirst();
     } catch (CrossComException e) {
-      connection.close();
+      connection.close(ChangeReason.CLOSED_BY_PROGRAM);
       throw e;
     }
     connection.start();
@@ -650,7 +651,7 @@ public final class CrossComClient extends TypedAccess {
    */
   @Override
   public void close() throws IOException {
-    connection.close();
+    connection.close(ChangeReason.CLOSED_BY_PROGRAM);
     cleanable.clean();
   }
 

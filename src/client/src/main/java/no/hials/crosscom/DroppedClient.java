@@ -1,6 +1,7 @@
 package no.hials.crosscom;
 
 import java.lang.ref.Cleaner;
+import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -52,7 +53,7 @@ final class DroppedClient implements Runnable {
           config.port(),
           place);
     }
-    connection.close();
+    connection.close(ChangeReason.DROPPED);
     threads.shutdown();
   }
 }

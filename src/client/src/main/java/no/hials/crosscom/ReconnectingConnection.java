@@ -13,6 +13,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import no.hials.crosscom.Connection.AnswerHandler;
+import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.internal.exchange.Answer;
 import no.hials.crosscom.internal.exchange.MessageAnswer;
@@ -86,7 +87,7 @@ final class ReconnectingConnection {
   void connectFirst() throws CrossComException {
     connect();
     connected.complete(null);
-    tell(ConnectionChange.CONNECTED, null);
+    tell(ConnectionChange.CONNECTED, ChangeReason.NONE, null);
   }
 
   /** Returns a future that is completed as soon as there is a connection. */
@@ -325,10 +326,14 @@ final class ReconnectingConnection {
     if (connected.isDone()) {
       connected = new CompletableFuture<>();
     }
+    ChangeReason reason = ChangeReason.of(why);
     if (why instanceof CrossComConnectionLostException && current().wasClosedAtOnce()) {
       delayNextAttempt();
+      if (reason != ChangeReason.INTERRUPTED) {
+        reason = ChangeReason.REJECTED;
+      }
     }
-    tell(ConnectionChange.LOST, why);
+    tell(ConnectionChange.LOST, reason, why);
   }
 
   private void delayNextAttempt() {
@@ -375,7 +380,7 @@ final class ReconnectingConnection {
     lostBy = failure;
     delayNextAttempt();
     if (started) {
-      tell(ConnectionChange.RECONNECT_FAILED, failure);
+      tell(ConnectionChange.RECONNECT_FAILED, ChangeReason.of(failure), failure);
     }
     return failure;
   }
@@ -395,7 +400,10 @@ final class ReconnectingConnection {
       if (!first) {
         meter.reconnected();
       }
-      tell(first ? ConnectionChange.CONNECTED : ConnectionChange.RECONNECTED, null);
+      tell(
+          first ? ConnectionChange.CONNECTED : ConnectionChange.RECONNECTED,
+          ChangeReason.NONE,
+          null);
     }
   }
 
@@ -553,12 +561,12 @@ final class ReconnectingConnection {
     return last == null ? 0 : last.lastEnd() + config.keepAlive().toNanos() - now;
   }
 
-  private void tell(ConnectionChange kind, @Nullable CrossComException cause) {
+  private void tell(ConnectionChange kind, ChangeReason reason, @Nullable CrossComException cause) {
     ConnectionListener listener = config.listener();
     if (listener == ClientConfig.NO_LISTENER) {
       return;
     }
-    ConnectionEvent event = new ConnectionEvent(kind, Instant.now(), cause);
+    ConnectionEvent event = new ConnectionEvent(kind, Instant.now(), reason, cause);
     events.execute(
         () -> {
           try {
@@ -582,7 +590,7 @@ final class ReconnectingConnection {
   }
 
   /** Closes for good; an exchange under way fails. Closing again does nothing. */
-  void close() {
+  void close(ChangeReason reason) {
     if (closed) {
       return;
     }
@@ -608,6 +616,6 @@ final class ReconnectingConnection {
             () ->
                 pending.completeExceptionally(
                     new CrossComClosedException("the client is closed", null, false)));
-    tell(ConnectionChange.CLOSED, null);
+    tell(ConnectionChange.CLOSED, reason, null);
   }
 }

@@ -9,6 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import org.junit.jupiter.api.Test;
 
@@ -65,16 +66,26 @@ class ConnectingTest extends RobotTest {
   void aClientThatIsDroppedIsClosed() throws Exception {
     assertThat(client.readText("$OV_PRO")).isEqualTo("100"); // the server knows this client
     int before = robot.clientCount();
-    dropAClient();
+    BlockingQueue<ConnectionEvent> events = new LinkedBlockingQueue<>();
+    dropAClient(events);
     while (robot.clientCount() > before) {
       System.gc();
       Thread.onSpinWait();
     }
+    ConnectionEvent event = events.poll(60, TimeUnit.SECONDS);
+    assertThat(event).isNotNull();
+    assertThat(event.reason()).isEqualTo(ChangeReason.DROPPED);
   }
 
   @SuppressWarnings("resource")
-  private void dropAClient() throws Exception {
-    assertThat(client(cfg -> {}).readText("$OV_PRO")).isEqualTo("100");
+  private void dropAClient(BlockingQueue<ConnectionEvent> events) throws Exception {
+    ConnectionListener closed =
+        event -> {
+          if (event.kind() == ConnectionChange.CLOSED) {
+            events.add(event);
+          }
+        };
+    assertThat(client(cfg -> cfg.listener(closed)).readText("$OV_PRO")).isEqualTo("100");
   }
 
   @Test

@@ -144,7 +144,8 @@ class WatchTableTest {
   }
 
   private void add(ConnectionEvent.ConnectionChange change, Instant time) {
-    ConnectionEvent event = new ConnectionEvent(change, time, null);
+    ConnectionEvent event =
+        new ConnectionEvent(change, time, ConnectionEvent.ChangeReason.NONE, null);
     robot.count(event);
     table.connectionChanged(robot, event);
   }

@@ -12,6 +12,7 @@ import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.WritePermission;
+import no.hials.crosscom.control.input.TypedKeys;
 import no.hials.crosscom.protocol.value.PrintableText;
 import org.jspecify.annotations.Nullable;
 
@@ -144,7 +145,7 @@ public final class Console implements WritePermission.Confirmation {
     err.flush();
     String answer = null;
     try {
-      Terminal.dropTyped();
+      TypedKeys.drop();
       err.print(choices);
       err.flush();
       answer = Terminal.readLine();

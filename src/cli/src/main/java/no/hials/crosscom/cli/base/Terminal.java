@@ -6,9 +6,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.jline.nativ.Kernel32;
-import org.jline.terminal.Attributes;
-import org.jline.terminal.TerminalBuilder;
 import org.jspecify.annotations.Nullable;
 
 /** Checks whether a person uses the terminal of this process. */
@@ -60,44 +57,8 @@ public final class Terminal {
   }
 
   /**
-   * Drops the keys that were typed before now, so that they do not answer a question.
-   *
-   * @throws IOException if the settings of the terminal cannot be changed
-   */
-  static void dropTyped() throws IOException {
-    if (System.getProperty("os.name", "").startsWith("Windows")) {
-      Kernel32.FlushConsoleInputBuffer(Kernel32.GetStdHandle(Kernel32.STD_INPUT_HANDLE));
-      return;
-    }
-    try (org.jline.terminal.Terminal open =
-        TerminalBuilder.builder()
-            .system(true)
-            .providers("jni,exec")
-            .dumb(false)
-            .nativeSignals(false)
-            .graphemeCluster(false)
-            .build()) {
-      dropTyped(open);
-    } catch (IllegalStateException e) {
-      throw new IOException(e.getMessage(), e);
-    }
-  }
-
-  private static void dropTyped(org.jline.terminal.Terminal open) throws IOException {
-    // in line mode the system keeps an unfinished line, which a later Enter would complete
-    Attributes before = open.enterRawMode();
-    try {
-      for (int typed = System.in.available(); typed > 0; typed = System.in.available()) {
-        System.in.readNBytes(typed);
-      }
-    } finally {
-      open.setAttributes(before);
-    }
-  }
-
-  /**
    * Reads a line from the user; null at the end of the input. Reads no key after the line, as a
-   * {@link Console} does, so that {@link #dropTyped()} misses none.
+   * {@link Console} does, so that dropping the typed keys misses none.
    */
   static @Nullable String readLine() throws IOException {
     ByteArrayOutputStream line = new ByteArrayOutputStream();

@@ -11,7 +11,6 @@ import org.jline.terminal.Attributes.ControlChar;
 import org.jline.terminal.Attributes.InputFlag;
 import org.jline.terminal.Attributes.LocalFlag;
 import org.jline.terminal.Terminal;
-import org.jline.terminal.TerminalBuilder;
 import org.jline.utils.ClosedException;
 import org.jline.utils.NonBlockingReader;
 import org.jspecify.annotations.Nullable;
@@ -119,17 +118,8 @@ public final class KeyboardInput implements InputDevice {
   public static KeyboardInput open() throws IOException {
     Terminal terminal;
     try {
-      terminal =
-          TerminalBuilder.builder()
-              .system(true)
-              // the native library is faster; stty works where it cannot be loaded
-              .providers("jni,exec")
-              .dumb(false)
-              .nativeSignals(false)
-              // otherwise JLine queries the terminal, and a late answer looks like keys
-              .graphemeCluster(false)
-              .build();
-    } catch (IOException | IllegalStateException e) {
+      terminal = TypedKeys.openTerminal();
+    } catch (IOException e) {
       throw new IOException("the keyboard needs a terminal: " + e.getMessage(), e);
     }
     if (terminal.getType().startsWith(Terminal.TYPE_DUMB)) { // sends whole lines, not single keys
@@ -137,8 +127,7 @@ public final class KeyboardInput implements InputDevice {
       throw new IOException("the keyboard needs a terminal that sends single keys, TERM is dumb");
     }
     try {
-      takeSingleKeys(terminal); // in line mode the system keeps an unfinished line
-      System.in.readNBytes(System.in.available());
+      TypedKeys.drop(terminal);
     } catch (IllegalStateException e) {
       // it is closed already, which is reported below
     }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -28,7 +29,7 @@ public final class Jar {
 
   /** Returns the process to start, without the environment of the user who runs the tests. */
   public static ProcessBuilder process(String... args) {
-    ProcessBuilder builder = new ProcessBuilder(command(args));
+    ProcessBuilder builder = new ProcessBuilder(new ArrayList<>(command(args)));
     // the JVM says on stderr that it found them
     builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
     builder.environment().keySet().removeIf(name -> name.startsWith("JOPENSHOWVAR_"));

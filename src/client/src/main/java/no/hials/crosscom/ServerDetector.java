@@ -96,8 +96,8 @@ final class ServerDetector {
   /**
    * Returns the next question to ask.
    *
-   * <p>A failure or an empty value does not show the type: KUKAVARPROXY answers so, and C3 Bridge
-   * may once; but only C3 Bridge knows message 14 (docs/reference/servers.md).
+   * <p>A failure does not show the type: old KUKAVARPROXYs always fail, and C3 Bridge may fail
+   * once; but only C3 Bridge knows message 14 (docs/reference/servers.md).
    *
    * @param withVersion whether the version is needed too
    * @return null if all is known
@@ -138,7 +138,7 @@ final class ServerDetector {
             "; it also failed to answer @PROXY_TYPE, so that its type is unknown: set it with"
                 + " ClientConfig.Builder.server");
       }
-    } else if (!answer.success() || answer.isEmpty()) {
+    } else if (!answer.success()) {
       typeUnclear = true;
     } else {
       boolean bridge = C3_BRIDGE.equalsIgnoreCase(answer.toString().strip());

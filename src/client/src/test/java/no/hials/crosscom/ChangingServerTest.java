@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -13,10 +12,8 @@ import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
-import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.MessageType;
-import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Version;
 import org.junit.jupiter.api.AfterEach;
@@ -69,13 +66,8 @@ class ChangingServerTest {
     return variables;
   }
 
-  /** Returns the types without the question for the features, which KUKAVARPROXY does not know. */
   private static List<MessageType> types(MockServer server) {
-    return server.requests().stream()
-        .map(RecordedRequest::request)
-        .filter(Objects::nonNull)
-        .map(Request::type)
-        .toList();
+    return server.requests().stream().map(r -> r.request().type()).toList();
   }
 
   @ParameterizedTest

@@ -45,11 +45,7 @@ abstract class RobotTest {
 
   /** Returns the requests but those by which the client finds out which server there is. */
   final List<RecordedRequest> requests() {
-    return robot.requests().stream()
-        .filter(
-            r -> r.request() != null) // KUKAVARPROXY does not know the question for the features
-        .filter(r -> !r.name().startsWith("@PROXY_"))
-        .toList();
+    return robot.requests().stream().filter(r -> !r.name().startsWith("@PROXY_")).toList();
   }
 
   /** Detects the server, so that the faults of a test do not hit the question for it. */

@@ -36,15 +36,6 @@ class ServerDetectionTest extends RobotTest {
   }
 
   @Test
-  void anEmptyValueInAnswerToTheTypeDoesNotHideTheServer() throws Exception {
-    robot.enqueue(Fault.answer("", Tail.SUCCESS));
-
-    assertThat(detected()).isEqualTo(server);
-    assertThat(types()).startsWith(MessageType.READ, MessageType.FEATURES);
-    assertThat(robot.requests()).extracting(RecordedRequest::connection).containsOnly(1);
-  }
-
-  @Test
   void aKukavarproxyThatAnswersUnknownNamesWithAFailureIsDetected() throws Exception {
     try (MockServer old =
             MockServer.start(

@@ -17,16 +17,12 @@ import java.util.concurrent.SubmissionPublisher;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
-import java.util.stream.IntStream;
 import no.hials.crosscom.Batch.Item;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.Sample.Reading;
+import no.hials.crosscom.internal.exchange.DeadBand;
 import no.hials.crosscom.internal.exchange.SerialExecutor;
 import no.hials.crosscom.internal.exchange.TextAnswer;
-import no.hials.crosscom.protocol.value.KrlArray;
-import no.hials.crosscom.protocol.value.KrlReal;
-import no.hials.crosscom.protocol.value.KrlStruct;
-import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -88,6 +84,8 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private long missedInSamples;
   private long failedSinceSample;
 
+  private final DeadBand deadBand;
+
   /** The readings last reported as changed; the dead band is relative to them. */
   private final Map<String, Reading> published = new HashMap<>();
 
@@ -105,6 +103,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     this.channel = channel;
     this.config = config;
     this.runtime = runtime;
+    this.deadBand = new DeadBand(config.deadBand());
     this.variables = config.names().stream().map(KRLAny::new).toList();
     this.sampler = new SerialExecutor(runtime.listeners());
     // not shut down: a subscriber may request waiting samples after the end
@@ -392,24 +391,6 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     if (before == null || before.value() == null || now.value() == null) {
       return before == null || before.value() != now.value();
     }
-    return differs(before.value(), now.value());
-  }
-
-  private boolean differs(KrlValue before, KrlValue now) {
-    if (before instanceof KrlReal a && now instanceof KrlReal b) {
-      return Math.abs((double) a.value() - b.value()) > config.deadBand();
-    }
-    if (before instanceof KrlStruct a && now instanceof KrlStruct b) {
-      return a.fields().size() != b.fields().size()
-          || b.fields().stream()
-              .anyMatch(f -> a.get(f.name()).map(old -> differs(old, f.value())).orElse(true));
-    }
-    if (before instanceof KrlArray a && now instanceof KrlArray b) {
-      int size = a.elements().size();
-      return size != b.elements().size()
-          || IntStream.range(0, size)
-              .anyMatch(i -> differs(a.elements().get(i), b.elements().get(i)));
-    }
-    return !before.equals(now);
+    return deadBand.differs(before.value(), now.value());
   }
 }

@@ -22,7 +22,8 @@ import org.jspecify.annotations.Nullable;
  * @param missedPeriods the number of periods skipped before this sample because the reading before
  *     took too long
  * @param failedPolls the number of readings since the last sample that failed as a whole, for
- *     example without a connection; if not 0, there is a gap before this sample
+ *     example without a connection; if not 0, there is a gap before this sample. In a sample
+ *     without values ({@link WatchConfig.Builder#missedSamples}) this reading is counted too
  */
 public record Sample(
     long number,
@@ -61,19 +62,48 @@ public record Sample(
     return failedPolls > 0;
   }
 
+  /** What came of reading one variable. */
+  public enum ReadingStatus {
+    /** It was read, and the sample reports it as changed: see {@link Sample#changed}. */
+    FRESH,
+    /** It was read, and is unchanged or within the dead band. */
+    REPEATED,
+    /** It could not be read, unlike other variables. */
+    FAILED,
+    /** It was not read, because the whole reading failed. */
+    MISSED
+  }
+
   /**
    * The result of reading one variable: a value or a failure.
    *
    * @param value the value; null if reading failed
    * @param failure the reason, for example an unknown name; null after a success
+   * @param status whether it was read, and has changed
+   * @param time when its request was sent; the time of the sample if none was
+   * @param accessTime how long its exchange took, which several variables can share; zero if the
+   *     exchange failed
    */
-  public record Reading(@Nullable KrlValue value, @Nullable CrossComException failure) {
+  public record Reading(
+      @Nullable KrlValue value,
+      @Nullable CrossComException failure,
+      ReadingStatus status,
+      Instant time,
+      Duration accessTime) {
 
-    /** Checks that either value or failure is set. */
+    /** Checks that either value or failure is set, as the status says. */
     public Reading {
-      if ((value == null) == (failure == null)) {
-        throw new IllegalArgumentException("a reading is a value or a failure");
+      boolean read = status == ReadingStatus.FRESH || status == ReadingStatus.REPEATED;
+      if ((value != null) != read || (failure == null) != read) {
+        throw new IllegalArgumentException("a reading is a value or a failure, as its status says");
       }
+    }
+
+    /** Returns this reading, not fresh. */
+    Reading asRepeated() {
+      return status == ReadingStatus.FRESH
+          ? new Reading(value, failure, ReadingStatus.REPEATED, time, accessTime)
+          : this;
     }
 
     /**

@@ -1,5 +1,9 @@
 package no.hials.crosscom;
 
+import static no.hials.crosscom.Sample.ReadingStatus.FAILED;
+import static no.hials.crosscom.Sample.ReadingStatus.FRESH;
+import static no.hials.crosscom.Sample.ReadingStatus.MISSED;
+
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HashMap;
@@ -83,6 +87,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private long samples;
   private long missedInSamples;
   private long failedSinceSample;
+  private boolean lastFailed;
 
   private final DeadBand deadBand;
 
@@ -252,11 +257,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
 
     private void sample(List<Item> items, Duration duration) {
       try {
-        if (failure(items) != null) {
-          failedSinceSample++;
-        } else {
-          add(items, time, duration, missedBefore);
-        }
+        add(items, time, duration, missedBefore);
       } catch (RuntimeException | Error e) {
         broken(e);
       }
@@ -331,11 +332,30 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
 
   private void add(List<Item> items, Instant time, Duration duration, long missedBefore) {
     Map<String, Reading> readings = new LinkedHashMap<>();
-    for (int i = 0; i < items.size(); i++) {
-      readings.put(items.get(i).name(), reading(variables.get(i), items.get(i)));
+    Set<String> changed = new HashSet<>();
+    CrossComException failure = failure(items);
+    boolean failedBefore = lastFailed;
+    lastFailed = failure != null;
+    if (failure != null) {
+      failedSinceSample++;
+      if (!config.missedSamples() || (failedBefore && config.changesOnly())) {
+        return;
+      }
+      items.forEach(
+          item ->
+              readings.put(item.name(), new Reading(null, failure, MISSED, time, Duration.ZERO)));
+    } else {
+      changed.addAll(undelivered);
+      for (int i = 0; i < items.size(); i++) {
+        String name = items.get(i).name();
+        Reading reading = reading(variables.get(i), items.get(i), time);
+        if (differs(published.get(name), reading)) {
+          changed.add(name);
+        }
+        readings.put(name, changed.contains(name) ? reading : reading.asRepeated());
+      }
     }
-    Set<String> changed = changed(readings);
-    if (!changed.isEmpty() || !config.changesOnly()) {
+    if (failure != null || !changed.isEmpty() || !config.changesOnly()) {
       long missedNow = missedBefore - missedInSamples;
       publish(
           new Sample(++samples, time, duration, readings, changed, missedNow, failedSinceSample),
@@ -343,18 +363,20 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     }
   }
 
-  private static Reading reading(KRLAny variable, Item item) {
+  private static Reading reading(KRLAny variable, Item item, Instant sampleTime) {
     CrossComException failure = item.failure;
     TextAnswer answer = item.answer;
+    Instant time = item.time == null ? sampleTime : item.time;
+    Duration accessTime = Duration.ofNanos(item.nanos);
     if (failure == null) {
       try {
         VariableExchange.take(variable, Objects.requireNonNull(answer), false);
-        return new Reading(variable.getValue(), null);
+        return new Reading(variable.getValue(), null, FRESH, time, accessTime);
       } catch (CrossComValueException e) {
         failure = e;
       }
     }
-    return new Reading(null, failure);
+    return new Reading(null, failure, FAILED, time, accessTime);
   }
 
   private void publish(Sample sample, long missedBefore) {
@@ -369,22 +391,11 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     if (dropped.get() == before) {
       missedInSamples = missedBefore;
       failedSinceSample = 0;
-      undelivered.clear();
+      undelivered.removeAll(sample.changed()); // all of them, if the sample has values
     } else {
       // the next sample repeats the changes, so that a slow listener gets the last values too
       undelivered.addAll(sample.changed());
     }
-  }
-
-  private Set<String> changed(Map<String, Reading> readings) {
-    Set<String> changed = new HashSet<>(undelivered);
-    readings.forEach(
-        (name, reading) -> {
-          if (differs(published.get(name), reading)) {
-            changed.add(name);
-          }
-        });
-    return changed;
   }
 
   private boolean differs(@Nullable Reading before, Reading now) {

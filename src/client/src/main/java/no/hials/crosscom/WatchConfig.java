@@ -14,6 +14,7 @@ public final class WatchConfig {
   private final Duration period;
   private final boolean changesOnly;
   private final double deadBand;
+  private final boolean missedSamples;
   private final int bufferSize;
 
   private WatchConfig(List<String> names, Builder builder) {
@@ -21,6 +22,7 @@ public final class WatchConfig {
     period = builder.period;
     changesOnly = builder.changesOnly;
     deadBand = builder.deadBand;
+    missedSamples = builder.missedSamples;
     bufferSize = builder.bufferSize;
     check(!names.isEmpty(), "name at least one variable to watch");
   }
@@ -65,6 +67,11 @@ public final class WatchConfig {
     return deadBand;
   }
 
+  /** Returns whether a reading that fails as a whole is a sample without values. */
+  public boolean missedSamples() {
+    return missedSamples;
+  }
+
   /** Returns the number of samples that may wait for a slow listener. */
   public int bufferSize() {
     return bufferSize;
@@ -75,6 +82,7 @@ public final class WatchConfig {
     private Duration period = Duration.ofMillis(100);
     private boolean changesOnly;
     private double deadBand;
+    private boolean missedSamples;
     private int bufferSize = 256;
 
     private Builder() {}
@@ -105,6 +113,16 @@ public final class WatchConfig {
     public Builder deadBand(double value) {
       check(value >= 0 && Double.isFinite(value), "dead band must be 0 or more, is " + value);
       deadBand = value;
+      return this;
+    }
+
+    /**
+     * Sets whether a reading that fails as a whole is a sample without values, in which all
+     * variables are {@link Sample.ReadingStatus#MISSED}; with {@link #changesOnly} only the first
+     * of several such readings is. The default is false.
+     */
+    public Builder missedSamples(boolean value) {
+      missedSamples = value;
       return this;
     }
 

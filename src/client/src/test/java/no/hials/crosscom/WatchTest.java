@@ -17,6 +17,8 @@ import java.util.concurrent.Flow;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import no.hials.crosscom.Sample.Reading;
+import no.hials.crosscom.Sample.ReadingStatus;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -71,6 +73,78 @@ class WatchTest extends RobotTest {
       robot.variables().set("MYBOOL", "TRUE");
       assertThat(next().changed()).containsExactly("MYBOOL");
       assertThat(watch.polls()).isGreaterThanOrEqualTo(3);
+    }
+  }
+
+  @Test
+  void aReadingShowsWhetherItsValueIsFreshAndWhenItWasRead() throws Exception {
+    try (Watch watch = client.watch(PERIOD, samples::add, "MYINT", "NOSUCHVAR")) {
+      Sample first = next();
+      Reading read = first.readings().get("MYINT");
+      assertThat(read.status()).isEqualTo(ReadingStatus.FRESH);
+      assertThat(read.time()).isBetween(first.time(), first.time().plus(first.duration()));
+      assertThat(read.accessTime()).isPositive().isLessThanOrEqualTo(first.duration());
+      assertThat(first.readings().get("NOSUCHVAR").status()).isEqualTo(ReadingStatus.FAILED);
+      assertThat(next().readings().get("MYINT").status()).isEqualTo(ReadingStatus.REPEATED);
+      robot.variables().set("MYINT", "1");
+      Sample changed;
+      do {
+        changed = next();
+      } while (changed.changed().isEmpty());
+      assertThat(changed.readings().get("MYINT").status()).isEqualTo(ReadingStatus.FRESH);
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
+  @Test
+  void aReadingThatFailsIsASampleWithoutValuesIfAskedFor() throws Exception {
+    WatchConfig config =
+        WatchConfig.create(List.of("$OV_PRO"), cfg -> cfg.period(PERIOD).missedSamples(true));
+    Duration tiny = Duration.ofMillis(1);
+    try (CrossComClient its = client(cfg -> cfg.reconnectBackoff(tiny, tiny));
+        Watch watch = its.watch(config, samples::add)) {
+      next();
+      robot.refuseConnections();
+      robot.disconnectClients();
+      Sample missed;
+      do {
+        missed = next();
+      } while (missed.readings().get("$OV_PRO").status() != ReadingStatus.MISSED);
+      assertThat(missed.failedPolls()).isPositive();
+      assertThat(missed.changed()).isEmpty();
+      assertThatExceptionOfType(CrossComException.class)
+          .isThrownBy(missed.readings().get("$OV_PRO")::orThrow);
+      robot.acceptConnections();
+      Sample read;
+      do {
+        read = next();
+      } while (read.readings().get("$OV_PRO").status() == ReadingStatus.MISSED);
+      assertThat(read.readings().get("$OV_PRO").status()).isEqualTo(ReadingStatus.REPEATED);
+      assertThat(read.hasGapBefore()).as("the gap is in the samples").isFalse();
+      assertThat(watch.failedPolls()).isPositive();
+    }
+  }
+
+  @Test
+  void ifOnlyChangesAreWantedOneSampleIsMissedForAWholeGap() throws Exception {
+    WatchConfig config =
+        WatchConfig.create(
+            List.of("MYINT"), cfg -> cfg.period(PERIOD).changesOnly(true).missedSamples(true));
+    Duration tiny = Duration.ofMillis(1);
+    try (CrossComClient its = client(cfg -> cfg.reconnectBackoff(tiny, tiny));
+        Watch watch = its.watch(config, samples::add)) {
+      next();
+      robot.refuseConnections();
+      robot.disconnectClients();
+      while (watch.failedPolls() < 5) {
+        Thread.onSpinWait();
+      }
+      robot.variables().set("MYINT", "1");
+      robot.acceptConnections();
+      assertThat(next().readings().get("MYINT").status()).isEqualTo(ReadingStatus.MISSED);
+      Sample changed = next();
+      assertThat(changed.value("MYINT")).isEqualTo(new KrlInt(1));
+      assertThat(changed.failedPolls()).isGreaterThanOrEqualTo(4);
     }
   }
 

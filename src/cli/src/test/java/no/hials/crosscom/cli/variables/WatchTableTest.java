@@ -12,6 +12,7 @@ import java.util.Set;
 import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Sample.Reading;
+import no.hials.crosscom.Sample.ReadingStatus;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.SampledRobot;
 import no.hials.crosscom.cell.Sampling;
@@ -57,11 +58,16 @@ class WatchTableTest {
     table.add(robot, sample);
   }
 
+  private static Reading reading(String value) {
+    return new Reading(
+        KrlValue.parse(value), null, ReadingStatus.FRESH, Instant.EPOCH, Duration.ZERO);
+  }
+
   /** Adds a sample of now. */
   private void add(String myInt, String myFrame) {
     Map<String, Reading> readings = new LinkedHashMap<>();
-    readings.put("MYINT", new Reading(KrlValue.parse(myInt), null));
-    readings.put("MYFRAME", new Reading(KrlValue.parse(myFrame), null));
+    readings.put("MYINT", reading(myInt));
+    readings.put("MYFRAME", reading(myFrame));
     add(Instant.now(), readings);
   }
 
@@ -110,8 +116,15 @@ class WatchTableTest {
   void showsWhyAVariableCannotBeReadAndNoOldValues() {
     add("5", "{X 1.5}");
     Map<String, Reading> readings = new LinkedHashMap<>();
-    readings.put("MYINT", new Reading(null, robot.readFirst(List.of("NOPE")).get(0)));
-    readings.put("MYFRAME", new Reading(KrlValue.parse("{X 1.5}"), null));
+    readings.put(
+        "MYINT",
+        new Reading(
+            null,
+            robot.readFirst(List.of("NOPE")).get(0),
+            ReadingStatus.FAILED,
+            Instant.EPOCH,
+            Duration.ZERO));
+    readings.put("MYFRAME", reading("{X 1.5}"));
     add(Instant.now(), readings);
 
     assertThat(table.text().get(1)).matches("MYINT +the controller refused to read NOPE.*");

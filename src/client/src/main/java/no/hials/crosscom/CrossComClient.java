@@ -358,10 +358,11 @@ public final class CrossComClient extends TypedAccess {
    * @param listener called with the samples in a separate thread; more listeners can be added
    * @return the running watch; the caller closes it
    * @throws CrossComClosedException if the client is closed
+   * @throws IllegalArgumentException if a handle is of another client
    */
   public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener)
       throws IOException {
-    Objects.requireNonNull(watchConfig, "watchConfig");
+    check(Objects.requireNonNull(watchConfig, "watchConfig").handles());
     connection.checkOpen();
     Watch watch = new Watch(variables, connection, channel, watchConfig, config.runtime());
     watch.addListener(listener);

@@ -5,6 +5,9 @@ import java.util.Map;
 
 /** The results of reading several variables by their handles: for each a value or a failure. */
 public final class ReadResults {
+  /** The results of no handles; nothing is added to it. */
+  static final ReadResults NONE = new ReadResults();
+
   /** A value or an exception for each handle. */
   private final Map<Handle<?>, Object> results = new LinkedHashMap<>();
 
@@ -13,10 +16,15 @@ public final class ReadResults {
   void add(Handle<?> handle, Slot<?> slot, VariableResult result) {
     try {
       result.orThrow();
-      results.put(handle, slot.value());
+      add(handle, slot.value());
     } catch (CrossComException e) {
-      results.put(handle, e);
+      add(handle, e);
     }
+  }
+
+  /** Adds a value of the handle's type or an exception. */
+  void add(Handle<?> handle, Object result) {
+    results.put(handle, result);
   }
 
   /**

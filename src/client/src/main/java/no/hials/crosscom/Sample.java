@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param time when the reading began
  * @param duration how long reading all variables took
  * @param readings the result for each variable, in the order of {@link WatchConfig#names}
+ * @param results the results for handles, for {@link #get}; empty if the watch is of names
  * @param changed the variables that changed by more than the dead band since they were last
  *     reported as changed; all in the first sample. If a slow listener missed a sample, the next
  *     sample repeats its changes, for all listeners
@@ -30,6 +31,7 @@ public record Sample(
     Instant time,
     Duration duration,
     Map<String, Reading> readings,
+    ReadResults results,
     Set<String> changed,
     long missedPeriods,
     long failedPolls) {
@@ -38,6 +40,30 @@ public record Sample(
   public Sample {
     readings = Collections.unmodifiableMap(new LinkedHashMap<>(readings));
     changed = Set.copyOf(changed);
+  }
+
+  /** Creates a sample of a watch of names. */
+  public Sample(
+      long number,
+      Instant time,
+      Duration duration,
+      Map<String, Reading> readings,
+      Set<String> changed,
+      long missedPeriods,
+      long failedPolls) {
+    this(number, time, duration, readings, ReadResults.NONE, changed, missedPeriods, failedPolls);
+  }
+
+  /**
+   * Returns the value of a variable as the Java type of its handle.
+   *
+   * @param handle one of {@link WatchConfig#handles}
+   * @return the value
+   * @throws CrossComException if it could not be read
+   * @throws IllegalArgumentException if the watch does not read the handle
+   */
+  public <T> T get(Handle<T> handle) throws CrossComException {
+    return results.get(handle);
   }
 
   /**

@@ -3,6 +3,7 @@ package no.hials.crosscom;
 import java.io.Closeable;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import no.hials.crosscom.KRL.KRLVariable;
@@ -329,12 +330,7 @@ abstract sealed class TypedAccess implements Closeable permits CrossComClient {
    * @throws IllegalArgumentException if a handle is of another client
    */
   public ReadResults read(Handle<?>... handles) {
-    Objects.requireNonNull(handles, "handles");
-    for (Handle<?> handle : handles) {
-      if (Objects.requireNonNull(handle, "handle").client != this) {
-        throw new IllegalArgumentException(handle + " is a handle of " + handle.client);
-      }
-    }
+    check(Arrays.asList(Objects.requireNonNull(handles, "handles")));
     List<Reading<?>> readings = new ArrayList<>();
     try {
       for (Handle<?> handle : handles) {
@@ -349,6 +345,15 @@ abstract sealed class TypedAccess implements Closeable permits CrossComClient {
       return results;
     } finally {
       readings.forEach(Reading::end);
+    }
+  }
+
+  /** Refuses handles of another client. */
+  final void check(List<Handle<?>> handles) {
+    for (Handle<?> handle : handles) {
+      if (Objects.requireNonNull(handle, "handle").client != this) {
+        throw new IllegalArgumentException(handle + " is a handle of " + handle.client);
+      }
     }
   }
 

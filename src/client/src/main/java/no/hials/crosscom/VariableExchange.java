@@ -133,9 +133,7 @@ final class VariableExchange {
     VariableAccess access = VariableAccess.get();
     byte[] frame = access.readFrame(variable);
     String name = variable.getName();
-    if (variable instanceof KRLString
-        || variable instanceof KRLChar
-        || (variable instanceof KRLRecord && access.holdsText(variable))) {
+    if (isText(variable)) {
       take(variable, readText(name), false);
       return;
     }
@@ -151,6 +149,13 @@ final class VariableExchange {
       connection.release();
     }
     takeText(variable, text, false);
+  }
+
+  /** Returns whether the value of a variable always has a text. */
+  static boolean isText(KRLVariable variable) {
+    return variable instanceof KRLString
+        || variable instanceof KRLChar
+        || (variable instanceof KRLRecord && VariableAccess.get().holdsText(variable));
   }
 
   /** Writes a variable, an array element by element, and updates it from the answer. */

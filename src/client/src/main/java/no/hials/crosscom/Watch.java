@@ -23,7 +23,9 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import no.hials.crosscom.Batch.Item;
 import no.hials.crosscom.KRL.KRLAny;
+import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.Sample.Reading;
+import no.hials.crosscom.Sample.ReadingStatus;
 import no.hials.crosscom.internal.exchange.DeadBand;
 import no.hials.crosscom.internal.exchange.SerialExecutor;
 import no.hials.crosscom.internal.exchange.TextAnswer;
@@ -58,7 +60,8 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private final C3Channel channel;
   private final WatchConfig config;
   private final ClientRuntime runtime;
-  private final List<KRLAny> variables;
+  private final List<Watched> watched;
+  private final List<KRLVariable> variables;
 
   /** Creates and publishes the samples. */
   private final SerialExecutor sampler;
@@ -109,7 +112,11 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     this.config = config;
     this.runtime = runtime;
     this.deadBand = new DeadBand(config.deadBand());
-    this.variables = config.names().stream().map(KRLAny::new).toList();
+    this.watched =
+        config.handles().isEmpty()
+            ? config.names().stream().map(name -> new Watched(name, null)).toList()
+            : config.handles().stream().map(h -> new Watched(h.name(), h)).toList();
+    this.variables = watched.stream().map(Watched::variable).toList();
     this.sampler = new SerialExecutor(runtime.listeners());
     // not shut down: a subscriber may request waiting samples after the end
     this.publisher = new SubmissionPublisher<>(runtime.listeners(), config.bufferSize());
@@ -332,6 +339,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
 
   private void add(List<Item> items, Instant time, Duration duration, long missedBefore) {
     Map<String, Reading> readings = new LinkedHashMap<>();
+    ReadResults results = config.handles().isEmpty() ? ReadResults.NONE : new ReadResults();
     Set<String> changed = new HashSet<>();
     CrossComException failure = failure(items);
     boolean failedBefore = lastFailed;
@@ -341,14 +349,14 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
       if (!config.missedSamples() || (failedBefore && config.changesOnly())) {
         return;
       }
-      items.forEach(
-          item ->
-              readings.put(item.name(), new Reading(null, failure, MISSED, time, Duration.ZERO)));
+      for (Watched variable : watched) {
+        readings.put(variable.name, variable.failed(failure, MISSED, time, Duration.ZERO, results));
+      }
     } else {
       changed.addAll(undelivered);
       for (int i = 0; i < items.size(); i++) {
         String name = items.get(i).name();
-        Reading reading = reading(variables.get(i), items.get(i), time);
+        Reading reading = watched.get(i).reading(items.get(i), time, results);
         if (differs(published.get(name), reading)) {
           changed.add(name);
         }
@@ -358,25 +366,61 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     if (failure != null || !changed.isEmpty() || !config.changesOnly()) {
       long missedNow = missedBefore - missedInSamples;
       publish(
-          new Sample(++samples, time, duration, readings, changed, missedNow, failedSinceSample),
+          new Sample(
+              ++samples, time, duration, readings, results, changed, missedNow, failedSinceSample),
           missedBefore);
     }
   }
 
-  private static Reading reading(KRLAny variable, Item item, Instant sampleTime) {
-    CrossComException failure = item.failure;
-    TextAnswer answer = item.answer;
-    Instant time = item.time == null ? sampleTime : item.time;
-    Duration accessTime = Duration.ofNanos(item.nanos);
-    if (failure == null) {
-      try {
-        VariableExchange.take(variable, Objects.requireNonNull(answer), false);
-        return new Reading(variable.getValue(), null, FRESH, time, accessTime);
-      } catch (CrossComValueException e) {
-        failure = e;
-      }
+  /** A variable of the watch. Only the sampler sets its value. */
+  private static final class Watched {
+    private final String name;
+    private final KRLAny any;
+    private final @Nullable Handle<?> handle;
+    private final @Nullable Slot<?> slot;
+
+    Watched(String name, @Nullable Handle<?> handle) {
+      this.name = name;
+      this.any = new KRLAny(name);
+      this.handle = handle;
+      this.slot = handle == null ? null : Slot.of(name, handle.type());
     }
-    return new Reading(null, failure, FAILED, time, accessTime);
+
+    KRLVariable variable() {
+      return slot == null ? any : slot.variable();
+    }
+
+    Reading reading(Item item, Instant sampleTime, ReadResults results) {
+      CrossComException failure = item.failure;
+      Instant time = item.time == null ? sampleTime : item.time;
+      Duration accessTime = Duration.ofNanos(item.nanos);
+      if (failure == null) {
+        try {
+          TextAnswer answer = Objects.requireNonNull(item.answer);
+          VariableExchange.take(any, answer, false);
+          if (handle != null && slot != null) {
+            VariableExchange.take(slot.variable(), answer, false);
+            results.add(handle, slot.value());
+          }
+          return new Reading(any.getValue(), null, FRESH, time, accessTime);
+        } catch (CrossComValueException e) {
+          failure = e;
+        }
+      }
+      return failed(failure, FAILED, time, accessTime, results);
+    }
+
+    Reading failed(
+        CrossComException failure,
+        ReadingStatus status,
+        Instant time,
+        Duration accessTime,
+        ReadResults results) {
+      if (handle != null) {
+        results.add(handle, failure);
+      }
+      return new Reading(null, failure, status, time, accessTime);
+    }
   }
 
   private void publish(Sample sample, long missedBefore) {

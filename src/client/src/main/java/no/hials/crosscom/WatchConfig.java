@@ -1,24 +1,31 @@
 package no.hials.crosscom;
 
 import java.time.Duration;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * The options of a {@link Watch}. Immutable; created by {@link #create}. The {@link Builder}
- * describes the options.
+ * The variables and options of a {@link Watch}. Immutable; created by {@link #create} or {@link
+ * #ofHandles}. The {@link Builder} describes the options.
  */
 public final class WatchConfig {
   private final List<String> names;
+  private final List<Handle<?>> handles;
   private final Duration period;
   private final boolean changesOnly;
   private final double deadBand;
   private final boolean missedSamples;
   private final int bufferSize;
 
-  private WatchConfig(List<String> names, Builder builder) {
-    this.names = List.copyOf(Objects.requireNonNull(names, "names"));
+  private WatchConfig(
+      List<String> names, List<? extends Handle<?>> handles, Consumer<Builder> settings) {
+    Builder builder = new Builder();
+    Objects.requireNonNull(settings, "settings").accept(builder);
+    this.names = List.copyOf(names);
+    this.handles = List.copyOf(handles);
     period = builder.period;
     changesOnly = builder.changesOnly;
     deadBand = builder.deadBand;
@@ -36,9 +43,27 @@ public final class WatchConfig {
    * @throws IllegalArgumentException if a value is out of its range
    */
   public static WatchConfig create(List<String> names, Consumer<Builder> settings) {
-    Builder builder = new Builder();
-    Objects.requireNonNull(settings, "settings").accept(builder);
-    return new WatchConfig(names, builder);
+    return new WatchConfig(Objects.requireNonNull(names, "names"), List.of(), settings);
+  }
+
+  /**
+   * Creates a configuration whose samples have the values as Java types, by {@link
+   * Sample#get(Handle)}.
+   *
+   * @param handles handles of the client that reads them, in this order; at least one, each of
+   *     another variable
+   * @param settings sets the options that differ from their defaults
+   * @return the configuration
+   * @throws IllegalArgumentException if a value is out of its range
+   */
+  public static WatchConfig ofHandles(
+      List<? extends Handle<?>> handles, Consumer<Builder> settings) {
+    List<String> names =
+        Objects.requireNonNull(handles, "handles").stream().map(Handle::name).toList();
+    Set<String> seen = new HashSet<>();
+    names.forEach(
+        name -> check(seen.add(name), "each handle must be of another variable: " + name));
+    return new WatchConfig(names, handles, settings);
   }
 
   private static void check(boolean holds, String rule) {
@@ -50,6 +75,11 @@ public final class WatchConfig {
   /** Returns the variables to read, in this order. */
   public List<String> names() {
     return names;
+  }
+
+  /** Returns the handles of these variables; empty if they are read by name. */
+  public List<Handle<?>> handles() {
+    return handles;
   }
 
   /** Returns the time from the beginning of one reading to the beginning of the next. */

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Objects;
 import no.hials.crosscom.Batch.Item;
 import no.hials.crosscom.Connection.AnswerHandler;
-import no.hials.crosscom.KRL.KRLAny;
+import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.ServerDetector.Question;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.internal.VariableName;
@@ -48,7 +48,7 @@ final class WatchReading {
       VariableExchange exchange,
       ReconnectingConnection connection,
       C3Channel channel,
-      List<KRLAny> variables,
+      List<? extends KRLVariable> variables,
       Listener listener) {
     this.exchange = exchange;
     this.connection = connection;
@@ -241,7 +241,7 @@ final class WatchReading {
     }
   }
 
-  /** Reads a variable, as {@link VariableExchange#read(KRLAny)} does. */
+  /** Reads a variable, as {@link VariableExchange#read(KRLVariable)} does. */
   private final class Single extends Step {
     private final Item item;
     private final String name;
@@ -255,7 +255,7 @@ final class WatchReading {
     void run() throws CrossComException {
       if (isRepeated() && VariableName.isWhole(name)) {
         detect(true, this::readWhole);
-      } else if (VariableExchange.isReadAsText(name)) {
+      } else if (VariableExchange.isReadAsText(name) || VariableExchange.isText(item.variable)) {
         readText();
       } else {
         readAny();

@@ -148,6 +148,53 @@ class WatchTest extends RobotTest {
     }
   }
 
+  private record Height(double z) {}
+
+  @Test
+  void samplesOfHandlesHaveJavaValues() throws Exception {
+    robot.variables().declare("MYTEXT[20]", "CHAR", "\"gr\u00fcn\"");
+    Handle.OfInt override = client.intHandle("$OV_PRO");
+    Handle<Height> base = client.handle("$BASE", Height.class);
+    Handle<String> text = client.handle("MYTEXT[]", String.class);
+    Handle<Integer> unknown = client.handle("NOSUCHVAR", Integer.class);
+    Handle<Boolean> wrong = client.handle("MYINT", Boolean.class);
+    robot.variables().set("$BASE", "{Z 4.5}");
+    WatchConfig config =
+        WatchConfig.ofHandles(
+            List.of(override, base, text, unknown, wrong), cfg -> cfg.period(PERIOD));
+    try (Watch watch = client.watch(config, samples::add)) {
+      for (int i = 0; i < 3; i++) {
+        Sample sample = next();
+        assertThat(sample.get(override)).isEqualTo(100);
+        assertThat(sample.get(base)).isEqualTo(new Height(4.5));
+        assertThat(sample.get(text)).isEqualTo("gr\u00fcn");
+        assertThat(sample.value("$OV_PRO")).isEqualTo(new KrlInt(100));
+        assertThatExceptionOfType(CrossComAccessException.class)
+            .isThrownBy(() -> sample.get(unknown));
+        assertThatExceptionOfType(CrossComValueException.class).isThrownBy(() -> sample.get(wrong));
+        assertThat(sample.readings().get("MYINT").status()).isEqualTo(ReadingStatus.FAILED);
+        assertThatIllegalArgumentException()
+            .isThrownBy(() -> sample.get(client.intHandle("$OV_PRO")))
+            .withMessageContaining("not Handle{$OV_PRO, Integer}");
+      }
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
+  @Test
+  void aWatchHasHandlesOfItsClientOnlyAndOneForAVariable() throws Exception {
+    Handle<Integer> own = client.intHandle("MYINT");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> WatchConfig.ofHandles(List.of(own, client.realHandle("MYINT")), c -> {}))
+        .withMessage("each handle must be of another variable: MYINT");
+    try (CrossComClient other = client(LONG)) {
+      WatchConfig config = WatchConfig.ofHandles(List.of(own), cfg -> {});
+      assertThatIllegalArgumentException()
+          .isThrownBy(() -> other.watch(config, samples::add))
+          .withMessageStartingWith(own + " is a handle of " + client);
+    }
+  }
+
   @Test
   void aRealThatStaysInTheDeadBandHasNotChanged() throws Exception {
     try (Watch watch = client.watch(changes(0.5, "MYFRAME", "MYINT"), samples::add)) {

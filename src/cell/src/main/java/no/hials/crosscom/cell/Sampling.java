@@ -288,6 +288,7 @@ public final class Sampling implements Closeable {
         latest,
         rest.isNegative() ? Duration.ZERO : rest,
         sample.readings(),
+        sample.results(),
         sample.changed(),
         sample.missedPeriods(),
         sample.failedPolls());

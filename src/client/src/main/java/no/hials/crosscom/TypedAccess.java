@@ -12,7 +12,7 @@ import no.hials.crosscom.KRL.KRLVariable;
  * The calls of {@link CrossComClient} that read and write variables as Java values. They are built
  * on the calls for {@link KRLVariable}.
  */
-abstract sealed class TypedAccess implements Closeable permits CrossComClient {
+abstract sealed class TypedAccess implements Closeable permits OriginalAccess {
 
   /** Reads a variable of the controller into its local copy. */
   public abstract void readVariable(KRLVariable variable) throws IOException;

@@ -369,12 +369,33 @@ public final class CrossComClient extends OriginalAccess {
    */
   public Watch watch(WatchConfig watchConfig, Consumer<? super Sample> listener)
       throws IOException {
+    Objects.requireNonNull(listener, "listener");
+    Watch watch = watch(watchConfig);
+    watch.addListener(listener);
+    return watch;
+  }
+
+  /**
+   * Reads variables at a fixed period, for a loop that waits for each sample:
+   *
+   * <pre>{@code
+   * try (Watch watch = client.watch(WatchConfig.create(List.of("$OV_PRO"), cfg -> {}))) {
+   *   for (Sample sample : watch) {
+   *     ...
+   *   }
+   * }
+   * }</pre>
+   *
+   * @param watchConfig the variables and the period
+   * @return the watch, which starts with its first listener, subscriber or iterator; the caller
+   *     closes it
+   * @throws CrossComClosedException if the client is closed
+   * @throws IllegalArgumentException if a handle is of another client
+   */
+  public Watch watch(WatchConfig watchConfig) throws IOException {
     check(Objects.requireNonNull(watchConfig, "watchConfig").handles());
     connection.checkOpen();
-    Watch watch = new Watch(variables, connection, channel, watchConfig, config.runtime());
-    watch.addListener(listener);
-    watch.start();
-    return watch;
+    return new Watch(variables, connection, channel, watchConfig, config.runtime());
   }
 
   /**

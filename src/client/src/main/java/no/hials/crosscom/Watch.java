@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,6 +29,7 @@ import no.hials.crosscom.Sample.Reading;
 import no.hials.crosscom.Sample.ReadingStatus;
 import no.hials.crosscom.internal.exchange.DeadBand;
 import no.hials.crosscom.internal.exchange.SerialExecutor;
+import no.hials.crosscom.internal.exchange.SubscriberIterator;
 import no.hials.crosscom.internal.exchange.TextAnswer;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -35,7 +37,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Reads variables repeatedly, at a fixed period without drift; created by {@link
- * CrossComClient#watch}.
+ * CrossComClient#watch}. The first reading starts with the first listener, subscriber or iterator,
+ * so that none misses it.
  *
  * <p>A reading that takes longer than a period does not delay later readings: the missed periods
  * are skipped and counted. A slow listener does not delay readings either: samples wait for it up
@@ -52,7 +55,7 @@ import org.slf4j.LoggerFactory;
  * request, is a failed {@link Reading} in each sample. Only an unexpected exception ends the watch
  * with {@code onError}.
  */
-public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
+public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
 
   private final VariableExchange exchange;
@@ -81,6 +84,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   private volatile boolean waiting;
 
   // guarded by this
+  private boolean started;
   private boolean reading;
   private boolean closed;
   private boolean ended;
@@ -122,10 +126,16 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
     this.publisher = new SubmissionPublisher<>(runtime.listeners(), config.bufferSize());
   }
 
-  /** Starts the first reading. */
-  void start() {
+  /** Starts the first reading, unless it was started before. */
+  private void start() {
+    synchronized (this) {
+      if (started) {
+        return;
+      }
+      started = true;
+      next = System.nanoTime();
+    }
     connection.add(this);
-    next = System.nanoTime();
     scheduleTick();
   }
 
@@ -146,6 +156,7 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
                 listenerFailed(sample, e);
               }
             });
+    start();
   }
 
   private void listenerFailed(Sample sample, Throwable failure) {
@@ -165,6 +176,22 @@ public final class Watch implements Flow.Publisher<Sample>, AutoCloseable {
   @Override
   public void subscribe(Flow.Subscriber<? super Sample> subscriber) {
     publisher.subscribe(subscriber);
+    start();
+  }
+
+  /**
+   * Returns a new iterator of the later samples, whose {@code hasNext} waits for the next sample or
+   * the end of the watch. Only one thread at a time can use it. If it is slow, samples wait and are
+   * dropped as for a listener, also after the loop has ended: close the watch then.
+   *
+   * <p>{@code hasNext} and {@code next} throw {@link java.io.UncheckedIOException} if the thread is
+   * interrupted, whose flag stays set, and {@link IllegalStateException} if the watch has failed.
+   */
+  @Override
+  public Iterator<Sample> iterator() {
+    SubscriberIterator<Sample> iterator = new SubscriberIterator<>();
+    subscribe(iterator);
+    return iterator;
   }
 
   /** Returns the number of readings started. */

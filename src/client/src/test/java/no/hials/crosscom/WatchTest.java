@@ -5,10 +5,14 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
+import java.io.InterruptedIOException;
+import java.io.UncheckedIOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.Iterator;
 import java.util.List;
+import java.util.NoSuchElementException;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
@@ -192,6 +196,76 @@ class WatchTest extends RobotTest {
       assertThatIllegalArgumentException()
           .isThrownBy(() -> other.watch(config, samples::add))
           .withMessageStartingWith(own + " is a handle of " + client);
+    }
+  }
+
+  @Test
+  void aLoopOverAWatchGetsEachSampleFromTheFirstOne() throws Exception {
+    long expected = 1;
+    try (Watch watch =
+        client.watch(WatchConfig.create(List.of("$OV_PRO"), cfg -> cfg.period(PERIOD)))) {
+      assertThat(watch.polls()).isZero();
+      for (Sample sample : watch) {
+        assertThat(sample.number()).isEqualTo(expected);
+        assertThat(sample.value("$OV_PRO")).isEqualTo(new KrlInt(100));
+        if (++expected > 5) {
+          break;
+        }
+      }
+    }
+    assertThat(expected).isEqualTo(6);
+  }
+
+  @Test
+  void aLoopOverAWatchEndsAfterTheLastSampleWhenTheClientIsClosed() throws Exception {
+    CrossComClient its = client(cfg -> {});
+    Watch watch = its.watch(WatchConfig.create(List.of("$OV_PRO"), cfg -> cfg.period(PERIOD)));
+    Iterator<Sample> iterator = watch.iterator();
+    assertThat(iterator.next().number()).isEqualTo(1);
+    its.close();
+    long last = 1;
+    while (iterator.hasNext()) {
+      last = iterator.next().number();
+    }
+
+    assertThat(last).isBetween(1L, watch.polls());
+    assertThat(iterator.hasNext()).isFalse();
+    assertThatExceptionOfType(NoSuchElementException.class).isThrownBy(iterator::next);
+    assertThat(watch.iterator().hasNext()).as("of a watch that has ended").isFalse();
+  }
+
+  @Test
+  void anInterruptedLoopEndsAndTheFlagStaysSet() throws Exception {
+    WatchConfig config = WatchConfig.create(List.of("$OV_PRO"), c -> c.period(Duration.ofDays(1)));
+    try (Watch watch = client.watch(config)) {
+      Iterator<Sample> iterator = watch.iterator();
+      assertThat(iterator.next().number()).isEqualTo(1);
+      Thread.currentThread().interrupt();
+
+      assertThatExceptionOfType(UncheckedIOException.class)
+          .isThrownBy(iterator::hasNext)
+          .withCauseInstanceOf(InterruptedIOException.class);
+      assertThat(Thread.interrupted()).isTrue();
+    }
+  }
+
+  @Test
+  void aSlowLoopLosesWhatDoesNotFitIntoTheBuffer() throws Exception {
+    WatchConfig config =
+        WatchConfig.create(
+            List.of("$OV_PRO"), cfg -> cfg.period(Duration.ofMillis(1)).bufferSize(4));
+    try (Watch watch = client.watch(config)) {
+      Iterator<Sample> iterator = watch.iterator();
+      while (watch.droppedSamples() == 0) {
+        Thread.onSpinWait();
+      }
+      long before = 0;
+      long number = iterator.next().number();
+      while (number == before + 1) {
+        before = number;
+        number = iterator.next().number();
+      }
+      assertThat(number).as("after a gap").isGreaterThan(before + 1);
     }
   }
 

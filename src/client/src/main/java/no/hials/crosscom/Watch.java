@@ -171,12 +171,42 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   /**
    * Adds a subscriber.
    *
-   * @param subscriber receives later samples, as many as it requests
+   * @param subscriber receives later samples, as many as it requests. An exception of its {@code
+   *     onNext} is counted like a listener's, and ends its subscription only
    */
   @Override
   public void subscribe(Flow.Subscriber<? super Sample> subscriber) {
-    publisher.subscribe(subscriber);
+    publisher.subscribe(new Counted(this, Objects.requireNonNull(subscriber, "subscriber")));
     start();
+  }
+
+  /** A subscriber whose exceptions are counted; equal if the subscriber is. */
+  private record Counted(Watch watch, Flow.Subscriber<? super Sample> subscriber)
+      implements Flow.Subscriber<Sample> {
+    @Override
+    public void onSubscribe(Flow.Subscription subscription) {
+      subscriber.onSubscribe(subscription);
+    }
+
+    @Override
+    public void onNext(Sample sample) {
+      try {
+        subscriber.onNext(sample);
+      } catch (RuntimeException | Error e) {
+        watch.listenerFailed(sample, e);
+        throw e;
+      }
+    }
+
+    @Override
+    public void onError(Throwable failure) {
+      subscriber.onError(failure);
+    }
+
+    @Override
+    public void onComplete() {
+      subscriber.onComplete();
+    }
   }
 
   /**
@@ -214,12 +244,15 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     return dropped.get();
   }
 
-  /** Returns how often a listener has thrown an exception. */
+  /** Returns how often a listener or subscriber has thrown an exception on a sample. */
   public long listenerFailures() {
     return listenerFailures.get();
   }
 
-  /** Returns the last exception of a listener; null if there was none. The first one is logged. */
+  /**
+   * Returns the last exception of a listener or subscriber; null if there was none. The first one
+   * is logged.
+   */
   public @Nullable Throwable listenerFailure() {
     return listenerFailure;
   }

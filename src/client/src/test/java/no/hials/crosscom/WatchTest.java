@@ -345,6 +345,42 @@ class WatchTest extends RobotTest {
   }
 
   @Test
+  void aSubscriberThatThrowsIsCountedAndEndsNoOther() throws Exception {
+    CompletableFuture<Throwable> told = new CompletableFuture<>();
+    IllegalStateException thrown = new IllegalStateException("on purpose");
+    Flow.Subscriber<Sample> throwing =
+        new Flow.Subscriber<>() {
+          @Override
+          public void onSubscribe(Flow.Subscription subscription) {
+            subscription.request(Long.MAX_VALUE);
+          }
+
+          @Override
+          public void onNext(Sample sample) {
+            throw thrown;
+          }
+
+          @Override
+          public void onError(Throwable failure) {
+            told.complete(failure);
+          }
+
+          @Override
+          public void onComplete() {}
+        };
+    try (Watch watch = client.watch(PERIOD, samples::add, "$OV_PRO")) {
+      watch.subscribe(throwing);
+      assertThat(told.get(60, TimeUnit.SECONDS)).isSameAs(thrown);
+      long last = next().number();
+      assertThat(watch.listenerFailures()).isEqualTo(1);
+      assertThat(watch.listenerFailure()).isSameAs(thrown);
+      for (int i = 0; i < 5; i++) {
+        assertThat(next().number()).isEqualTo(++last);
+      }
+    }
+  }
+
+  @Test
   void aClosedClientStartsNoWatch() throws Exception {
     client.close();
 

@@ -138,7 +138,7 @@ public final class WatchConfig {
 
     /**
      * Sets the dead band, 0 or more: a REAL counts as changed if it differs by more than this, in
-     * its own unit. The default is 0.
+     * its own unit, even if the controller prints it as an INT. The default is 0.
      */
     public Builder deadBand(double value) {
       check(value >= 0 && Double.isFinite(value), "dead band must be 0 or more, is " + value);

@@ -25,6 +25,7 @@ import no.hials.crosscom.Sample.Reading;
 import no.hials.crosscom.Sample.ReadingStatus;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.value.KrlInt;
 import org.junit.jupiter.api.Test;
 
@@ -282,6 +283,25 @@ class WatchTest extends RobotTest {
       assertThat(next().changed()).as("X moved by 0.4 only").containsExactly("MYINT");
       robot.variables().set("MYFRAME", "{X 1.0}");
       assertThat(next().changed()).as("by 0.6 since the last sample").containsExactly("MYFRAME");
+    }
+  }
+
+  @Test
+  void aRealPrintedAsAnIntHasChangedOnlyBeyondTheDeadBand() throws Exception {
+    detectServer();
+    assertIntsCountAsReals("MYREAL", "1.2", "1", "2.0");
+    assertIntsCountAsReals("MYFRAME", "{X 1.2}", "{X 1, Y 0, Z 0, A 0, B 0, C 0}", "{X 2.0}");
+  }
+
+  private void assertIntsCountAsReals(String name, String first, String ints, String last)
+      throws Exception {
+    robot.variables().set(name, first);
+    try (Watch watch = client.watch(changes(0.5, name), samples::add)) {
+      next();
+      robot.enqueue(Fault.answer(ints, Tail.SUCCESS));
+      robot.variables().set(name, last);
+      assertThat(next().value(name).print()).as("not the INT").contains("2.0");
+      assertThat(watch.failedPolls()).isZero();
     }
   }
 

@@ -2,32 +2,88 @@ package no.hials.crosscom.internal.exchange;
 
 import java.util.stream.IntStream;
 import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.protocol.value.KrlVisitor;
 
 /**
  * Compares values.
  *
- * @param width the difference up to which a REAL counts as unchanged, in its own unit
+ * @param width the difference up to which a REAL counts as unchanged, in its own unit, also if the
+ *     controller prints one of the two values as an INT
  */
 public record DeadBand(double width) {
   /** Returns whether a value, or a part of it, differs by more than the dead band. */
   public boolean differs(KrlValue before, KrlValue now) {
-    if (before instanceof KrlReal a && now instanceof KrlReal b) {
-      return Math.abs((double) a.value() - b.value()) > width;
+    return now.accept(new Comparison(before));
+  }
+
+  /** Compares each kind of value with the value before. */
+  private final class Comparison implements KrlVisitor<Boolean> {
+    private final KrlValue before;
+
+    Comparison(KrlValue before) {
+      this.before = before;
     }
-    if (before instanceof KrlStruct a && now instanceof KrlStruct b) {
-      return a.fields().size() != b.fields().size()
-          || b.fields().stream()
-              .anyMatch(f -> a.get(f.name()).map(old -> differs(old, f.value())).orElse(true));
+
+    @Override
+    public Boolean visit(KrlInt number) {
+      return before instanceof KrlReal old
+          ? isBeyond(old.value(), number.value())
+          : !number.equals(before);
     }
-    if (before instanceof KrlArray a && now instanceof KrlArray b) {
-      int size = a.elements().size();
-      return size != b.elements().size()
+
+    @Override
+    public Boolean visit(KrlReal number) {
+      if (before instanceof KrlInt old) {
+        return isBeyond(old.value(), number.value());
+      }
+      return !(before instanceof KrlReal old) || isBeyond(old.value(), number.value());
+    }
+
+    private boolean isBeyond(double old, double number) {
+      return Math.abs(old - number) > width;
+    }
+
+    @Override
+    public Boolean visit(KrlBool bool) {
+      return !bool.equals(before);
+    }
+
+    @Override
+    public Boolean visit(KrlString string) {
+      return !string.equals(before);
+    }
+
+    @Override
+    public Boolean visit(KrlEnum constant) {
+      return !constant.equals(before);
+    }
+
+    @Override
+    public Boolean visit(KrlStruct struct) {
+      return !(before instanceof KrlStruct old)
+          || old.fields().size() != struct.fields().size()
+          || struct.fields().stream()
+              .anyMatch(
+                  field ->
+                      old.get(field.name())
+                          .map(value -> differs(value, field.value()))
+                          .orElse(true));
+    }
+
+    @Override
+    public Boolean visit(KrlArray array) {
+      int size = array.elements().size();
+      return !(before instanceof KrlArray old)
+          || old.elements().size() != size
           || IntStream.range(0, size)
-              .anyMatch(i -> differs(a.elements().get(i), b.elements().get(i)));
+              .anyMatch(i -> differs(old.elements().get(i), array.elements().get(i)));
     }
-    return !before.equals(now);
   }
 }

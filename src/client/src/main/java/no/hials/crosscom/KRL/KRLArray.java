@@ -38,6 +38,11 @@ public abstract class KRLArray extends KRLVariable {
     return length;
   }
 
+  @Override
+  protected boolean holdsText() {
+    return false;
+  }
+
   /**
    * Returns the name of an element.
    *

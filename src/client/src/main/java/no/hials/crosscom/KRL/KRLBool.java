@@ -51,6 +51,11 @@ public class KRLBool extends ScannedVariable {
   }
 
   @Override
+  protected boolean holdsText() {
+    return false;
+  }
+
+  @Override
   void read(KrlScanner scanner) {
     boolean read = scanner.readBool();
     scanner.expectEnd();

@@ -52,6 +52,11 @@ public class KRLInt extends ScannedVariable {
   }
 
   @Override
+  protected boolean holdsText() {
+    return false;
+  }
+
+  @Override
   protected boolean appendValue(KrlText text) {
     text.append(intValue());
     return true;

@@ -59,6 +59,11 @@ public class KRLReal extends ScannedVariable {
   }
 
   @Override
+  protected boolean holdsText() {
+    return false;
+  }
+
+  @Override
   protected boolean appendValue(KrlText text) {
     text.append((float) doubleValue());
     return true;

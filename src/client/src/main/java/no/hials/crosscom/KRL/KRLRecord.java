@@ -77,8 +77,8 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
     this.scratch = numbers == null ? new double[0] : numbers.scratch();
   }
 
-  /** Returns whether a component can contain a text or an ENUM. */
-  boolean recordHoldsText() {
+  @Override
+  protected boolean holdsText() {
     return recordHoldsText;
   }
 

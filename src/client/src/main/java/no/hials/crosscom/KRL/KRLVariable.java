@@ -4,10 +4,8 @@ import java.lang.reflect.Method;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
-import no.hials.crosscom.KRL.structs.KRLAxis;
 import no.hials.crosscom.KRL.structs.KRLE6Axis;
 import no.hials.crosscom.KRL.structs.KRLE6Pos;
-import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.internal.BoxedFrame;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.internal.VariableName;
@@ -159,17 +157,11 @@ public abstract class KRLVariable {
   }
 
   /**
-   * Returns whether the value can contain a text, or an ENUM: whether it is not a number, a BOOL,
-   * an array of them or a structure of numbers.
+   * Returns whether the value can contain a text or an ENUM, so that it must be read in the charset
+   * of the controller. If a class does not override this method, it can.
    */
-  private boolean holdsText() {
-    return !(this instanceof KRLInt
-        || this instanceof KRLReal
-        || this instanceof KRLBool
-        || this instanceof KRLArray
-        || this instanceof KRLFrame
-        || this instanceof KRLAxis
-        || (this instanceof KRLRecord<?> record && !record.recordHoldsText()));
+  protected boolean holdsText() {
+    return true;
   }
 
   /** Returns the exception to throw for a variable without a value. */

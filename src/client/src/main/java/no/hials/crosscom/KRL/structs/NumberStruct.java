@@ -240,6 +240,11 @@ abstract class NumberStruct extends KRLStruct {
   }
 
   @Override
+  protected boolean holdsText() {
+    return false;
+  }
+
+  @Override
   protected final boolean appendValue(KrlText text) {
     boolean empty = true;
     text.openStruct();

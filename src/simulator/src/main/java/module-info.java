@@ -10,8 +10,6 @@ module no.hials.crosscom.simulator {
   exports no.hials.crosscom.simulator;
   exports no.hials.crosscom.simulator.internal to
       no.hials.crosscom.mock;
-  exports no.hials.crosscom.simulator.internal.core to
-      no.hials.crosscom.mock;
   exports no.hials.crosscom.simulator.internal.files to
       no.hials.crosscom.mock;
 }

@@ -2,6 +2,7 @@ package no.hials.crosscom.mock;
 
 import java.time.Instant;
 import java.util.List;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.variable.Assignment;
 import no.hials.crosscom.protocol.variable.VariableRequest;
@@ -16,7 +17,6 @@ import no.hials.crosscom.protocol.variable.VariableRequest.WriteMultipleRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.WriteUtf16Request;
 import no.hials.crosscom.simulator.Refusal;
-import no.hials.crosscom.simulator.internal.TypeSwitch;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,5 +1,6 @@
 package no.hials.crosscom.mock.internal;
 
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MalformedRequestException;
 import no.hials.crosscom.protocol.MessageType;
@@ -13,7 +14,6 @@ import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.server.ServerResponse.FeaturesResponse;
 import no.hials.crosscom.protocol.server.ServerResponse.InformationResponse;
 import no.hials.crosscom.protocol.variable.VariableRequest;
-import no.hials.crosscom.simulator.internal.TypeSwitch;
 
 /** Executes requests as a version of C3 Bridge does (docs/reference/c3-messages.md). */
 public final class C3Handler implements RequestHandler {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import no.hials.crosscom.lang.Statement.MotionKind;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.PlainResponse;
 import no.hials.crosscom.protocol.Response;
@@ -30,7 +31,6 @@ import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.ProgramControl;
-import no.hials.crosscom.simulator.internal.TypeSwitch;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -3,6 +3,7 @@ package no.hials.crosscom.mock.internal;
 import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.lang.Access;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.mock.internal.RequestHandler.Outcome;
 import no.hials.crosscom.protocol.ErrorCode;
@@ -30,7 +31,6 @@ import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.VariableTable;
-import no.hials.crosscom.simulator.internal.TypeSwitch;
 import org.jspecify.annotations.Nullable;
 
 /** Executes the requests of C3 Bridge for variables: types 0, 1, 4 to 7 and 17. */

@@ -9,7 +9,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.locks.LockSupport;
 import no.hials.crosscom.mock.MockServerConfig;
-import no.hials.crosscom.simulator.internal.core.ThreadJoiner;
+import no.hials.crosscom.simulator.internal.ThreadJoiner;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;

@@ -2,6 +2,7 @@ package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MalformedRequestException;
@@ -23,7 +24,6 @@ import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.VariableTable;
-import no.hials.crosscom.simulator.internal.TypeSwitch;
 import org.jspecify.annotations.Nullable;
 
 /** Executes requests on a table of variables, as KUKAVARPROXY does on a controller. */

@@ -11,12 +11,12 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Function;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.EmptyResponse;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
-import no.hials.crosscom.simulator.internal.TypeSwitch;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -2,7 +2,7 @@ package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.simulator.internal.core.ThreadJoiner;
+import no.hials.crosscom.simulator.internal.ThreadJoiner;
 
 /** The daemon threads of a server. Safe for use by several threads. */
 public final class ServerThreads {

@@ -88,10 +88,7 @@ class ArchitectureTest {
 
   /** The packages of the simulator that are exported to the mock server. */
   private static final Set<String> INTERNALS_FOR_MOCK =
-      Set.of(
-          ROOT + ".simulator.internal",
-          ROOT + ".simulator.internal.core",
-          ROOT + ".simulator.internal.files");
+      Set.of(ROOT + ".simulator.internal", ROOT + ".simulator.internal.files");
 
   private static String module(JavaClass type) {
     String name = type.getPackageName();

@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator.internal.core;
 
 import java.util.concurrent.locks.LockSupport;
 import no.hials.crosscom.simulator.SimulationClock;
+import no.hials.crosscom.simulator.internal.ThreadJoiner;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;

@@ -5,6 +5,7 @@ import java.util.List;
 import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -14,7 +15,6 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.internal.TypeSwitch;
 
 /**
  * Evaluates the constant expressions of declarations: literals, aggregates, CONST variables, and

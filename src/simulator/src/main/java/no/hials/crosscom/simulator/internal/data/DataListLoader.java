@@ -13,10 +13,10 @@ import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.lang.VariableNote;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.internal.TypeSwitch;
 import org.jspecify.annotations.Nullable;
 
 /**

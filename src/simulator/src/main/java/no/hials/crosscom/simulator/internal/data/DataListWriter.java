@@ -9,11 +9,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import no.hials.crosscom.lang.Access;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.lang.VariableNote;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.RefusedException;
-import no.hials.crosscom.simulator.internal.TypeSwitch;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -7,7 +7,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
-import no.hials.crosscom.simulator.internal.TypeSwitch;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import org.jspecify.annotations.Nullable;
 

@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.internal;
+package no.hials.crosscom.lang;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -8,8 +8,9 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A switch over the classes of a sealed family, with a case for each class. A missing case is
- * reported when the switch is created; the compiler of Java 17 cannot report it.
+ * A switch over the classes of a sealed family such as {@link Statement}, with a case for each
+ * class. A missing case is reported when the switch is created; the compiler of Java 17 cannot
+ * report it. The simulated controller executes trees by it, and the mock server answers messages.
  *
  * <p>Immutable, so thread-safe if its cases are. A class keeps its switch in a static field, whose
  * cases are methods such as {@code Compiler::branch}.
@@ -36,6 +37,7 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
   /** The code for the values of a class, without a result. */
   @FunctionalInterface
   public interface VoidCase<C, T, E extends Exception> {
+    /** Handles a value. */
     void run(C context, T value) throws E;
   }
 

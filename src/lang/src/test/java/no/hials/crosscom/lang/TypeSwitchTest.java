@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.internal;
+package no.hials.crosscom.lang;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;

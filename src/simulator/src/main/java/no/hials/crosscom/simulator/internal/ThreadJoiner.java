@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.internal.core;
+package no.hials.crosscom.simulator.internal;
 
 /** Waits for threads to end. */
 public final class ThreadJoiner {

@@ -5,6 +5,7 @@ import no.hials.crosscom.internal.CancellableOperation;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.internal.exchange.MessageAnswer;
 import no.hials.crosscom.internal.exchange.Repeatability;
+import no.hials.crosscom.internal.exchange.Threads;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;

@@ -24,6 +24,7 @@ import no.hials.crosscom.internal.c3.C3Information;
 import no.hials.crosscom.internal.c3.C3Motion;
 import no.hials.crosscom.internal.c3.C3Pendant;
 import no.hials.crosscom.internal.c3.C3Programs;
+import no.hials.crosscom.internal.exchange.Threads;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
@@ -118,7 +119,13 @@ public final class CrossComClient extends OriginalAccess {
   private CrossComClient(ClientConfig config, ReconnectingConnection connection) {
     this.config = config;
     this.connection = connection;
-    this.threads = new Threads(config);
+    this.threads =
+        new Threads(
+            config.port(),
+            config.maxPendingCalls(),
+            config.runtime().callbacks(),
+            config.runtime().listeners(),
+            () -> new CrossComClosedException("the client is closed", null, false));
     this.channel =
         new C3Channel(
             connection,

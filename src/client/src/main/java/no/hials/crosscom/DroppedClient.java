@@ -2,6 +2,7 @@ package no.hials.crosscom;
 
 import java.lang.ref.Cleaner;
 import no.hials.crosscom.ConnectionEvent.ChangeReason;
+import no.hials.crosscom.internal.exchange.Threads;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -20,6 +20,7 @@ import no.hials.crosscom.internal.exchange.MessageAnswer;
 import no.hials.crosscom.internal.exchange.Repeatability;
 import no.hials.crosscom.internal.exchange.SelectorLoop;
 import no.hials.crosscom.internal.exchange.SerialExecutor;
+import no.hials.crosscom.internal.exchange.Threads;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;

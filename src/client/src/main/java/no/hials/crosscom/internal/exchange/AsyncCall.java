@@ -1,4 +1,4 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
@@ -68,13 +68,9 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
         });
   }
 
-  /** Fails because the client is closed. */
-  void refuse(Executor executor) {
-    end(
-        executor,
-        () ->
-            completeExceptionally(
-                new CrossComClosedException("the client is closed", null, false)));
+  /** Fails without having run. */
+  void refuse(Executor executor, Exception failure) {
+    end(executor, () -> completeExceptionally(failure));
   }
 
   @Override

@@ -1,4 +1,4 @@
-package no.hials.crosscom;
+package no.hials.crosscom.internal.exchange;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -7,13 +7,13 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Supplier;
 import no.hials.crosscom.internal.CancellableOperation;
 import no.hials.crosscom.internal.Cancellation;
-import no.hials.crosscom.internal.exchange.DaemonThreads;
 import org.jspecify.annotations.Nullable;
 
 /** The executors of a client, which run operations and the program's callbacks. */
-final class Threads {
+public final class Threads {
   /** The call of {@link #async} that a thread runs. */
   private static final ThreadLocal<@Nullable Running> RUNNING = new ThreadLocal<>();
 
@@ -29,19 +29,37 @@ final class Threads {
 
   private final ThreadPoolExecutor async;
   private final ThreadPoolExecutor transfers;
-  private final ClientRuntime runtime;
   private final int maxPending;
+  private final Executor callbacks;
+  private final Executor listeners;
+  private final Supplier<? extends Exception> closed;
   private final AtomicInteger pending = new AtomicInteger();
 
-  Threads(ClientConfig config) {
-    async = DaemonThreads.pool(1, "crosscom-async-" + config.port());
-    transfers = DaemonThreads.pool(1, "crosscom-files-" + config.port());
-    runtime = config.runtime();
-    maxPending = config.maxPendingCalls();
+  /**
+   * Creates the executors.
+   *
+   * @param port the server's port, for the names of the threads
+   * @param maxPending the maximum number of calls that have not ended
+   * @param callbacks runs the functions on the futures of calls
+   * @param listeners completes the futures of calls that do not run
+   * @param closed creates the failure of a call if the client is closed
+   */
+  public Threads(
+      int port,
+      int maxPending,
+      Executor callbacks,
+      Executor listeners,
+      Supplier<? extends Exception> closed) {
+    this.async = DaemonThreads.pool(1, "crosscom-async-" + port);
+    this.transfers = DaemonThreads.pool(1, "crosscom-files-" + port);
+    this.maxPending = maxPending;
+    this.callbacks = callbacks;
+    this.listeners = listeners;
+    this.closed = closed;
   }
 
   /** Commits the call that this thread runs, if any; before each exchange of each client. */
-  static void commitCall() {
+  public static void commitCall() {
     Running running = RUNNING.get();
     if (running != null) {
       running.call.commit();
@@ -52,7 +70,8 @@ final class Threads {
    * Queues an operation, which its first exchange commits. If another one queues it, it is part of
    * that and runs at once: in the queue it would wait for the other to end.
    */
-  <T extends @Nullable Object> CompletableFuture<T> async(CancellableOperation<T> operation) {
+  public <T extends @Nullable Object> CompletableFuture<T> async(
+      CancellableOperation<T> operation) {
     Running running = RUNNING.get();
     if (running != null && running.of == this) {
       return submit(Runnable::run, operation);
@@ -70,7 +89,7 @@ final class Threads {
   }
 
   /** Queues a transfer of a file, which commits itself. */
-  <T> CompletableFuture<T> transfer(CancellableOperation<T> operation) {
+  public <T> CompletableFuture<T> transfer(CancellableOperation<T> operation) {
     return submit(transfers, operation);
   }
 
@@ -84,22 +103,22 @@ final class Threads {
                   + maxPending
                   + ", and as many calls have not ended; nothing was sent"));
     }
-    AsyncCall<T> call = new AsyncCall<>(runtime.callbacks(), pending::decrementAndGet);
+    AsyncCall<T> call = new AsyncCall<>(callbacks, pending::decrementAndGet);
     try {
       executor.execute(new Task<>(call, operation));
     } catch (RejectedExecutionException e) {
-      call.refuse(runtime.listeners());
+      call.refuse(listeners, closed.get());
     }
     return call;
   }
 
   /** Runs no more operations; those that are queued fail, because the client is closed. */
-  void shutdown() {
+  public void shutdown() {
     for (ThreadPoolExecutor executor : List.of(transfers, async)) {
       executor.shutdown();
       List<Runnable> queued = new ArrayList<>();
       executor.getQueue().drainTo(queued); // the operation under way may wait for one of them
-      queued.forEach(task -> ((Task<?>) task).call.refuse(runtime.listeners()));
+      queued.forEach(task -> ((Task<?>) task).call.refuse(listeners, closed.get()));
     }
   }
 }

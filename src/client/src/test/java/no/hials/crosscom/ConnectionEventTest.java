@@ -131,6 +131,7 @@ class ConnectionEventTest extends RobotTest {
   }
 
   @Test
+  @SuppressWarnings("try") // the runtime is closed while the client is in use
   void aClientWhoseRuntimeIsClosedSaysSo() throws Exception {
     try (ClientRuntime runtime = ClientRuntime.create(cfg -> {});
         CrossComClient its = listening(cfg -> cfg.runtime(runtime))) {

@@ -64,7 +64,7 @@ public final class ClientRuntime implements AutoCloseable {
             new ThreadPoolExecutor.CallerRunsPolicy());
   }
 
-  /** Returns the runtime of this process, which need not be closed. */
+  /** Returns the runtime of this process, which is never closed. */
   public static ClientRuntime shared() {
     return SHARED;
   }
@@ -112,9 +112,15 @@ public final class ClientRuntime implements AutoCloseable {
     connections.remove(connection);
   }
 
-  /** Closes the clients that use this runtime and their watches, and ends its threads. */
+  /**
+   * Closes the clients that use this runtime and their watches, and ends its threads. No client can
+   * connect with it later. The shared runtime stays open.
+   */
   @Override
   public void close() {
+    if (this == SHARED) {
+      return;
+    }
     List.copyOf(connections).forEach(connection -> connection.close(ChangeReason.RUNTIME_CLOSED));
     resolver.shutdown();
     timer.shutdownNow();

@@ -58,6 +58,16 @@ class ConnectingTest extends RobotTest {
   }
 
   @Test
+  void theSharedRuntimeCannotBeClosed() throws Exception {
+    ClientRuntime.shared().close();
+
+    assertThat(client.readInt("$OV_PRO")).isEqualTo(100);
+    try (CrossComClient other = new CrossComClient(config())) {
+      assertThat(other.readInt("$OV_PRO")).isEqualTo(100);
+    }
+  }
+
+  @Test
   void connectedIsDoneAfterTheConstructor() {
     assertThat(client.connected()).isCompleted();
   }

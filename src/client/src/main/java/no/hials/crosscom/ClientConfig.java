@@ -49,6 +49,7 @@ public final class ClientConfig {
   }
 
   private static Duration time(String field, Duration value, boolean zeroAllowed) {
+    Objects.requireNonNull(value, field);
     boolean inRange =
         value.compareTo(Duration.ofMillis(1)) >= 0
             && value.compareTo(Duration.ofMillis(Integer.MAX_VALUE)) <= 0;
@@ -249,6 +250,7 @@ public final class ClientConfig {
      * windows-1252. C3 Bridge does not need it.
      */
     public Builder charset(Charset value) {
+      Objects.requireNonNull(value, "charset");
       check(TextCharset.isUsable(value), "charset must have ASCII in the same bytes, is " + value);
       options.charset = value;
       return this;
@@ -329,7 +331,10 @@ public final class ClientConfig {
       return this;
     }
 
-    /** Sets the runtime whose threads the client uses. The default is that of the process. */
+    /**
+     * Sets the runtime whose threads the client uses. The client is closed when the runtime is. The
+     * default is {@link ClientRuntime#shared}.
+     */
     public Builder runtime(ClientRuntime value) {
       options.runtime = Objects.requireNonNull(value, "runtime");
       return this;

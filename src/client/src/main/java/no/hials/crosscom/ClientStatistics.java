@@ -7,7 +7,8 @@ import java.util.Arrays;
  * The exchanges of a client since it was created, at one time. For a metrics library, register
  * functions that read {@link CrossComClient#statistics}.
  *
- * @param accesses the number of requests that were answered
+ * @param accesses the number of requests that were answered, including those of the client itself,
+ *     such as the keep-alive and the questions for the type of the server
  * @param refusals how many of the answers reported failure
  * @param timeouts the number of exchanges that took too long, in the queue or after sending
  * @param losses the number of other exchanges without a valid answer

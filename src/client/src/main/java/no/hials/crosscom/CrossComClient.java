@@ -47,6 +47,8 @@ import org.jspecify.annotations.Nullable;
  * the time of the next attempt ({@link ClientConfig#reconnectBackoff}). A read that was under way
  * when the connection broke is repeated once; a write never is.
  *
+ * <p>A wrong call, such as one with a blank name, throws an unchecked exception and sends nothing.
+ *
  * <p>The client detects the type of the server when needed, and uses its features: on C3 Bridge,
  * texts in UTF-16, messages for several variables, and {@link #programs}, {@link #motion}, {@link
  * #pendant}, {@link #files} and {@link #information}. These five always return the same objects,
@@ -231,7 +233,8 @@ public final class CrossComClient extends OriginalAccess {
    *
    * @param variable receives the value; unchanged if reading fails
    * @throws CrossComAccessException if the controller refuses, for example an unknown name
-   * @throws CrossComValueException if the controller's value is not of the variable's type
+   * @throws CrossComValueException if the controller's value is not of the variable's type, or is
+   *     too long for an answer of C3 Bridge
    * @throws CrossComException if the exchange fails
    */
   @Override
@@ -272,14 +275,15 @@ public final class CrossComClient extends OriginalAccess {
   }
 
   /**
-   * Reads a whole array: in one access if the server supports it, otherwise element by element if
-   * the array has a declared length.
+   * Reads a whole array: in one access if the server supports it and the value fits into an answer,
+   * otherwise element by element if the array has a declared length.
    *
    * @param array receives the value; unchanged if reading fails
    * @param progress called after each element if the array is read element by element
    * @throws CrossComAccessException if the controller refuses; {@link
    *     CrossComException#getElementsDone} returns the number of elements read
-   * @throws CrossComValueException if the controller's value is not of the array's type
+   * @throws CrossComValueException if the controller's value is not of the array's type, or is too
+   *     long for an answer and the array has no declared length
    * @throws CrossComException if an exchange fails
    */
   public void readVariable(KRLArray array, ArrayProgress progress) throws IOException {

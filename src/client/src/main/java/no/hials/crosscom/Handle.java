@@ -76,9 +76,11 @@ public sealed class Handle<T> {
    * @param value the new value
    * @throws CrossComAccessException if the controller refuses, for example a read-only variable
    * @throws CrossComValueException if the text is too long to be sent
-   * @throws CrossComException if the exchange fails
+   * @throws CrossComException if the exchange fails; {@link CrossComException#isOutcomeUnknown}
+   *     returns whether the controller may have done it
    * @throws IllegalArgumentException if the controller cannot have the value, such as a number that
    *     is out of range
+   * @throws UnsupportedOperationException if the type is {@code KrlValue}
    */
   public void write(T value) throws IOException {
     Objects.requireNonNull(value, "value");

@@ -1,9 +1,13 @@
 package no.hials.crosscom;
 
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** The results of reading several variables by their handles: for each a value or a failure. */
+/**
+ * The results of reading several variables by their handles: for each a value or a failure. They do
+ * not change, and any thread can use them.
+ */
 public final class ReadResults {
   /** The results of no handles; nothing is added to it. */
   static final ReadResults NONE = new ReadResults();
@@ -56,6 +60,6 @@ public final class ReadResults {
             failures.put(handle, failure);
           }
         });
-    return failures;
+    return Collections.unmodifiableMap(failures);
   }
 }

@@ -72,11 +72,12 @@ abstract sealed class TypedAccess implements Closeable permits OriginalAccess {
    * they are.
    *
    * @param name the variable's name
-   * @param value the new value
+   * @param value the new value; its class is one of those of {@link #read(String, Class)}
    * @throws CrossComAccessException if the controller refuses
    * @throws CrossComValueException if the text is too long to be sent
    * @throws CrossComException if the exchange fails
-   * @throws IllegalArgumentException if the controller cannot have the value of a component
+   * @throws IllegalArgumentException if the controller cannot have the value of a component, or the
+   *     class maps to no KRL type
    */
   public <R extends Record> void write(String name, R value) throws IOException {
     @SuppressWarnings("unchecked") // the class of an object is that of its type or of a subtype
@@ -167,7 +168,8 @@ abstract sealed class TypedAccess implements Closeable permits OriginalAccess {
    * @param name the variable's name, such as {@code $MODEL_NAME[]}
    * @return the text without quotes; one blank is the empty text
    * @throws CrossComAccessException if the controller refuses, for example an unknown name
-   * @throws CrossComValueException if the controller's value is not a text
+   * @throws CrossComValueException if the controller's value is not a text, or is too long for an
+   *     answer of C3 Bridge
    * @throws CrossComException if the exchange fails
    */
   public String readString(String name) throws IOException {
@@ -207,7 +209,7 @@ abstract sealed class TypedAccess implements Closeable permits OriginalAccess {
    * Writes an ENUM.
    *
    * @param name the variable's name
-   * @param value the constant
+   * @param value the constant, whose class is that of {@link #readEnum}
    * @throws CrossComAccessException if the controller refuses
    * @throws CrossComException if the exchange fails
    */
@@ -223,7 +225,8 @@ abstract sealed class TypedAccess implements Closeable permits OriginalAccess {
    * @return a new array of the elements, as {@link #readReal} returns them
    * @throws CrossComAccessException if the controller refuses; a {@link
    *     no.hials.crosscom.KRL.KRLRealArray} of known length can then be read element by element
-   * @throws CrossComValueException if the controller's value is not an array of numbers
+   * @throws CrossComValueException if the controller's value is not an array of numbers, or is too
+   *     long for an answer of C3 Bridge; then the same can be done
    * @throws CrossComException if the exchange fails
    */
   public double[] readRealArray(String name) throws IOException {
@@ -323,10 +326,11 @@ abstract sealed class TypedAccess implements Closeable permits OriginalAccess {
 
   /**
    * Reads several variables, as {@link #readVariables(List)} does: on C3 Bridge 1.2 or later in as
-   * few messages as possible. If one cannot be read, the others have their values.
+   * few messages as possible. If one cannot be read, the others have their values. No exchange
+   * throws: its failure is in the results.
    *
    * @param handles handles of this client
-   * @return a result for each handle
+   * @return a value or a failure for each handle
    * @throws IllegalArgumentException if a handle is of another client
    */
   public ReadResults read(Handle<?>... handles) {

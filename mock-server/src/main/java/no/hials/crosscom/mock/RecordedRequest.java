@@ -39,22 +39,43 @@ public record RecordedRequest(
     @Nullable String hex,
     @Nullable Refusal refusal) {
 
-  private static final TypeSwitch<RecordedRequest, VariableRequest, List<String>, RuntimeException>
-      NAMES =
+  private static final TypeSwitch<RecordedRequest, VariableRequest, Accessed, RuntimeException>
+      ACCESSED =
           TypeSwitch.create(
               VariableRequest.class,
               cases ->
                   cases
-                      .on(ReadRequest.class, (it, read) -> List.of(read.name()))
-                      .on(WriteRequest.class, (it, write) -> List.of(write.name()))
-                      .on(ReadArrayRequest.class, (it, read) -> List.of(read.name()))
-                      .on(WriteArrayRequest.class, (it, write) -> List.of(write.name()))
-                      .on(ReadUtf16Request.class, (it, read) -> List.of(read.name()))
-                      .on(WriteUtf16Request.class, (it, write) -> List.of(write.name()))
-                      .on(ReadMultipleRequest.class, (it, read) -> read.names())
-                      .on(WriteMultipleRequest.class, (it, write) -> names(write.assignments()))
-                      .on(BenchmarkReadRequest.class, (it, read) -> read.names())
-                      .on(BenchmarkWriteRequest.class, (it, write) -> names(write.assignments())));
+                      .on(ReadRequest.class, (it, read) -> read(List.of(read.name())))
+                      .on(WriteRequest.class, (it, write) -> written(List.of(write.name())))
+                      .on(ReadArrayRequest.class, (it, read) -> read(List.of(read.name())))
+                      .on(WriteArrayRequest.class, (it, write) -> written(List.of(write.name())))
+                      .on(ReadUtf16Request.class, (it, read) -> read(List.of(read.name())))
+                      .on(WriteUtf16Request.class, (it, write) -> written(List.of(write.name())))
+                      .on(ReadMultipleRequest.class, (it, read) -> read(read.names()))
+                      .on(
+                          WriteMultipleRequest.class,
+                          (it, write) -> written(names(write.assignments())))
+                      .on(BenchmarkReadRequest.class, (it, read) -> read(read.names()))
+                      .on(
+                          BenchmarkWriteRequest.class,
+                          (it, write) -> written(names(write.assignments()))));
+
+  /** The variables that a request accesses. */
+  private record Accessed(List<String> names, boolean isWritten) {}
+
+  private static Accessed read(List<String> names) {
+    return new Accessed(names, false);
+  }
+
+  private static Accessed written(List<String> names) {
+    return new Accessed(names, true);
+  }
+
+  private Accessed accessed() {
+    return request instanceof VariableRequest access
+        ? ACCESSED.apply(this, access)
+        : read(List.of());
+  }
 
   /**
    * Returns the name of the variable as the client sent it, empty if the request is not for exactly
@@ -70,7 +91,7 @@ public record RecordedRequest(
    * none.
    */
   public List<String> names() {
-    return request instanceof VariableRequest access ? NAMES.apply(this, access) : List.of();
+    return accessed().names();
   }
 
   private static List<String> names(List<Assignment> assignments) {
@@ -87,12 +108,6 @@ public record RecordedRequest(
 
   /** Returns whether the request writes variables: a text, an array or several. */
   public boolean isWrite() {
-    // a type missing here counts as a write, so that no write is overlooked
-    return request instanceof VariableRequest
-        && !(request instanceof ReadRequest
-            || request instanceof ReadArrayRequest
-            || request instanceof ReadUtf16Request
-            || request instanceof ReadMultipleRequest
-            || request instanceof BenchmarkReadRequest);
+    return accessed().isWritten();
   }
 }

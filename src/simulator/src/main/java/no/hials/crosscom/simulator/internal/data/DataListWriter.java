@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeSet;
 import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.TypeSwitch;
@@ -29,6 +30,16 @@ public final class DataListWriter {
                   .run(Type.Base.class, (writer, type) -> {}) // every controller has them
                   .run(Type.Enumeration.class, DataListWriter::declareEnum)
                   .run(Type.Struc.class, DataListWriter::declareStruc));
+
+  private static final TypeSwitch<String, Storage, Optional<String>, RuntimeException> INLINE =
+      TypeSwitch.create(
+          Storage.class,
+          cases ->
+              cases
+                  .on(ScalarStorage.class, DataListWriter::inlineScalar)
+                  .on(TextStorage.class, DataListWriter::inlineScalar)
+                  .on(StrucStorage.class, DataListWriter::inlineParts)
+                  .on(ArrayStorage.class, (path, array) -> Optional.empty()));
 
   /** The line end of KSS (docs/reference/krl-language.md#files). */
   private static final String LINE_END = "\r\n";
@@ -122,9 +133,7 @@ public final class DataListWriter {
     if (type instanceof Type.Base) {
       return;
     }
-    if (type instanceof Type.Struc struc) {
-      struc.components().forEach(component -> collect(component.type().element(), types));
-    }
+    type.elements().forEach(element -> collect(element, types));
     Type known = types.putIfAbsent(Scope.key(type.name()), type);
     if (known != null && !known.equals(type)) {
       throw new IllegalStateException(
@@ -196,24 +205,26 @@ public final class DataListWriter {
    * value.
    */
   private static @Nullable String inline(String path, Storage storage) {
-    if (storage instanceof StrucStorage struc) {
-      StringBuilder text = new StringBuilder();
-      List<Storage> parts = struc.parts();
-      for (int i = 0; i < parts.size(); i++) {
-        Storage part = parts.get(i);
-        String name = struc.type().components().get(i).name();
-        String value = inline(path + "." + name, part);
-        if (value != null) {
-          text.append(text.length() == 0 ? "{" : ",").append(name);
-          text.append(part instanceof TextStorage ? "[] " : " ").append(value);
-        }
+    return storage.initialised() ? INLINE.apply(path, storage).orElse(null) : null;
+  }
+
+  private static Optional<String> inlineParts(String path, StrucStorage struc) {
+    StringBuilder text = new StringBuilder();
+    List<Storage> parts = struc.parts();
+    for (int i = 0; i < parts.size(); i++) {
+      Storage part = parts.get(i);
+      String name = struc.type().components().get(i).name();
+      String value = inline(path + "." + name, part);
+      if (value != null) {
+        text.append(text.length() == 0 ? "{" : ",").append(name);
+        text.append(part instanceof TextStorage ? "[] " : " ").append(value);
       }
-      return text.length() == 0 ? null : text.append('}').toString();
     }
-    if (storage instanceof ArrayStorage || !storage.initialised()) {
-      return null;
-    }
-    return scalar(path, value(storage));
+    return text.length() == 0 ? Optional.empty() : Optional.of(text.append('}').toString());
+  }
+
+  private static Optional<String> inlineScalar(String path, Storage storage) {
+    return Optional.of(scalar(path, value(storage)));
   }
 
   private static KrlValue value(Storage storage) {

@@ -21,6 +21,11 @@ sealed interface Type {
   /** Returns the name as declared. */
   String name();
 
+  /**
+   * Returns the types of the components, of arrays that of an element; empty without components.
+   */
+  List<Type> elements();
+
   /** The bytes that a value without parts takes, about. */
   long SCALAR_BYTES = 64;
 
@@ -42,6 +47,11 @@ sealed interface Type {
      * @throws RefusedException if the value is not of this type
      */
     KrlValue convert(KrlValue value) throws RefusedException;
+
+    @Override
+    default List<Type> elements() {
+      return List.of();
+    }
 
     @Override
     default Storage uninitialised() {
@@ -173,6 +183,11 @@ sealed interface Type {
       implements Type {
     private static final List<Set<String>> POSITIONS =
         List.of(Set.of("FRAME", "POS", "E6POS"), Set.of("AXIS", "E6AXIS"));
+
+    @Override
+    public List<Type> elements() {
+      return components.stream().map(component -> component.type().element()).toList();
+    }
 
     static Struc of(String name, List<Component> components) {
       Map<String, Integer> positions = new HashMap<>();

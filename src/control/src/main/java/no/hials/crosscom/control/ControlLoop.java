@@ -83,15 +83,14 @@ public final class ControlLoop implements AutoCloseable {
     Objects.requireNonNull(client, "client");
     Objects.requireNonNull(config, "config");
     Objects.requireNonNull(law, "law");
-    Target target = config.target() == null ? Target.standard(law) : config.target();
     Channel channel = new Channel(client);
-    Space<?> space = Space.of(law, config, channel, target.name());
-    return start(config, target, channel, space, time);
+    return start(config, channel, Space.of(law, config, channel), time);
   }
 
   private static <P> ControlLoop start(
-      LoopConfig config, Target target, Channel channel, Space<P> space, LoopTime time)
+      LoopConfig config, Channel channel, Space<P> space, LoopTime time)
       throws ControlRefusedException {
+    Target target = space.followed;
     Safety safety = config.safety();
     Heartbeat heartbeat = new Heartbeat(channel, time, safety.watchdog());
     heartbeat.observe();

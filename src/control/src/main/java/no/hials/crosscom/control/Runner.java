@@ -272,8 +272,8 @@ final class Runner<P> {
             lawPeriods * period / 1e9, period / 1e9, channel.joints(), channel.frame(), input);
     P desired = ask(state, actual);
     checkAge("the age of %s after the law must be at most %s %s, is %s", begin);
-    P from = previous == null || space.isVelocity() ? actual : previous;
-    checkStep(from, desired, space.isVelocity() || first ? 1 : elapsed);
+    P from = previous == null || space.isVelocity ? actual : previous;
+    checkStep(from, desired, space.isVelocity || first ? 1 : elapsed);
     space.check(guard, desired, false);
     previous = desired;
     held = null;
@@ -282,7 +282,7 @@ final class Runner<P> {
     if (!target.increment()) {
       return space.numbers(desired);
     }
-    double[] increment = space.increment(actual, desired, config.part(space.isVelocity()));
+    double[] increment = space.increment(actual, desired, config.part(space.isVelocity));
     if (space.cut(increment)) {
       meter.cut();
     }

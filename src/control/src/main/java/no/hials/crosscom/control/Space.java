@@ -18,10 +18,17 @@ import no.hials.crosscom.protocol.value.Frame;
  */
 abstract sealed class Space<P> {
   final Channel channel;
-  final Law law;
+
+  /** The variable that the program follows, and its kind. */
+  final Target followed;
+
+  /** Whether the law returns velocities. */
+  final boolean isVelocity;
+
+  private final Command<P> command;
 
   /** The period of the loop, s. */
-  final double period;
+  private final double period;
 
   /** The variable with the position of the robot. */
   final KRLVariable feedback;
@@ -43,16 +50,27 @@ abstract sealed class Space<P> {
    */
   record Quantity(String name, String unit, MotionLimits limits) {}
 
+  /** Calls a law. */
+  @FunctionalInterface
+  private interface Command<P> {
+    /** Returns the desired position at the end of a period of this number of seconds. */
+    P position(State state, P actual, double period) throws Exception;
+  }
+
   private Space(
       Channel channel,
       LoopConfig config,
-      Law law,
+      Target standard,
+      boolean isVelocity,
+      Command<P> command,
       KRLVariable feedback,
       KRLVariable otherFeedback,
       List<Quantity> quantities,
       List<String> names) {
     this.channel = channel;
-    this.law = law;
+    this.followed = config.target() == null ? standard : config.target();
+    this.isVelocity = isVelocity;
+    this.command = command;
     this.period = config.period().toNanos() / 1e9;
     this.feedback = feedback;
     this.otherFeedback = otherFeedback;
@@ -60,25 +78,54 @@ abstract sealed class Space<P> {
     this.names = names;
   }
 
-  static Space<?> of(Law law, LoopConfig config, Channel channel, String target) {
+  /** Returns the space of the law, whose target is that of the configuration or of {@code krl}. */
+  static Space<?> of(Law law, LoopConfig config, Channel channel) {
     Checks.holds(
         Stream.of(Law.class.getPermittedSubclasses()).filter(it -> it.isInstance(law)).count() == 1,
         "a law must implement one kind of law, "
             + law.getClass().getName()
             + " implements several");
-    return isCartesian(law)
-        ? new Cartesian(channel, config, law, target)
-        : new Joint(channel, config, law, target);
+    if (law instanceof Law.CartesianPosition position) {
+      return new Cartesian(
+          channel,
+          config,
+          Target.absolute("JOV_POS"),
+          false,
+          (state, actual, period) -> position.position(state));
+    }
+    if (law instanceof Law.CartesianVelocity velocity) {
+      return new Cartesian(
+          channel,
+          config,
+          Target.increment("MYPOS"),
+          true,
+          (state, actual, period) -> velocity.velocity(state).move(actual, period));
+    }
+    if (law instanceof Law.JointPosition position) {
+      return new Joint(
+          channel,
+          config,
+          Target.absolute("JOV_AXIS"),
+          false,
+          (state, actual, period) -> position.position(state));
+    }
+    if (law instanceof Law.JointVelocity velocity) {
+      return new Joint(
+          channel,
+          config,
+          Target.increment("MYAXIS"),
+          true,
+          (state, actual, period) -> moved(actual, velocity.velocity(state), period));
+    }
+    throw new IllegalArgumentException("a law of an unknown kind: " + law.getClass().getName());
   }
 
-  /** Returns whether a law returns positions or velocities of the tool, not of the axes. */
-  static boolean isCartesian(Law law) {
-    return law instanceof Law.CartesianPosition || law instanceof Law.CartesianVelocity;
-  }
-
-  /** Returns whether a law returns velocities. */
-  static boolean isVelocity(Law law) {
-    return law instanceof Law.CartesianVelocity || law instanceof Law.JointVelocity;
+  private static Axis moved(Axis actual, Axis speed, double period) {
+    double[] numbers = actual.toArray();
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] += speed.get(i) * period;
+    }
+    return Axis.of(numbers);
   }
 
   /** Returns the variable that the program follows. */
@@ -91,13 +138,10 @@ abstract sealed class Space<P> {
 
   abstract void check(Guard guard, P place, boolean actual) throws ControlRefusedException;
 
-  /** Returns whether the law returns velocities. */
-  final boolean isVelocity() {
-    return isVelocity(law);
-  }
-
   /** Calls the law and returns the desired position. */
-  abstract P ask(State state, P actual) throws Exception;
+  final P ask(State state, P actual) throws Exception {
+    return command.position(state, actual, period);
+  }
 
   /** Computes the distance of two positions, for each quantity. */
   abstract void differences(P from, P to, double[] into);
@@ -124,18 +168,25 @@ abstract sealed class Space<P> {
 
     private final KRLFrame target;
 
-    Cartesian(Channel channel, LoopConfig config, Law law, String target) {
+    Cartesian(
+        Channel channel,
+        LoopConfig config,
+        Target standard,
+        boolean isVelocity,
+        Command<Frame> command) {
       super(
           channel,
           config,
-          law,
+          standard,
+          isVelocity,
+          command,
           channel.position,
           channel.axes,
           List.of(
               new Quantity("path", "mm", config.safety().path()),
               new Quantity("rotation", "degrees", config.safety().rotation())),
           List.of("X", "Y", "Z", "A", "B", "C"));
-      this.target = new KRLFrame(target);
+      this.target = new KRLFrame(followed.name());
     }
 
     @Override
@@ -157,13 +208,6 @@ abstract sealed class Space<P> {
     @Override
     void check(Guard guard, Frame place, boolean actual) throws ControlRefusedException {
       guard.check(place, actual);
-    }
-
-    @Override
-    Frame ask(State state, Frame actual) throws Exception {
-      return law instanceof Law.CartesianVelocity velocity
-          ? velocity.velocity(state).move(actual, period)
-          : ((Law.CartesianPosition) law).position(state);
     }
 
     @Override
@@ -224,16 +268,23 @@ abstract sealed class Space<P> {
   static final class Joint extends Space<Axis> {
     private final KRLAxis target;
 
-    Joint(Channel channel, LoopConfig config, Law law, String target) {
+    Joint(
+        Channel channel,
+        LoopConfig config,
+        Target standard,
+        boolean isVelocity,
+        Command<Axis> command) {
       super(
           channel,
           config,
-          law,
+          standard,
+          isVelocity,
+          command,
           channel.axes,
           channel.position,
           quantities(config.safety().axes()),
           List.of("A1", "A2", "A3", "A4", "A5", "A6"));
-      this.target = new KRLAxis(target);
+      this.target = new KRLAxis(followed.name());
     }
 
     private static List<Quantity> quantities(MotionLimits limits) {
@@ -263,19 +314,6 @@ abstract sealed class Space<P> {
     @Override
     void check(Guard guard, Axis place, boolean actual) throws ControlRefusedException {
       guard.check(place, actual);
-    }
-
-    @Override
-    Axis ask(State state, Axis actual) throws Exception {
-      if (!(law instanceof Law.JointVelocity velocity)) {
-        return ((Law.JointPosition) law).position(state);
-      }
-      Axis speed = velocity.velocity(state);
-      double[] numbers = actual.toArray();
-      for (int i = 0; i < numbers.length; i++) {
-        numbers[i] += speed.get(i) * period;
-      }
-      return Axis.of(numbers);
     }
 
     @Override

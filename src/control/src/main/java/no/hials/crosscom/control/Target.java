@@ -32,12 +32,4 @@ public record Target(String name, boolean increment) {
   public static Target absolute(String name) {
     return new Target(name, false);
   }
-
-  /** Returns the default variable of a law, from the programs in {@code krl}. */
-  static Target standard(Law law) {
-    boolean cartesian = Space.isCartesian(law);
-    return Space.isVelocity(law)
-        ? increment(cartesian ? "MYPOS" : "MYAXIS")
-        : absolute(cartesian ? "JOV_POS" : "JOV_AXIS");
-  }
 }

@@ -69,7 +69,7 @@ public final class JsonLine {
    */
   public static String of(String robot, String name, KrlValue value, String text) {
     boolean whole = Leaf.isWholeArray(name);
-    KrlValue shown = whole && Leaf.isElement(value) ? new KrlArray(List.of(value)) : value;
+    KrlValue shown = whole && KrlArray.isElement(value) ? new KrlArray(List.of(value)) : value;
     return line(
         robot,
         name,

@@ -1,7 +1,8 @@
 package no.hials.crosscom.cell;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
@@ -10,6 +11,7 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.protocol.value.KrlVisitor;
 
 /**
  * A number, text or constant within a value.
@@ -25,39 +27,57 @@ public record Leaf(String name, KrlValue value) {
    * elements.
    */
   public static List<Leaf> of(String name, KrlValue value) {
-    List<Leaf> leaves = new ArrayList<>();
-    unfold(name, value, leaves);
-    return leaves;
+    return value.accept(new Unfolding(name)).toList();
   }
 
-  private static void unfold(String name, KrlValue value, List<Leaf> leaves) {
-    if (value instanceof KrlStruct struct) {
-      for (KrlStruct.Field field : struct.fields()) {
-        unfold(name + "." + field.name(), field.value(), leaves);
-      }
-    } else if (value instanceof KrlArray array) {
-      for (int i = 0; i < array.elements().size(); i++) {
-        leaves.add(new Leaf(element(name, i + 1), array.elements().get(i)));
-      }
-    } else if (isWholeArray(name) && isElement(value)) {
-      // an array of one element, whose trailing blank KUKAVARPROXY cut off
-      leaves.add(new Leaf(element(name, 1), value));
-    } else {
-      leaves.add(new Leaf(name, value));
+  /** Returns the leaves of each kind of value. */
+  private record Unfolding(String name) implements KrlVisitor<Stream<Leaf>> {
+    @Override
+    public Stream<Leaf> visit(KrlInt number) {
+      return element(number);
+    }
+
+    @Override
+    public Stream<Leaf> visit(KrlReal number) {
+      return element(number);
+    }
+
+    @Override
+    public Stream<Leaf> visit(KrlBool bool) {
+      return element(bool);
+    }
+
+    @Override
+    public Stream<Leaf> visit(KrlEnum constant) {
+      return element(constant);
+    }
+
+    /** Returns a scalar, or the only element of an array whose trailing blank was cut off. */
+    private Stream<Leaf> element(KrlValue value) {
+      return Stream.of(new Leaf(isWholeArray(name) ? Leaf.element(name, 1) : name, value));
+    }
+
+    @Override
+    public Stream<Leaf> visit(KrlString string) {
+      return Stream.of(new Leaf(name, string));
+    }
+
+    @Override
+    public Stream<Leaf> visit(KrlStruct struct) {
+      return struct.fields().stream()
+          .flatMap(field -> field.value().accept(new Unfolding(name + "." + field.name())));
+    }
+
+    @Override
+    public Stream<Leaf> visit(KrlArray array) {
+      return IntStream.range(0, array.elements().size())
+          .mapToObj(i -> new Leaf(Leaf.element(name, i + 1), array.elements().get(i)));
     }
   }
 
   /** Returns whether a name stands for a whole array, {@code NAME[]} or {@code NAME[2,]}. */
   public static boolean isWholeArray(String name) {
     return name.endsWith("[]") || name.endsWith(",]");
-  }
-
-  /** Returns whether a value can be an element of an array. */
-  static boolean isElement(KrlValue value) {
-    return value instanceof KrlInt
-        || value instanceof KrlReal
-        || value instanceof KrlBool
-        || value instanceof KrlEnum;
   }
 
   private static String element(String name, int index) {

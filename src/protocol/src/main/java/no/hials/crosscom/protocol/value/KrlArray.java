@@ -34,7 +34,13 @@ public record KrlArray(List<KrlValue> elements) implements KrlValue {
     }
   }
 
-  private static boolean isElement(KrlValue value) {
+  /**
+   * Returns whether a value can be an element of an array.
+   *
+   * @param value the value
+   * @return true for an INT, REAL, BOOL or ENUM
+   */
+  public static boolean isElement(KrlValue value) {
     return value instanceof KrlInt
         || value instanceof KrlReal
         || value instanceof KrlBool

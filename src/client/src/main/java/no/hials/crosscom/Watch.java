@@ -1,19 +1,10 @@
 package no.hials.crosscom;
 
-import static no.hials.crosscom.Sample.ReadingStatus.FAILED;
-import static no.hials.crosscom.Sample.ReadingStatus.FRESH;
-import static no.hials.crosscom.Sample.ReadingStatus.MISSED;
-
 import java.time.Duration;
 import java.time.Instant;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.Iterator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Flow;
 import java.util.concurrent.Future;
@@ -23,14 +14,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import no.hials.crosscom.Batch.Item;
-import no.hials.crosscom.KRL.KRLAny;
-import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.Sample.Reading;
-import no.hials.crosscom.Sample.ReadingStatus;
-import no.hials.crosscom.internal.exchange.DeadBand;
 import no.hials.crosscom.internal.exchange.SerialExecutor;
 import no.hials.crosscom.internal.exchange.SubscriberIterator;
-import no.hials.crosscom.internal.exchange.TextAnswer;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -63,14 +49,12 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   private final C3Channel channel;
   private final WatchConfig config;
   private final ClientRuntime runtime;
-  private final List<Watched> watched;
-  private final List<KRLVariable> variables;
 
-  /** Creates and publishes the samples. */
-  private final SerialExecutor sampler;
+  /** Runs the sampler, and completes the subscribers. */
+  private final SerialExecutor sampling;
 
   private final SubmissionPublisher<Sample> publisher;
-  private final AtomicLong dropped = new AtomicLong();
+  private final Sampler sampler;
   private final AtomicLong polls = new AtomicLong();
   private final AtomicLong missed = new AtomicLong();
   private final AtomicLong failed = new AtomicLong();
@@ -90,20 +74,6 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   private boolean ended;
   private @Nullable Future<?> nextTick;
 
-  // used only by the sampler
-  private long samples;
-  private long missedInSamples;
-  private long failedSinceSample;
-  private boolean lastFailed;
-
-  private final DeadBand deadBand;
-
-  /** The readings last reported as changed; the dead band is relative to them. */
-  private final Map<String, Reading> published = new HashMap<>();
-
-  /** The changes in dropped samples, which the next sample repeats. */
-  private final Set<String> undelivered = new HashSet<>();
-
   Watch(
       VariableExchange exchange,
       ReconnectingConnection connection,
@@ -115,15 +85,10 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     this.channel = channel;
     this.config = config;
     this.runtime = runtime;
-    this.deadBand = new DeadBand(config.deadBand());
-    this.watched =
-        config.handles().isEmpty()
-            ? config.names().stream().map(name -> new Watched(name, null)).toList()
-            : config.handles().stream().map(h -> new Watched(h.name(), h)).toList();
-    this.variables = watched.stream().map(Watched::variable).toList();
-    this.sampler = new SerialExecutor(runtime.listeners());
+    this.sampling = new SerialExecutor(runtime.listeners());
     // not shut down: a subscriber may request waiting samples after the end
     this.publisher = new SubmissionPublisher<>(runtime.listeners(), config.bufferSize());
+    this.sampler = new Sampler(config, publisher);
   }
 
   /** Starts the first reading, unless it was started before. */
@@ -241,7 +206,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
 
   /** Returns the number of samples dropped for slow listeners and subscribers. */
   public long droppedSamples() {
-    return dropped.get();
+    return sampler.dropped();
   }
 
   /** Returns how often a listener or subscriber has thrown an exception on a sample. */
@@ -282,7 +247,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
       scheduleTick();
     } else if (begin()) {
       polls.incrementAndGet();
-      new WatchReading(exchange, connection, channel, variables, new Begun()).start();
+      new WatchReading(exchange, connection, channel, sampler.variables(), new Begun()).start();
     }
   }
 
@@ -300,7 +265,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     @Override
     public void read(List<Item> items) {
       Duration duration = Duration.ofNanos(System.nanoTime() - start);
-      CrossComException failure = failure(items);
+      CrossComException failure = Sampler.failure(items);
       boolean lost = false;
       if (failure != null) {
         LOG.debug("a reading failed: {}", failure.getMessage());
@@ -311,11 +276,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
         lost |= connection.isClosed(); // or lost with reconnecting off
       }
       waiting = true;
-      sampler.execute(
-          () -> {
-            waiting = false;
-            sample(items, duration);
-          });
+      sampling.execute(() -> sample(items, duration));
       if (lost) {
         close();
       }
@@ -323,8 +284,9 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     }
 
     private void sample(List<Item> items, Duration duration) {
+      waiting = false;
       try {
-        add(items, time, duration, missedBefore);
+        sampler.add(items, time, duration, missedBefore);
       } catch (RuntimeException | Error e) {
         broken(e);
       }
@@ -335,17 +297,6 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
       LOG.warn("a watch failed", failure);
       end(() -> publisher.closeExceptionally(failure));
     }
-  }
-
-  /** Returns the failure of a whole reading; null if only single variables could not be read. */
-  private static @Nullable CrossComException failure(List<Item> items) {
-    for (Item item : items) {
-      CrossComException failure = item.failure;
-      if (failure != null && !Batch.isOfOneItem(failure)) {
-        return failure;
-      }
-    }
-    return null;
   }
 
   private void endReading() {
@@ -392,120 +343,6 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
       }
     }
     connection.remove(this);
-    sampler.execute(completion);
-  }
-
-  // --- samples, in the threads of listeners
-
-  private void add(List<Item> items, Instant time, Duration duration, long missedBefore) {
-    Map<String, Reading> readings = new LinkedHashMap<>();
-    ReadResults results = config.handles().isEmpty() ? ReadResults.NONE : new ReadResults();
-    Set<String> changed = new HashSet<>();
-    CrossComException failure = failure(items);
-    boolean failedBefore = lastFailed;
-    lastFailed = failure != null;
-    if (failure != null) {
-      failedSinceSample++;
-      if (!config.missedSamples() || (failedBefore && config.changesOnly())) {
-        return;
-      }
-      for (Watched variable : watched) {
-        readings.put(variable.name, variable.failed(failure, MISSED, time, Duration.ZERO, results));
-      }
-    } else {
-      changed.addAll(undelivered);
-      for (int i = 0; i < items.size(); i++) {
-        String name = items.get(i).name();
-        Reading reading = watched.get(i).reading(items.get(i), time, results);
-        if (differs(published.get(name), reading)) {
-          changed.add(name);
-        }
-        readings.put(name, changed.contains(name) ? reading : reading.asRepeated());
-      }
-    }
-    if (failure != null || !changed.isEmpty() || !config.changesOnly()) {
-      long missedNow = missedBefore - missedInSamples;
-      publish(
-          new Sample(
-              ++samples, time, duration, readings, results, changed, missedNow, failedSinceSample),
-          missedBefore);
-    }
-  }
-
-  /** A variable of the watch. Only the sampler sets its value. */
-  private static final class Watched {
-    private final String name;
-    private final KRLAny any;
-    private final @Nullable Handle<?> handle;
-    private final @Nullable Slot<?> slot;
-
-    Watched(String name, @Nullable Handle<?> handle) {
-      this.name = name;
-      this.any = new KRLAny(name);
-      this.handle = handle;
-      this.slot = handle == null ? null : Slot.of(name, handle.type());
-    }
-
-    KRLVariable variable() {
-      return slot == null ? any : slot.variable();
-    }
-
-    Reading reading(Item item, Instant sampleTime, ReadResults results) {
-      CrossComException failure = item.failure;
-      Instant time = item.time == null ? sampleTime : item.time;
-      Duration accessTime = Duration.ofNanos(item.nanos);
-      if (failure == null) {
-        try {
-          TextAnswer answer = Objects.requireNonNull(item.answer);
-          VariableExchange.take(any, answer, false);
-          if (handle != null && slot != null) {
-            VariableExchange.take(slot.variable(), answer, false);
-            results.add(handle, slot.value());
-          }
-          return new Reading(any.getValue(), null, FRESH, time, accessTime);
-        } catch (CrossComValueException e) {
-          failure = e;
-        }
-      }
-      return failed(failure, FAILED, time, accessTime, results);
-    }
-
-    Reading failed(
-        CrossComException failure,
-        ReadingStatus status,
-        Instant time,
-        Duration accessTime,
-        ReadResults results) {
-      if (handle != null) {
-        results.add(handle, failure);
-      }
-      return new Reading(null, failure, status, time, accessTime);
-    }
-  }
-
-  private void publish(Sample sample, long missedBefore) {
-    sample.changed().forEach(name -> published.put(name, sample.readings().get(name)));
-    long before = dropped.get();
-    publisher.offer(
-        sample,
-        (subscriber, lost) -> {
-          dropped.incrementAndGet();
-          return false;
-        });
-    if (dropped.get() == before) {
-      missedInSamples = missedBefore;
-      failedSinceSample = 0;
-      undelivered.removeAll(sample.changed()); // all of them, if the sample has values
-    } else {
-      // the next sample repeats the changes, so that a slow listener gets the last values too
-      undelivered.addAll(sample.changed());
-    }
-  }
-
-  private boolean differs(@Nullable Reading before, Reading now) {
-    if (before == null || before.value() == null || now.value() == null) {
-      return before == null || before.value() != now.value();
-    }
-    return deadBand.differs(before.value(), now.value());
+    sampling.execute(completion);
   }
 }

@@ -56,24 +56,26 @@ public final class ManyRobots {
     new ManyRobots(System.out, Duration.ofMillis(100)).run(robots, silent, WARM_UP, seconds);
   }
 
-  /** The samples of one robot, whose times should be a period apart. */
+  /**
+   * The samples of one robot. Their times are whole periods after the most punctual sample before
+   * the measurement.
+   */
   private final class Punctuality {
-    private long first;
+    private long punctual;
 
     void add(Sample sample) {
       long now = System.nanoTime();
+      if (punctual == 0) {
+        punctual = now;
+      }
+      long lateness = (now - punctual) % period.toNanos();
+      boolean early = lateness > period.toNanos() / 2;
       if (!counting) {
-        first = 0;
+        punctual = early ? now : punctual;
         return;
       }
-      if (first == 0) {
-        first = now;
-      }
-      long lateness = (now - first) % period.toNanos();
-      // a sample a little before its time has almost a period of lateness
-      boolean inTime = lateness <= IN_TIME.toNanos() || lateness >= period.minus(IN_TIME).toNanos();
       samples.incrementAndGet();
-      if (!inTime || sample.missedPeriods() > 0) {
+      if ((!early && lateness > IN_TIME.toNanos()) || sample.missedPeriods() > 0) {
         late.incrementAndGet();
       }
     }

@@ -53,7 +53,7 @@ case ${1:-all} in
   strace) system_calls ;;
   load) "${run[@]}" $ours.MockLoad ;;
   jmh) jmh "${@:2}" ;;
-  robots) "${run[@]:0:1}" -Xmx96m "${run[@]:1}" $ours.ManyRobots "${@:2}" ;;
+  robots) "${run[@]:0:1}" -Xmx96m -XX:+UseSerialGC "${run[@]:1}" $ours.ManyRobots "${@:2}" ;;
   soak) "${run[@]}" $ours.Soak "${@:2}" ;;
   mutation) "${run[@]}" $ours.MutationRun "${@:2}" ;;
   all)

@@ -2,11 +2,13 @@ package no.hials.crosscom.examples;
 
 import java.io.IOException;
 import java.time.Duration;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.LinkedBlockingQueue;
+import java.util.List;
 import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.Handle;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Watch;
+import no.hials.crosscom.WatchConfig;
+import no.hials.crosscom.protocol.value.E6Axis;
 
 /** Reads two variables fifty times a second, and prints five samples. */
 public final class WatchVariables {
@@ -17,20 +19,25 @@ public final class WatchVariables {
    *
    * @param args {@code HOST PORT}, or nothing for a simulated controller
    * @throws IOException if reading failed
-   * @throws InterruptedException if the wait was interrupted
    */
-  public static void main(String[] args) throws IOException, InterruptedException {
+  public static void main(String[] args) throws IOException {
     try (Controller controller = Controller.of(args)) {
       watch(controller.client());
     }
   }
 
-  private static void watch(CrossComClient client) throws IOException, InterruptedException {
-    BlockingQueue<Sample> samples = new LinkedBlockingQueue<>();
-    try (Watch watch = client.watch(Duration.ofMillis(20), samples::add, "$AXIS_ACT", "$OV_PRO")) {
-      for (int i = 0; i < 5; i++) {
-        Sample sample = samples.take();
-        System.out.println(sample.number() + ": $OV_PRO = " + sample.value("$OV_PRO"));
+  private static void watch(CrossComClient client) throws IOException {
+    Handle<E6Axis> axes = client.handle("$AXIS_ACT", E6Axis.class);
+    Handle<Integer> override = client.intHandle("$OV_PRO");
+    WatchConfig config =
+        WatchConfig.ofHandles(List.of(axes, override), cfg -> cfg.period(Duration.ofMillis(20)));
+    try (Watch watch = client.watch(config)) {
+      for (Sample sample : watch) {
+        System.out.println(sample.number() + ": A1 = " + sample.get(axes).a1());
+        System.out.println(sample.number() + ": $OV_PRO = " + sample.get(override));
+        if (sample.number() == 5) {
+          break;
+        }
       }
       System.out.println("missed periods: " + watch.missedPeriods());
     }

@@ -84,14 +84,16 @@ public final class ManyRobots {
   /** Returns the share of samples in time, in percent. */
   double run(int robots, int silent, Duration warmUp, int seconds)
       throws IOException, InterruptedException {
-    Process standIn = startStandIn(silent);
+    Process standIn = startStandIn();
     List<CrossComClient> clients = new ArrayList<>();
     List<Watch> watches = new ArrayList<>();
     try (BufferedReader line =
         new BufferedReader(
             new InputStreamReader(standIn.getInputStream(), StandardCharsets.US_ASCII))) {
-      int port = Integer.parseInt(line.readLine());
+      int answering = Integer.parseInt(line.readLine());
+      int never = Integer.parseInt(line.readLine());
       for (int i = 0; i < robots; i++) {
+        int port = i < silent ? never : answering;
         CrossComClient client =
             new CrossComClient(ClientConfig.create("127.0.0.1", cfg -> cfg.port(port)));
         clients.add(client);
@@ -139,15 +141,14 @@ public final class ManyRobots {
     boolean unused = new CountDownLatch(1).await(time.toMillis(), TimeUnit.MILLISECONDS);
   }
 
-  private static Process startStandIn(int silent) throws IOException {
+  private static Process startStandIn() throws IOException {
     String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     return new ProcessBuilder(
             java,
             "-Xmx256m",
             "-cp",
             System.getProperty("java.class.path"),
-            RobotsStandIn.class.getName(),
-            String.valueOf(silent))
+            RobotsStandIn.class.getName())
         .redirectError(ProcessBuilder.Redirect.INHERIT)
         .start();
   }

@@ -17,8 +17,8 @@ import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.protocol.Codec;
 
 /**
- * Plays many KUKAVARPROXYs in one thread: answers each read after 5 ms, and never on the first
- * connections if told so. It runs in a process of its own, so that it does not count.
+ * Plays many KUKAVARPROXYs in one thread: answers each read after 5 ms on one port, and never on
+ * another. It runs in a process of its own, so that it does not count.
  */
 public final class RobotsStandIn {
   private static final long DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
@@ -40,29 +40,22 @@ public final class RobotsStandIn {
 
   private final Selector selector = Selector.open();
   private final Deque<Waiting> waiting = new ArrayDeque<>();
-  private final int silent;
-  private int accepted;
 
-  private RobotsStandIn(int silent) throws IOException {
-    this.silent = silent;
-  }
+  private RobotsStandIn() throws IOException {}
 
   /**
-   * Prints its port, and serves until its input ends.
+   * Prints the port that answers and the silent one, and serves until its input ends.
    *
-   * @param args the number of connections that are never answered
+   * @param args none
    * @throws IOException if it cannot listen
    */
   public static void main(String[] args) throws IOException {
-    new RobotsStandIn(Integer.parseInt(args[0])).run();
+    new RobotsStandIn().run();
   }
 
   private void run() throws IOException {
-    ServerSocketChannel server = ServerSocketChannel.open();
-    server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 4096);
-    server.configureBlocking(false);
-    server.register(selector, SelectionKey.OP_ACCEPT);
-    System.out.println(server.socket().getLocalPort());
+    listen(false);
+    listen(true);
     endWithInput();
     try {
       while (true) {
@@ -72,6 +65,14 @@ public final class RobotsStandIn {
     } catch (ClosedSelectorException e) {
       // the input has ended
     }
+  }
+
+  private void listen(boolean silent) throws IOException {
+    ServerSocketChannel server = ServerSocketChannel.open();
+    server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 4096);
+    server.configureBlocking(false);
+    server.register(selector, SelectionKey.OP_ACCEPT, silent);
+    System.out.println(server.socket().getLocalPort());
   }
 
   private void endWithInput() {
@@ -103,7 +104,7 @@ public final class RobotsStandIn {
   private void serve(SelectionKey key) {
     try {
       if (key.isAcceptable()) {
-        accept((ServerSocketChannel) key.channel());
+        accept((ServerSocketChannel) key.channel(), (Boolean) key.attachment());
       } else {
         read((Robot) key.attachment());
       }
@@ -112,12 +113,12 @@ public final class RobotsStandIn {
     }
   }
 
-  private void accept(ServerSocketChannel server) throws IOException {
+  private void accept(ServerSocketChannel server, boolean silent) throws IOException {
     SocketChannel channel = server.accept();
     while (channel != null) {
       channel.configureBlocking(false);
       channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
-      channel.register(selector, SelectionKey.OP_READ, new Robot(channel, accepted++ < silent));
+      channel.register(selector, SelectionKey.OP_READ, new Robot(channel, silent));
       channel = server.accept();
     }
   }

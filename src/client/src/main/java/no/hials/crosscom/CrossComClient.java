@@ -511,9 +511,10 @@ public final class CrossComClient extends OriginalAccess {
    *
    * <p>If the future is cancelled before the first exchange of the function's thread, nothing is
    * sent. Later, {@code cancel} does nothing and returns false. Do not change a variable before the
-   * function has used it. A call by such a function does not wait for its turn: it runs at once, in
-   * the same thread. A call by another thread waits until the function ends, so a function that
-   * waits for such a call never ends; it must call {@code async} itself.
+   * function has used it. Calls of this client by other threads can run between the exchanges of
+   * the function; only another {@code async} waits until it ends. So a function that waits for the
+   * {@code async} of another thread never ends; its own {@code async} runs at once, in the same
+   * thread.
    *
    * @param function gets this client
    * @param <T> the type of the result

@@ -2,28 +2,97 @@ package no.hials.crosscom;
 
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.Locale;
 
 /**
  * The exchanges of a client since it was created, at one time. For a metrics library, register
  * functions that read {@link CrossComClient#statistics}.
  *
- * @param accesses the number of requests that were answered, including those of the client itself,
- *     such as the keep-alive and the questions for the type of the server
- * @param refusals how many of the answers reported failure
- * @param timeouts the number of exchanges that took too long, in the queue or after sending
- * @param losses the number of other exchanges without a valid answer
- * @param reconnects how often the client has connected again
- * @param queueTimes how long the exchanges waited for those of other threads
- * @param accessTimes the times from sending a request to having its answer
+ * <p>The numbers are read one after the other while exchanges go on, so they may not match: a count
+ * can be one ahead of another.
  */
-public record ClientStatistics(
-    long accesses,
-    long refusals,
-    long timeouts,
-    long losses,
-    long reconnects,
-    Histogram queueTimes,
-    Histogram accessTimes) {
+public final class ClientStatistics {
+  private final long accesses;
+  private final long refusals;
+  private final long timeouts;
+  private final long losses;
+  private final long reconnects;
+  private final Histogram queueTimes;
+  private final Histogram accessTimes;
+
+  ClientStatistics(
+      long accesses,
+      long refusals,
+      long timeouts,
+      long losses,
+      long reconnects,
+      Histogram queueTimes,
+      Histogram accessTimes) {
+    this.accesses = accesses;
+    this.refusals = refusals;
+    this.timeouts = timeouts;
+    this.losses = losses;
+    this.reconnects = reconnects;
+    this.queueTimes = queueTimes;
+    this.accessTimes = accessTimes;
+  }
+
+  /**
+   * Returns the number of requests that were answered, including those of the client itself, such
+   * as the keep-alive and the questions for the type of the server.
+   */
+  public long accesses() {
+    return accesses;
+  }
+
+  /** Returns how many of the answers reported failure. */
+  public long refusals() {
+    return refusals;
+  }
+
+  /** Returns the number of exchanges that took too long, in the queue or after sending. */
+  public long timeouts() {
+    return timeouts;
+  }
+
+  /** Returns the number of other exchanges without a valid answer. */
+  public long losses() {
+    return losses;
+  }
+
+  /** Returns how often the client has connected again. */
+  public long reconnects() {
+    return reconnects;
+  }
+
+  /** Returns how long the exchanges waited for those of other threads. */
+  public Histogram queueTimes() {
+    return queueTimes;
+  }
+
+  /** Returns the times from sending a request to having its answer. */
+  public Histogram accessTimes() {
+    return accessTimes;
+  }
+
+  @Override
+  public String toString() {
+    return "ClientStatistics[accesses="
+        + accesses
+        + ", refusals="
+        + refusals
+        + ", timeouts="
+        + timeouts
+        + ", losses="
+        + losses
+        + ", reconnects="
+        + reconnects
+        + ", queueTimes="
+        + queueTimes
+        + ", accessTimes="
+        + accessTimes
+        + "]";
+  }
 
   /** The distribution of times, with a resolution of 12.5 % from 1 µs to 1 h. */
   public static final class Histogram {
@@ -111,13 +180,11 @@ public record ClientStatistics(
 
     @Override
     public String toString() {
-      return "Histogram[count="
-          + count
-          + ", median="
-          + percentile(50)
-          + ", 99%="
-          + percentile(99)
-          + "]";
+      return "Histogram[count=" + count + ", median=" + millis(50) + ", 99%=" + millis(99) + "]";
+    }
+
+    private String millis(double percent) {
+      return String.format(Locale.ROOT, "%.3f ms", percentile(percent).toNanos() / 1e6);
     }
   }
 }

@@ -54,6 +54,7 @@ class ObservabilityTest extends RobotTest {
     ClientStatistics.Histogram times = client.statistics().accessTimes();
     assertThat(times.percentile(100)).isBetween(Duration.ofMillis(300), Duration.ofMinutes(1));
     assertThat(times.percentile(0)).isLessThanOrEqualTo(times.percentile(50));
+    assertThat(times.toString()).matches("Histogram\\[count=\\d+, median=\\S+ ms, 99%=\\S+ ms]");
     List<Long> counts = new ArrayList<>();
     times.forEach((upTo, count) -> counts.add(count));
     assertThat(counts.stream().mapToLong(Long::longValue).sum()).isEqualTo(times.count());

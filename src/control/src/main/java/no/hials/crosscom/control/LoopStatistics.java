@@ -4,39 +4,104 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 
-/**
- * The measurements of a loop so far.
- *
- * @param cycles the number of started cycles
- * @param holding the cycles in which the robot stood still without the dead-man
- * @param missed the cycles that were skipped, because the previous cycle took too long
- * @param missedByAccess the missed cycles for which the accesses to the controller alone took
- *     longer than a period; the other cycles were missed because of the law, or because of the
- *     computer, which {@code late} shows
- * @param saturated the cycles in which an increment was cut to the step limit
- * @param period the time between the starts of cycles, including missed cycles
- * @param late the delay of the start of a cycle: the time that the computer took to wake the thread
- * @param read the time to read the position of the robot
- * @param write the time to write the command
- * @param own the time of the law and the rest of a cycle
- * @param errors the distance of the robot from the previous target, for each quantity of the law
- */
-public record LoopStatistics(
-    long cycles,
-    long holding,
-    long missed,
-    long missedByAccess,
-    long saturated,
-    Times period,
-    Times late,
-    Times read,
-    Times write,
-    Times own,
-    List<TrackingError> errors) {
+/** The measurements of a loop so far. */
+public final class LoopStatistics {
+  private final long cycles;
+  private final long holding;
+  private final long missed;
+  private final long missedByAccess;
+  private final long saturated;
+  private final Times period;
+  private final Times late;
+  private final Times read;
+  private final Times write;
+  private final Times own;
+  private final List<TrackingError> errors;
 
-  /** Copies the list. */
-  public LoopStatistics {
-    errors = List.copyOf(errors);
+  LoopStatistics(
+      long cycles,
+      long holding,
+      long missed,
+      long missedByAccess,
+      long saturated,
+      Times period,
+      Times late,
+      Times read,
+      Times write,
+      Times own,
+      List<TrackingError> errors) {
+    this.cycles = cycles;
+    this.holding = holding;
+    this.missed = missed;
+    this.missedByAccess = missedByAccess;
+    this.saturated = saturated;
+    this.period = period;
+    this.late = late;
+    this.read = read;
+    this.write = write;
+    this.own = own;
+    this.errors = List.copyOf(errors);
+  }
+
+  /** Returns the number of started cycles. */
+  public long cycles() {
+    return cycles;
+  }
+
+  /** Returns the cycles in which the robot stood still without the dead-man. */
+  public long holding() {
+    return holding;
+  }
+
+  /** Returns the number of cycles skipped because the previous cycle took too long. */
+  public long missed() {
+    return missed;
+  }
+
+  /**
+   * Returns the missed cycles for which the accesses to the controller alone took longer than a
+   * period; the other cycles were missed because of the law, or because of the computer, which
+   * {@link #late} shows.
+   */
+  public long missedByAccess() {
+    return missedByAccess;
+  }
+
+  /** Returns the cycles in which an increment was cut to the step limit. */
+  public long saturated() {
+    return saturated;
+  }
+
+  /** Returns the time between the starts of cycles, including missed cycles. */
+  public Times period() {
+    return period;
+  }
+
+  /**
+   * Returns the delay of the start of a cycle: the time that the computer took to wake the thread.
+   */
+  public Times late() {
+    return late;
+  }
+
+  /** Returns the time to read the position of the robot. */
+  public Times read() {
+    return read;
+  }
+
+  /** Returns the time to write the command. */
+  public Times write() {
+    return write;
+  }
+
+  /** Returns the time of the law and the rest of a cycle. */
+  public Times own() {
+    return own;
+  }
+
+  /** Returns the distance of the robot from the previous target, for each quantity of the law. */
+  public List<TrackingError> errors() {
+    return errors;
   }
 
   /**

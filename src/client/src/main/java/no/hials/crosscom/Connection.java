@@ -209,7 +209,7 @@ final class Connection implements SelectorLoop.Selectable {
       return foreign != null
           ? foreign
           : new CrossComProtocolException(
-              "bytes came that no request had asked for: " + reader.surplusHex(), null, false);
+              "the server sent bytes without a request: " + reader.surplusHex(), null, false);
     }
     return null;
   }

@@ -318,7 +318,10 @@ final class VariableExchange {
 
   private static CrossComValueException notOfType(
       KRLVariable variable, String text, boolean written, IllegalArgumentException e) {
-    String type = variable instanceof KRLAny ? "a KRL value" : "a value for " + variable.getType();
+    String type =
+        variable instanceof KRLAny
+            ? "a KRL value"
+            : "a value for " + VariableAccess.get().type(variable);
     return new CrossComValueException(
         variable.getName(),
         text,

@@ -78,6 +78,11 @@ public final class KRLRecord<T extends Record> extends KRLVariable {
   }
 
   @Override
+  String typeForPeople() {
+    return type.getSimpleName();
+  }
+
+  @Override
   protected boolean holdsText() {
     return recordHoldsText;
   }

@@ -258,6 +258,11 @@ public abstract class KRLVariable {
     return getValue();
   }
 
+  /** Returns the type of the value as named in a message. */
+  String typeForPeople() {
+    return getType();
+  }
+
   @Override
   public String toString() {
     return "KRLVariable{id="
@@ -281,6 +286,11 @@ public abstract class KRLVariable {
     @Override
     public boolean holdsText(KRLVariable variable) {
       return variable.holdsText();
+    }
+
+    @Override
+    public String type(KRLVariable variable) {
+      return variable.typeForPeople();
     }
 
     @Override

@@ -32,6 +32,9 @@ public abstract class VariableAccess {
   /** Returns whether a value is or can contain a text or an ENUM. */
   public abstract boolean holdsText(KRLVariable variable);
 
+  /** Returns the type of the value as named in a message: the variable's class or the record. */
+  public abstract String type(KRLVariable variable);
+
   /**
    * Returns the text that a write of a variable sends. Printing a number or a structure of numbers
    * creates no objects.

@@ -91,7 +91,9 @@ class NullArgumentTest extends RobotTest {
             Motion.class, client.motion(),
             Pendant.class, client.pendant(),
             ControllerFiles.class, client.files(),
-            Information.class, client.information());
+            Information.class, client.information(),
+            Handle.class, client.handle("MYINT", Integer.class),
+            ClientConfig.Builder.class, client.getConfig().toBuilder());
     List<String> wrong = new ArrayList<>();
     for (Map.Entry<Class<?>, Object> object : objects.entrySet()) {
       for (Method method : object.getKey().getDeclaredMethods()) {

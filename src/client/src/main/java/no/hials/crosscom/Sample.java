@@ -88,7 +88,7 @@ public record Sample(
     return failedPolls > 0;
   }
 
-  /** What came of reading one variable. */
+  /** The result of reading one variable. */
   public enum ReadingStatus {
     /** It was read, and the sample reports it as changed: see {@link Sample#changed}. */
     FRESH,

@@ -47,10 +47,10 @@ import no.hials.crosscom.mock.internal.FaultRuleParser;
  * <tr><td>{@code resetBefore}</td><td>{@link Fault#resetBefore}</td></tr>
  * <tr><td>{@code closeDuring:BYTES}</td><td>{@link Fault#closeDuring}</td></tr>
  * <tr><td>{@code closeAfter}</td><td>{@link Fault#closeAfter}</td></tr>
- * <tr><td>{@code delay:TIME}</td><td>{@link Fault#delay}; a time is {@code 200us}, {@code 1.5ms} or
- * {@code 2s}</td></tr>
+ * <tr><td>{@code delay:TIME}</td><td>{@link Fault#delay}; a time up to an hour is {@code 200us},
+ * {@code 1.5ms}, {@code 2s}, {@code 1m} or {@code 5}, in ms without a unit</td></tr>
  * <tr><td>{@code split:SIZE[,SIZE...][,PAUSE]}</td><td>{@link Fault#split}; the pause between two
- * pieces is a time</td></tr>
+ * pieces is a time with its unit</td></tr>
  * <tr><td>{@code oneByteAtATime[:PAUSE]}</td><td>{@link Fault#oneByteAtATime()}</td></tr>
  * <tr><td>{@code answerTwice}</td><td>{@link Fault#answerTwice}</td></tr>
  * <tr><td>{@code glueToNext}</td><td>{@link Fault#glueToNext}</td></tr>

@@ -52,8 +52,9 @@ public sealed interface Latency {
   /**
    * Parses the text form that the command line and {@code @KukaController} use.
    *
-   * @param text {@code none}, a time such as {@code 5ms}, {@code 1.5ms}, {@code 200us} or {@code
-   *     1s}, {@code krc4} for {@link #krc4}, {@code krc4-2014} for {@link #krc4In2014}
+   * @param text {@code none}, a time up to an hour such as {@code 5ms}, {@code 1.5ms}, {@code
+   *     200us}, {@code 1s}, {@code 1m} or {@code 5}, in ms without a unit, {@code krc4} for {@link
+   *     #krc4}, {@code krc4-2014} for {@link #krc4In2014}
    * @param seed the seed of the last two
    * @throws IllegalArgumentException if the text is not one of these
    */
@@ -68,7 +69,7 @@ public sealed interface Latency {
                   .orElseThrow(
                       () ->
                           new IllegalArgumentException(
-                              "latency must be none, krc4, krc4-2014 or a time such as 5ms, is '"
+                              "latency must be none, krc4, krc4-2014 or a time up to an hour such as 5ms, is '"
                                   + text
                                   + "'")));
     };

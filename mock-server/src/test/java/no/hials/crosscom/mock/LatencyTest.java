@@ -71,18 +71,31 @@ class LatencyTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"5ms,5000000", "1.5ms,1500000", "200us,200000", "2s,2000000000", "0ms,0"})
+  @CsvSource({
+    "5ms,5000000",
+    "1.5ms,1500000",
+    "200us,200000",
+    "2s,2000000000",
+    "0ms,0",
+    "5,5000000",
+    "5 MS,5000000",
+    "1m,60000000000",
+    "60min,3600000000000"
+  })
   void takesATimeForAFixedOne(String text, long nanos) {
     assertThat(Latency.parse(text, 1)).isEqualTo(Latency.fixed(Duration.ofNanos(nanos)));
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "5", "ms", "-1ms", "5 ms", ".5ms", "5m", "KRC4", "krc5", "1e3ms"})
+  @ValueSource(
+      strings = {"", "ms", "-1ms", "5  ms", ".5ms", "61m", "999999999s", "KRC4", "krc5", "1e3ms"})
   void saysWhatATextMustBe(String text) {
     assertThatThrownBy(() -> Latency.parse(text, 1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage(
-            "latency must be none, krc4, krc4-2014 or a time such as 5ms, is '" + text + "'");
+            "latency must be none, krc4, krc4-2014 or a time up to an hour such as 5ms, is '"
+                + text
+                + "'");
   }
 
   // invalid arguments

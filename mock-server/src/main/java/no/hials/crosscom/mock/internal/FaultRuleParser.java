@@ -193,7 +193,8 @@ public final class FaultRuleParser {
     int start = argument.start();
     for (int i = 0; i < items.length; i++) {
       Optional<Duration> time = DurationParser.parse(items[i]);
-      if (i > 0 && i == items.length - 1 && time.isPresent()) {
+      boolean isSize = NUMBER.matcher(items[i]).matches(); // not a time without its unit
+      if (i > 0 && i == items.length - 1 && time.isPresent() && !isSize) {
         pause = time.get();
       } else {
         sizes.add(number(new Argument(items[i], start), 1, MANY));
@@ -220,7 +221,11 @@ public final class FaultRuleParser {
   private Duration time(Argument argument) {
     return DurationParser.parse(argument.text())
         .orElseThrow(
-            () -> error(argument.start(), "a time such as 200us, 1.5ms or 2s", argument.text()));
+            () ->
+                error(
+                    argument.start(),
+                    "a time up to an hour such as 200us, 1.5ms or 2s",
+                    argument.text()));
   }
 
   private IllegalArgumentException error(int at, String expected, String found) {

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import no.hials.crosscom.mock.Latency;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -22,10 +24,18 @@ class ConvertersTest {
     "1m,60000",
     "1min,60000",
     "0.001S,1",
-    "2147483647,2147483647"
+    "3600000,3600000"
   })
-  void readsATime(String text, long millis) {
-    assertThat(new Converters.Time().convert(text)).isEqualTo(Duration.ofMillis(millis));
+  void readsATimeAsTheMockServerDoes(String text, long millis) {
+    Duration time = Duration.ofMillis(millis);
+    assertThat(new Converters.Time().convert(text)).isEqualTo(time);
+    assertThat(Latency.parse(text, 1)).isEqualTo(Latency.fixed(time));
+  }
+
+  @Test
+  void readsATimeOfManyDays() {
+    assertThat(new Converters.Time().convert("2147483647"))
+        .isEqualTo(Duration.ofMillis(Integer.MAX_VALUE));
   }
 
   @ParameterizedTest

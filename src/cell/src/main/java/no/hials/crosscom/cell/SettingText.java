@@ -85,8 +85,12 @@ public final class SettingText {
           default -> 1;
         };
     long millis = new BigDecimal(matcher.group(1)).multiply(BigDecimal.valueOf(unit)).longValue();
-    if (millis < 1 || millis > Integer.MAX_VALUE) {
-      throw new IllegalArgumentException("must be 1ms to " + Integer.MAX_VALUE + "ms, is " + text);
+    // not the whole range: an option may have a smaller one
+    if (millis < 1) {
+      throw new IllegalArgumentException("must be 1ms or more, is " + text);
+    }
+    if (millis > Integer.MAX_VALUE) {
+      throw new IllegalArgumentException("must be at most " + Integer.MAX_VALUE + "ms, is " + text);
     }
     return Duration.ofMillis(millis);
   }

@@ -112,6 +112,11 @@ public final class Main {
     Handlers handlers = new Handlers(console);
     return main.registerConverter(Duration.class, new Converters.Time())
         .registerConverter(ServerType.class, new Converters.ServerName())
+        .registerConverter(Long.class, new Converters.WholeNumber())
+        .registerConverter(long.class, new Converters.WholeNumber())
+        .registerConverter(Integer.class, new Converters.SmallNumber())
+        .registerConverter(int.class, new Converters.SmallNumber())
+        .registerConverter(Double.class, new Converters.AnyNumber())
         // an argument @NAME is not a file with arguments
         .setExpandAtFiles(false)
         .setOut(console.out())

@@ -37,7 +37,7 @@ class UsageTest {
         "read MYINT --host h --port 0            | must be 1 to 65535, is 0",
         "read MYINT --host h --port 65536        | must be 1 to 65535, is 65536",
         "read MYINT --host h --port x            | must be 1 to 65535, is x",
-        "read MYINT --mock --timeout 0           | must be 1ms to 2147483647ms, is 0",
+        "read MYINT --mock --timeout 0           | must be 1ms or more, is 0",
         "read MYINT --mock --timeout 3h          | must be like 500, 500ms, 3s or 1m, is 3h",
         "read MYINT --mokc                       | unknown option: '--mokc'",
         "read @ MYINT                            | the name of the robot is missing: @NAME",
@@ -59,10 +59,14 @@ class UsageTest {
         "mock --speed 0                          | at most 10000, is 0",
         "mock --speed 10001                      | at most 10000, is 10001",
         "mock --speed stepped                    | must be real, max, or a factor",
-        "mock --latency 5                        | option '--latency': latency must be none, krc4",
+        "mock --latency 5x                       | option '--latency': latency must be none, krc4",
         "mock --fault frob                       | option '--fault': fault 'frob', column 1",
         "mock --fault drop --fault drop@x%2      | fault 'drop@x%2', column 8: expected a prob",
-        "mock --seed x                           | must be a whole number, is x"
+        "mock --seed x                           | must be a whole number up to 9223372036854775807",
+        "watch A --mock --count 9e9              | must be a whole number up to 9223372036854775807",
+        "watch A --mock --period 0               | must be 1ms or more, is 0",
+        "bench A --mock --clients 9999999999     | must be a whole number up to 2147483647, is 9",
+        "mock --latency 999999999s               | a time up to an hour such as 5ms, is '9999"
       })
   void saysWhatIsWrongAndWhereHelpIs(String arguments, String message) {
     String[] args = arguments.isEmpty() ? new String[0] : arguments.split(" ");
@@ -73,7 +77,7 @@ class UsageTest {
         .failsInLines(2)
         .last()
         .asString()
-        .matches("try 'jopenshowvar( (read|write|mock))? --help'");
+        .matches("try 'jopenshowvar( (read|write|mock|watch|bench))? --help'");
     assertThat(result.errLines().get(0)).startsWith("jopenshowvar: ").contains(message);
   }
 

@@ -93,15 +93,35 @@ public final class Converters {
     }
   }
 
-  /** The seed of random events. */
-  public static final class Seed implements ITypeConverter<Long> {
+  /** A whole number of 64 bits. */
+  public static final class WholeNumber implements ITypeConverter<Long> {
     @Override
     public Long convert(String text) {
-      try {
-        return Long.valueOf(text);
-      } catch (NumberFormatException e) {
-        throw new TypeConversionException("must be a whole number, is " + text);
-      }
+      return number(Long::valueOf, "a whole number up to " + Long.MAX_VALUE, text);
+    }
+  }
+
+  /** A whole number of 32 bits. */
+  public static final class SmallNumber implements ITypeConverter<Integer> {
+    @Override
+    public Integer convert(String text) {
+      return number(Integer::valueOf, "a whole number up to " + Integer.MAX_VALUE, text);
+    }
+  }
+
+  /** A number that need not be whole. */
+  public static final class AnyNumber implements ITypeConverter<Double> {
+    @Override
+    public Double convert(String text) {
+      return number(Double::valueOf, "a number", text);
+    }
+  }
+
+  private static <T> T number(Function<String, T> parser, String kind, String text) {
+    try {
+      return parser.apply(text);
+    } catch (NumberFormatException e) {
+      throw new TypeConversionException("must be " + kind + ", is " + text);
     }
   }
 

@@ -180,7 +180,6 @@ public final class MockCommand extends ConsoleCommand {
   @Option(
       names = "--seed",
       paramLabel = "NUMBER",
-      converter = Converters.Seed.class,
       description = "Seed of the random numbers for latency and faults. Default: 1.")
   private long seed = 1;
 

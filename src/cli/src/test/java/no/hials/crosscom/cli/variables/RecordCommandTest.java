@@ -457,7 +457,7 @@ class RecordCommandTest {
         "MYINT --out - --mock --format xml        | --format must be csv or jsonl, is xml",
         "MYINT --out a.jsonl --mock --raw         | --raw goes with csv",
         "MYINT --out - --mock --count 0           | --count must be 1 or more, is 0",
-        "MYINT --out - --mock --period 25m --for 0| must be 1ms to",
+        "MYINT --out - --mock --period 25m --for 0| must be 1ms or more",
         "MYINT --out - --mock --period 1441m      | --period must be at most a day, is 24 h"
       })
   void saysWhatIsWrongInTheUsage(String arguments, String message) {

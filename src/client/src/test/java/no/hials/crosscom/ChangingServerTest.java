@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -16,6 +18,7 @@ import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Version;
+import no.hials.crosscom.protocol.value.KrlInt;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -100,6 +103,24 @@ class ChangingServerTest {
       assertThat(types(first)).containsOnlyOnce(MessageType.READ_MULTIPLE);
       assertThat(types(second)).containsOnly(MessageType.READ);
       assertThat(second.requests()).filteredOn(r -> r.name().startsWith("MYINTS")).hasSize(256);
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("lessAble")
+  void aWatchGoesOnAsTheNewServerCan(Consumer<MockServerConfig.Builder> settings) throws Exception {
+    BlockingQueue<Sample> samples = new LinkedBlockingQueue<>();
+    try (MockServer second = MockServer.start(settings);
+        Watch watch = client.watch(Duration.ofMillis(5), samples::add, "MYINT", "MYINTS[2]")) {
+      assertThat(samples.take().value("MYINTS[2]")).isEqualTo(new KrlInt(0));
+      second.variables().set("MYINTS[2]", "42");
+      between.changeTo(second, type -> type == MessageType.READ_MULTIPLE.code());
+      while (types(second).size() < 10) {
+        assertThat(samples.take().value("MYINTS[2]")).isIn(new KrlInt(0), new KrlInt(42));
+      }
+
+      assertThat(types(second)).containsOnly(MessageType.READ);
+      assertThat(watch.failedPolls()).isZero();
     }
   }
 

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordingFile;
@@ -40,6 +41,31 @@ class ObservabilityTest extends RobotTest {
       assertThat(statistics.accesses()).isGreaterThanOrEqualTo(4);
       assertThat(statistics.accessTimes().count()).isEqualTo(statistics.accesses());
       assertThat(statistics.queueTimes().count()).isEqualTo(statistics.accesses());
+    }
+  }
+
+  @Test
+  void theExchangesOfAWatchAreCountedAndRecordedToo(@TempDir Path folder) throws Exception {
+    try (Recording recording = new Recording();
+        CrossComClient its = client(cfg -> {})) {
+      recording.enable("no.hials.crosscom.Exchange").withoutThreshold();
+      recording.start();
+      CountDownLatch read = new CountDownLatch(3);
+      try (Watch watch =
+          its.watch(Duration.ofMillis(5), s -> read.countDown(), "$OV_PRO", "NOSUCHVAR")) {
+        read.await();
+        assertThat(watch.failedPolls()).isZero();
+      }
+      recording.stop();
+      Path file = folder.resolve("watch.jfr");
+      recording.dump(file);
+
+      assertThat(its.statistics().accesses()).isGreaterThanOrEqualTo(3);
+      assertThat(its.statistics().refusals()).isGreaterThanOrEqualTo(3);
+      assertThat(RecordingFile.readAllEvents(file))
+          .filteredOn(e -> e.getString("request").startsWith("read of $OV_PRO"))
+          .hasSizeGreaterThanOrEqualTo(3)
+          .allMatch(e -> e.getBoolean("answered"));
     }
   }
 

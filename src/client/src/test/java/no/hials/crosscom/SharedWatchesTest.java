@@ -20,6 +20,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.stream.Stream;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -163,6 +164,28 @@ class SharedWatchesTest extends RobotTest {
             .map(RecordedRequest::value)
             .toList();
     assertThat(writes).doesNotHaveDuplicates();
+  }
+
+  static Stream<Fault> wrongAnswers() {
+    return FailureTest.lies();
+  }
+
+  @ParameterizedTest
+  @MethodSource("wrongAnswers")
+  void aWrongAnswerIsAFailedReadingAndNoValue(Fault lie) throws Exception {
+    Duration tiny = Duration.ofMillis(1);
+    try (CrossComClient its = client(cfg -> cfg.runtime(runtime).reconnectBackoff(tiny, tiny));
+        Watch watch = its.watch(PERIOD, samples::add, "$OV_PRO", "MYINT")) {
+      next();
+      robot.enqueue(lie);
+      Sample sample;
+      do {
+        sample = next();
+        assertThat(sample.value("$OV_PRO")).isEqualTo(new KrlInt(100));
+        assertThat(sample.value("MYINT")).isEqualTo(new KrlInt(0));
+      } while (!sample.hasGapBefore());
+      assertThat(watch.failedPolls()).isEqualTo(1);
+    }
   }
 
   @Test

@@ -3,7 +3,6 @@ package no.hials.crosscom.lab.experiment;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -23,7 +22,7 @@ class GarbageCollectionsTest {
 
       List<GarbageCollections.Pause> seen = pauses.seen(0);
       while (seen.isEmpty()) { // they come on a thread of the JVM's own
-        LockSupport.parkNanos(1_000_000);
+        Thread.onSpinWait();
         seen = pauses.seen(0);
       }
       assertThat(seen)

@@ -15,7 +15,7 @@ if not exist "%JAVA_HOME%\bin\java.exe" (
   echo jopenshowvar: JAVA_HOME is "%JAVA_HOME%", where there is no bin\java.exe>&2
   exit /b 127
 )
-rem In PATH it needs no quotes below, which for /f does not bear.
+rem In PATH it needs no quotes below, which for /f cannot handle.
 set "PATH=%JAVA_HOME%\bin;%PATH%"
 
 :find

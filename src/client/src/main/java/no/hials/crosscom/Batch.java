@@ -179,12 +179,12 @@ abstract class Batch {
     return group;
   }
 
-  /** Lets a group come next. */
+  /** Puts a group at the head of the queue. */
   final void sendNext(List<Item> group) {
     groups.addFirst(group);
   }
 
-  /** Lets items come next, each in a message of its own. */
+  /** Puts items at the head of the queue, each in a message of its own. */
   final void oneByOne(List<Item> some) {
     for (int i = some.size() - 1; i >= 0; i--) {
       some.get(i).suspect = false;
@@ -368,7 +368,7 @@ abstract class Batch {
     }
   }
 
-  /** Reads variables, whose values it copies without a look at them. */
+  /** Reads variables and copies their values without parsing them. */
   static final class Copying extends Reading {
     Copying(VariableExchange exchange, C3Channel channel, List<? extends KRLVariable> variables) {
       super(exchange, channel, variables);

@@ -24,7 +24,7 @@ final class Completion {
 
   private Completion() {}
 
-  /** Creates the script for bash, which is one for zsh as well. */
+  /** Creates the script for bash, which also works in zsh. */
   static String bash(CommandLine main) {
     return """
         # Completion of jopenshowvar for bash and zsh: source this file in ~/.bashrc or ~/.zshrc.

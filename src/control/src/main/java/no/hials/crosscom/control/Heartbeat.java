@@ -20,7 +20,7 @@ final class Heartbeat {
 
   /**
    * The part of the watchdog's time in which another loop beats, late or not. After the whole time
-   * the watchdog would stop a program for which nobody beats.
+   * the watchdog would stop a program without a heartbeat.
    */
   private static final double BEAT_OF_OTHER = 3.0 / 8;
 

@@ -18,7 +18,7 @@ import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Speed;
  */
 final class Blend {
   /**
-   * {@code $APO_DIS_PTP}, degrees, of which C_PTP is a part: 90 for every axis
+   * {@code $APO_DIS_PTP}, degrees: 90 for every axis; C_PTP is a percentage of it
    * (docs/reference/system-variables.md#machine-data).
    */
   private static final double AXIS_DISTANCE = 90;

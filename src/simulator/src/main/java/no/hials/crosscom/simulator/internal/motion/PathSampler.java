@@ -16,7 +16,7 @@ final class PathSampler {
   /** The number of points beyond a limit that are computed. */
   private static final int BEYOND = 8;
 
-  /** The most that an axis turns between two points, degrees. */
+  /** The largest turn of an axis between two points, degrees. */
   private static final double STEP = 2;
 
   /** The smallest distance between two points, in parts of the path. */

@@ -50,7 +50,7 @@ public final class ProgramLibrary {
    *
    * @param source its routines, parsed without errors
    * @param data its data list, or null
-   * @return the errors of the data list, with which nothing changes; {@link #check} returns the
+   * @return the errors of the data list; with an error, nothing changes. {@link #check} returns the
    *     errors of the routines
    */
   public List<KrlError> put(SourceFile source, @Nullable DataList data) {
@@ -84,7 +84,7 @@ public final class ProgramLibrary {
   /**
    * Creates the variables of a module again.
    *
-   * @return the errors of the data list, with which nothing changes
+   * @return the errors of the data list; with an error, nothing changes
    */
   public List<KrlError> put(DataList data) {
     KrlModule module = modules.get(Scope.key(data.name()));

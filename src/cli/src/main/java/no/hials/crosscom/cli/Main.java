@@ -38,7 +38,15 @@ import picocli.CommandLine.UnmatchedArgumentException;
 public final class Main {
   /** The commands for usual words of other programs. */
   private static final Map<String, String> SYNONYMS =
-      Map.of("get", "read", "set", "write", "cat", "file get", "delete", "file rm");
+      Map.of(
+          "get", "read",
+          "set", "write",
+          "cat", "file get",
+          "delete", "file rm",
+          "list", "file ls",
+          "dir", "file ls",
+          "upload", "file put",
+          "download", "file get");
 
   private Main() {}
 
@@ -142,7 +150,13 @@ public final class Main {
 
   private static ExitCode usageError(Console console, ParameterException e, String... args) {
     CommandLine command = e.getCommandLine();
-    console.error(ConsoleCommand.message(e));
+    Set<String> subcommands = command.getSubcommands().keySet();
+    // picocli has no class of its own for a missing subcommand
+    boolean isSubcommandMissing =
+        e.getClass() == ParameterException.class && !subcommands.isEmpty();
+    console.error(
+        ConsoleCommand.message(e)
+            + (isSubcommandMissing ? ": " + String.join(", ", subcommands) : ""));
     if (e instanceof MissingParameterException missing
         && missing.getMissing().stream().anyMatch(ArgSpec::isPositional)
         && e.getCommandLine().getCommand() instanceof ControllerCommand) {

@@ -118,6 +118,8 @@ class UsageTest {
     "cat /R1/A.SRC, file get",
     "delete /R1/A.SRC, file rm",
     "file delete /R1/A.SRC, file rm",
+    "file list, file ls",
+    "file upload a /R1/A.SRC, file put",
     "help ls, file ls",
     "program stat, file stat",
     "read MYINT --mokc, --mock",

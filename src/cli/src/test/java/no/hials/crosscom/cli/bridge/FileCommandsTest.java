@@ -302,7 +302,7 @@ class FileCommandsTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "file | missing required subcommand",
+        "file | missing required subcommand: ls, ",
         "file list | unknown command: 'list'",
         "file ls A B --mock | too many arguments: 'B'",
         "file stat --mock | missing required parameter: 'NAME'",

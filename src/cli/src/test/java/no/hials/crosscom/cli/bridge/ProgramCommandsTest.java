@@ -219,7 +219,7 @@ class ProgramCommandsTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "program | missing required subcommand",
+        "program | missing required subcommand: select, start, stop, reset, cancel, run",
         "program go | unknown command: 'go'",
         "program select | missing required parameter: 'PROGRAM'",
         "program select A B | too many arguments: 'B'",

@@ -23,8 +23,8 @@ public final class AsyncReads {
    */
   public static void main(String[] args)
       throws IOException, ExecutionException, InterruptedException, TimeoutException {
-    try (Controller controller = Controller.of(args)) {
-      read(controller.client());
+    try (ExampleConnection connection = ExampleConnection.of(args)) {
+      read(connection.client());
     }
   }
 

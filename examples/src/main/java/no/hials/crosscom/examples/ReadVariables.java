@@ -24,8 +24,8 @@ public final class ReadVariables {
    * @throws IOException if reading failed
    */
   public static void main(String[] args) throws IOException {
-    try (Controller controller = Controller.of(args)) {
-      read(controller.client());
+    try (ExampleConnection connection = ExampleConnection.of(args)) {
+      read(connection.client());
     }
   }
 

@@ -21,8 +21,8 @@ public final class WatchVariables {
    * @throws IOException if reading failed
    */
   public static void main(String[] args) throws IOException {
-    try (Controller controller = Controller.of(args)) {
-      watch(controller.client());
+    try (ExampleConnection connection = ExampleConnection.of(args)) {
+      watch(connection.client());
     }
   }
 

@@ -15,8 +15,8 @@ public final class WriteVariables {
    * @throws IOException if writing failed
    */
   public static void main(String[] args) throws IOException {
-    try (Controller controller = Controller.of(args)) {
-      write(controller.client());
+    try (ExampleConnection connection = ExampleConnection.of(args)) {
+      write(connection.client());
     }
   }
 

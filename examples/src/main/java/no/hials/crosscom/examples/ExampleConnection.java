@@ -7,11 +7,11 @@ import no.hials.crosscom.mock.MockServer;
 import org.jspecify.annotations.Nullable;
 
 /** Connects an example to the controller on its command line, or to a simulated controller. */
-final class Controller implements Closeable {
+final class ExampleConnection implements Closeable {
   private final @Nullable MockServer mock;
   private final CrossComClient client;
 
-  private Controller(@Nullable MockServer mock, CrossComClient client) {
+  private ExampleConnection(@Nullable MockServer mock, CrossComClient client) {
     this.mock = mock;
     this.client = client;
   }
@@ -21,12 +21,12 @@ final class Controller implements Closeable {
    *
    * @param args {@code HOST PORT}, or nothing for a simulated controller
    */
-  static Controller of(String[] args) throws IOException {
+  static ExampleConnection of(String[] args) throws IOException {
     if (Arguments.nameAController(args)) {
-      return new Controller(null, new CrossComClient(args[0], Integer.parseInt(args[1])));
+      return new ExampleConnection(null, new CrossComClient(args[0], Integer.parseInt(args[1])));
     }
     MockServer mock = MockServer.start();
-    return new Controller(mock, new CrossComClient(mock.host(), mock.port()));
+    return new ExampleConnection(mock, new CrossComClient(mock.host(), mock.port()));
   }
 
   CrossComClient client() {

@@ -53,8 +53,8 @@ abstract sealed class OriginalAccess extends TypedAccess permits CrossComClient 
    * @param request a read or a write
    * @return the result; its value is empty if the controller refuses
    * @throws CrossComException if the exchange fails
-   * @deprecated use {@link #readVariable} and {@link #writeVariable}, or {@link #readText} and
-   *     {@link #writeText} if the type is not known
+   * @deprecated use {@link #readVariable} and {@link #writeVariable}, or {@link
+   *     CrossComClient#readText} and {@link CrossComClient#writeText} if the type is not known
    */
   @Deprecated
   public Callback sendRequest(Request request) throws IOException {

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.StreamSupport;
+import no.hials.crosscom.cli.base.CommandTree;
 import picocli.AutoComplete;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.ArgSpec;
@@ -77,7 +78,7 @@ final class Completion {
     lines.add(
         "complete -c jopenshowvar -n 'string match -q \"@*\" -- (commandline -ct)'"
             + " -a '@(__jopenshowvar_robots)'");
-    HelpText.commands(main).forEach(command -> fish(command, lines));
+    CommandTree.withAllBelow(main).forEach(command -> fish(command, lines));
     return String.join("\n", lines) + "\n";
   }
 

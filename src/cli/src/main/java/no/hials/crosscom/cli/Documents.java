@@ -8,6 +8,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Map;
+import no.hials.crosscom.cli.base.CommandTree;
 import no.hials.crosscom.cli.base.Console;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
@@ -36,7 +37,7 @@ final class Documents {
     Path jar = Path.of(args[1]);
     String version = args[2];
     CommandLine main = commands();
-    for (CommandSpec command : HelpText.commands(main.getCommandSpec()).toList()) {
+    for (CommandSpec command : CommandTree.withAllBelow(main.getCommandSpec()).toList()) {
       write(
           folder.resolve("man/man1/" + ManPage.name(command) + ".1"), ManPage.of(command, version));
     }

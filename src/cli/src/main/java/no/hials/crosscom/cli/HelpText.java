@@ -29,13 +29,6 @@ final class HelpText {
    */
   record Block(boolean literal, List<String> lines) {}
 
-  /** Returns a command and all below it, in the order of the help. */
-  static Stream<CommandSpec> commands(CommandSpec command) {
-    return Stream.concat(
-        Stream.of(command),
-        command.subcommands().values().stream().flatMap(sub -> commands(sub.getCommandSpec())));
-  }
-
   /** Returns the options that the help shows, in its order. */
   static List<OptionSpec> options(CommandSpec command) {
     return command.options().stream()

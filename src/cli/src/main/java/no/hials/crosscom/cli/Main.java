@@ -195,7 +195,7 @@ public final class Main {
   private static List<String> elsewhere(Console console, String typed) {
     CommandSpec program = commandLine(console).getCommandSpec();
     Stream<String> same =
-        HelpText.commands(program)
+        CommandTree.withAllBelow(program)
             .filter(each -> each.name().equals(typed))
             .map(each -> each.qualifiedName().substring(program.name().length() + 1));
     return Stream.concat(Stream.ofNullable(SYNONYMS.get(typed)), same).toList();

@@ -2,6 +2,7 @@ package no.hials.crosscom.cli;
 
 import java.util.List;
 import java.util.Map;
+import no.hials.crosscom.cli.base.CommandTree;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
@@ -55,7 +56,8 @@ final class CommandReference {
     CommandReference part = new CommandReference();
     for (Commands group : Commands.values()) {
       group.names().stream()
-          .flatMap(name -> HelpText.commands(main.getSubcommands().get(name).getCommandSpec()))
+          .flatMap(
+              name -> CommandTree.withAllBelow(main.getSubcommands().get(name).getCommandSpec()))
           .forEach(part::command);
     }
     return part.page.toString();

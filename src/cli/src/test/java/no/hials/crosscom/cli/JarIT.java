@@ -2,6 +2,10 @@ package no.hials.crosscom.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.tngtech.archunit.core.domain.Dependency;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.io.BufferedReader;
 import java.io.InputStreamReader;
 import java.net.InetAddress;
@@ -13,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.jar.JarFile;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.Jar;
 import no.hials.crosscom.mock.Fault;
@@ -27,6 +32,8 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Runs the jar as a user does: as a process of its own. */
 @Timeout(120)
@@ -69,6 +76,37 @@ class JarIT {
           .allSatisfy(text -> assertThat(jar.getPath("META-INF/licenses", text)).isNotEmptyFile());
       assertThat(jar.getPath("META-INF/LICENSE")).hasSameTextualContentAs(LICENCE);
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"raed", "help bogus", "file bogus", "program status"})
+  void endsWithCode2AndASuggestionOrTheHelpOnAMistypedCommand(String args) throws Exception {
+    run(Jar.process(args.split(" ")))
+        .fails(2)
+        .startsWith("jopenshowvar: ")
+        .contains("try 'jopenshowvar")
+        .doesNotContain("internal error");
+  }
+
+  @Test
+  void itsClassesNeedNoneThatIsLeftOut() throws Exception {
+    JavaClasses own;
+    try (JarFile jar = new JarFile(Jar.FILE.toFile())) {
+      own =
+          new ClassFileImporter()
+              .withImportOption(location -> location.contains("no/hials/crosscom/"))
+              .importJar(jar);
+    }
+
+    assertThat(own.contain(Main.class)).isTrue();
+    assertThat(own)
+        .flatMap(JavaClass::getDirectDependenciesFromSelf)
+        .map(Dependency::getTargetClass)
+        .map(JavaClass::getBaseComponentType)
+        .filteredOn(needed -> needed.getName().startsWith("no.hials.crosscom."))
+        .isNotEmpty()
+        .filteredOn(needed -> !own.contain(needed.getName()))
+        .isEmpty();
   }
 
   @Test

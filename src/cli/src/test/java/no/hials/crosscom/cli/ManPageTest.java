@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import no.hials.crosscom.cli.base.CommandTree;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine.Model.CommandSpec;
@@ -27,7 +28,8 @@ class ManPageTest {
   @Test
   void isAPageOfEachCommandThatGroffSetsWithoutWarning() throws Exception {
     assumeThat(Files.isExecutable(GROFF)).isTrue();
-    for (CommandSpec command : HelpText.commands(Documents.commands().getCommandSpec()).toList()) {
+    for (CommandSpec command :
+        CommandTree.withAllBelow(Documents.commands().getCommandSpec()).toList()) {
       Path page = dir.resolve(ManPage.name(command) + ".1");
       Files.writeString(page, ManPage.of(command, "1.0"));
 

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.cli.base.CommandTree;
 import no.hials.crosscom.cli.base.Console;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -168,7 +169,7 @@ class UsageTest {
             .getCommandSpec();
 
     List<String> broken =
-        HelpText.commands(main)
+        CommandTree.withAllBelow(main)
             .flatMap(
                 command -> {
                   String help = command.commandLine().getUsageMessage(Help.Ansi.OFF);

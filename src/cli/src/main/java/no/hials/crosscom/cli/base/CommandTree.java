@@ -1,7 +1,9 @@
 package no.hials.crosscom.cli.base;
 
 import java.util.List;
+import java.util.stream.Stream;
 import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
 
 /** The program as its commands see it: the root of their tree. */
 public interface CommandTree {
@@ -27,6 +29,13 @@ public interface CommandTree {
       found = next;
     }
     return found;
+  }
+
+  /** Returns a command and all below it, in the order of the help. */
+  static Stream<CommandSpec> withAllBelow(CommandSpec command) {
+    return Stream.concat(
+        Stream.of(command),
+        command.subcommands().values().stream().flatMap(sub -> withAllBelow(sub.getCommandSpec())));
   }
 
   /** Returns the number of arguments that name a command: 0 for the program. */

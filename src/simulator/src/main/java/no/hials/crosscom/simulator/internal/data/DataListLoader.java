@@ -206,8 +206,9 @@ public final class DataListLoader {
       Declaration.Variables group, Declaration.Declarator source, Scope target)
       throws KrlErrorException {
     Expression initial = source.initial();
-    Storage contents = DeclaredType.of(module, group.type(), source).uninitialised();
-    target.checkRoom(source.name(), contents, source.position());
+    DeclaredType type = DeclaredType.of(module, group.type(), source);
+    target.checkRoom(source.name(), type, source.position());
+    Storage contents = type.uninitialised();
     if (initial != null) {
       contents =
           contents instanceof ArrayStorage

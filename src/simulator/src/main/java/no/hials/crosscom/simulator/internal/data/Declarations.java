@@ -79,9 +79,9 @@ public final class Declarations {
   public static void declare(
       Scope scope, String type, Declaration.Declarator declarator, Access access)
       throws KrlErrorException {
-    Storage contents = DeclaredType.of(scope, type, declarator).uninitialised();
-    scope.checkRoom(declarator.name(), contents, declarator.position());
-    scope.put(VariableEntry.variable(declarator.name(), access, contents));
+    DeclaredType declared = DeclaredType.of(scope, type, declarator);
+    scope.checkRoom(declarator.name(), declared, declarator.position());
+    scope.put(VariableEntry.variable(declarator.name(), access, declared.uninitialised()));
   }
 
   // from the texts of Java code
@@ -137,8 +137,9 @@ public final class Declarations {
       if (variables.variables().size() > 1) {
         throw new KrlErrorException(NOWHERE, "expected one variable, found '" + declaration + "'");
       }
-      Storage contents = DeclaredType.of(scope, variables.type(), variable).uninitialised();
-      scope.checkRoom(variable.name(), contents, NOWHERE);
+      DeclaredType type = DeclaredType.of(scope, variables.type(), variable);
+      scope.checkRoom(variable.name(), type, NOWHERE);
+      Storage contents = type.uninitialised();
       scope.put(
           VariableEntry.variable(
               variable.name(), access, value == null ? contents : contents.assign(value)));

@@ -153,14 +153,15 @@ public final class Scope {
   }
 
   /**
-   * Checks that there is room for a variable, which can replace one of the same name.
+   * Checks that there is room for a variable, which can replace one of the same name. To be called
+   * before its contents are created.
    *
-   * @param contents null for a SIGNAL
+   * @param type null for a SIGNAL
    */
-  synchronized void checkRoom(String name, @Nullable Storage contents, Position position)
+  synchronized void checkRoom(String name, @Nullable DeclaredType type, Position position)
       throws KrlErrorException {
     VariableEntry old = variables.get(key(name));
-    long needed = VariableEntry.bytes(contents);
+    long needed = NAME_BYTES + (type == null ? 0 : type.bytes());
     if (isTooMuch(needed - (old == null ? 0 : old.bytes()))) {
       throw new KrlErrorException(position, tooLarge(name, needed, maxBytes));
     }

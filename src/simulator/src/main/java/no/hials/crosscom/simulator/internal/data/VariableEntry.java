@@ -33,10 +33,6 @@ record VariableEntry(
 
   /** Returns the bytes of the name and the contents, about. */
   long bytes() {
-    return bytes(contents);
-  }
-
-  static long bytes(@Nullable Storage contents) {
     return Scope.NAME_BYTES + (contents == null ? 0 : contents.bytes());
   }
 

@@ -2,6 +2,8 @@ package no.hials.crosscom.simulator.internal.data;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -61,6 +63,27 @@ class DataListLoaderTest {
         .isNotEmpty()
         .allSatisfy(error -> assertThat(error.message()).contains("at most 10000 bytes of memory"));
     assertThat(small.bytes()).isLessThanOrEqualTo(10_000);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"REAL N%d[1000,1000]", "BIG N%d", "BIG N%d[2]"})
+  void aVariableWithoutRoomIsRefusedBeforeItsElementsAreCreated(String declaration) {
+    Scope small = new Scope(10_000);
+    List<KrlError> errors = new ArrayList<>();
+    StringBuilder text = new StringBuilder("DEFDAT $LIST\nSTRUC BIG REAL A[1000,1000]\n");
+    for (int i = 0; i < 200; i++) {
+      text.append("DECL ").append(declaration.formatted(i)).append('\n');
+    }
+    DataList list = (DataList) KrlParser.parse("x", text + "ENDDAT").file().orElseThrow();
+    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long before = threads.getCurrentThreadAllocatedBytes();
+
+    DataListLoader.load(list, new Scope(small), small, errors::add);
+
+    // one array of a million elements takes 4 MB or more
+    assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(4_000_000);
+    assertThat(errors).hasSize(200);
+    assertThat(small.names()).isEmpty();
   }
 
   private String printed(String name) throws RefusedException {

@@ -13,7 +13,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.util.Arrays;
 import no.hials.crosscom.internal.VariableName;
-import no.hials.crosscom.internal.exchange.Answer;
+import no.hials.crosscom.internal.exchange.ExchangeAnswer;
 import no.hials.crosscom.internal.exchange.ExchangeDeadline;
 import no.hials.crosscom.internal.exchange.ExchangeEvent;
 import no.hials.crosscom.internal.exchange.ForeignService;
@@ -61,7 +61,7 @@ final class Connection implements SelectorLoop.Selectable {
   private final SocketChannel channel;
   private final SelectorLoop loop;
   private final FrameReader reader;
-  private final Answer answer = new Answer();
+  private final ExchangeAnswer answer = new ExchangeAnswer();
 
   /** The bytes to send. Outside the heap, so that the channel need not copy them there. */
   private ByteBuffer out = ByteBuffer.allocateDirect(512);
@@ -110,7 +110,7 @@ final class Connection implements SelectorLoop.Selectable {
   /** Receives the result of an asynchronous exchange, in the thread of the loop. */
   interface AnswerHandler {
     /** Called with the answer, which is valid until the next exchange. */
-    void answered(Answer answer);
+    void answered(ExchangeAnswer answer);
 
     /** Called if there is no valid answer. */
     void failed(CrossComException failure);
@@ -255,7 +255,7 @@ final class Connection implements SelectorLoop.Selectable {
    * @param waited how much of the time limit is over, in ns
    * @return the answer, valid until the next exchange
    */
-  Answer exchange(
+  ExchangeAnswer exchange(
       byte[] frame,
       int length,
       int id,
@@ -319,7 +319,7 @@ final class Connection implements SelectorLoop.Selectable {
   }
 
   /** Ends an exchange whose answer has arrived. */
-  private Answer received(int length) throws IOException {
+  private ExchangeAnswer received(int length) throws IOException {
     if (length < 0) {
       throw new EOFException(endOfStream(true));
     }
@@ -436,7 +436,7 @@ final class Connection implements SelectorLoop.Selectable {
       int length = reader.advance();
       if (length != 0) {
         // still interested in reading: the next exchange then need not say so again
-        Answer received = received(length);
+        ExchangeAnswer received = received(length);
         current.handler = null;
         handler.answered(received);
       }
@@ -495,7 +495,7 @@ final class Connection implements SelectorLoop.Selectable {
    * @param from the answer to the last exchange
    * @param answerClass the class of a successful answer
    */
-  MessageAnswer message(Answer from, Class<? extends TypedResponse> answerClass)
+  MessageAnswer message(ExchangeAnswer from, Class<? extends TypedResponse> answerClass)
       throws CrossComProtocolException {
     try {
       Response response =

@@ -15,7 +15,7 @@ import java.util.function.Consumer;
 import no.hials.crosscom.Connection.AnswerHandler;
 import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
-import no.hials.crosscom.internal.exchange.Answer;
+import no.hials.crosscom.internal.exchange.ExchangeAnswer;
 import no.hials.crosscom.internal.exchange.MessageAnswer;
 import no.hials.crosscom.internal.exchange.Repeatability;
 import no.hials.crosscom.internal.exchange.SelectorLoop;
@@ -169,7 +169,7 @@ final class ReconnectingConnection {
    * @param name the variable, for error messages
    * @return the answer, valid until the next exchange
    */
-  Answer exchange(byte[] frame, int length, MessageType type, String name)
+  ExchangeAnswer exchange(byte[] frame, int length, MessageType type, String name)
       throws CrossComException {
     begin(type, name);
     makeUsable();
@@ -208,12 +208,13 @@ final class ReconnectingConnection {
   /**
    * Sends a request on the current connection, and waits for its answer. This thread has the turn.
    */
-  Answer send(byte[] frame, int length, MessageType type, Repeatability effect, String name)
+  ExchangeAnswer send(byte[] frame, int length, MessageType type, Repeatability effect, String name)
       throws CrossComException {
     Connection used = current();
     boolean known = used.hasAnswered();
     try {
-      Answer answer = used.exchange(frame, length, nextId(), type, effect, name, turn.waited());
+      ExchangeAnswer answer =
+          used.exchange(frame, length, nextId(), type, effect, name, turn.waited());
       if (!known) {
         failedAttempts = 0; // a server that only accepts and closes has rejected us
       }
@@ -248,7 +249,7 @@ final class ReconnectingConnection {
   }
 
   /** Decodes the answer to the last exchange, which is a message. */
-  MessageAnswer message(Answer answer, Class<? extends TypedResponse> answerClass)
+  MessageAnswer message(ExchangeAnswer answer, Class<? extends TypedResponse> answerClass)
       throws CrossComException {
     try {
       return current().message(answer, answerClass);
@@ -258,7 +259,7 @@ final class ReconnectingConnection {
     }
   }
 
-  private void count(MessageType type, Answer answer) {
+  private void count(MessageType type, ExchangeAnswer answer) {
     AnswerFrame frame = answer.frame();
     boolean refused = !frame.success() || (type == MessageType.READ && frame.isEmpty());
     meter.answered(turn.waited(), answer.nanos(), !refused);
@@ -490,7 +491,7 @@ final class ReconnectingConnection {
         turn.waited(),
         new AnswerHandler() {
           @Override
-          public void answered(Answer answer) {
+          public void answered(ExchangeAnswer answer) {
             if (!known) {
               failedAttempts = 0;
             }
@@ -516,7 +517,7 @@ final class ReconnectingConnection {
     AnswerHandler end =
         new AnswerHandler() {
           @Override
-          public void answered(Answer answer) {
+          public void answered(ExchangeAnswer answer) {
             endUse(timeToNextUse());
           }
 

@@ -12,7 +12,7 @@ import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.internal.VariableName;
 import no.hials.crosscom.internal.exchange.AggregateLength;
-import no.hials.crosscom.internal.exchange.Answer;
+import no.hials.crosscom.internal.exchange.ExchangeAnswer;
 import no.hials.crosscom.internal.exchange.MessageAnswer;
 import no.hials.crosscom.internal.exchange.Repeatability;
 import no.hials.crosscom.internal.exchange.TextAnswer;
@@ -178,7 +178,7 @@ final class VariableExchange {
     String echo = null;
     connection.acquire(MessageType.WRITE, name);
     try {
-      Answer answer = sendWrite(name, value);
+      ExchangeAnswer answer = sendWrite(name, value);
       if (answer.frame().isEmpty()) {
         // done, but there is no value to update the variable from
         VariableAccess.get().setReadTime(variable, answer.nanos());
@@ -291,7 +291,7 @@ final class VariableExchange {
    * @param written whether the answer is that to a write
    * @return null if the variable is set; otherwise the text for {@link #takeText}
    */
-  private @Nullable String takeInPlace(KRLVariable variable, Answer answer, boolean written)
+  private @Nullable String takeInPlace(KRLVariable variable, ExchangeAnswer answer, boolean written)
       throws CrossComValueException {
     VariableAccess access = VariableAccess.get();
     answer.frame().scan(scanner);
@@ -335,13 +335,13 @@ final class VariableExchange {
 
   // --- functions 0 and 1; this thread has the turn
 
-  private Answer sendRead(byte[] frame, String name) throws CrossComException {
+  private ExchangeAnswer sendRead(byte[] frame, String name) throws CrossComException {
     checkLength(frame, name);
     return checkRead(connection.exchange(frame, frame.length, MessageType.READ, name), name);
   }
 
   /** Does the same on the current connection, without a repetition. */
-  private Answer sendReadHere(byte[] frame, String name) throws CrossComException {
+  private ExchangeAnswer sendReadHere(byte[] frame, String name) throws CrossComException {
     checkLength(frame, name);
     return checkRead(
         connection.send(frame, frame.length, MessageType.READ, Repeatability.READ, name), name);
@@ -353,7 +353,8 @@ final class VariableExchange {
     }
   }
 
-  static Answer checkRead(Answer answer, String name) throws CrossComAccessException {
+  static ExchangeAnswer checkRead(ExchangeAnswer answer, String name)
+      throws CrossComAccessException {
     AnswerFrame result = answer.frame();
     // KUKAVARPROXY of 2019 and later says success when the controller refuses
     // (docs/reference/kukavarproxy.md#refused-accesses)
@@ -363,14 +364,14 @@ final class VariableExchange {
     return answer;
   }
 
-  private Answer sendWrite(String name, CharSequence value) throws CrossComException {
+  private ExchangeAnswer sendWrite(String name, CharSequence value) throws CrossComException {
     encode(writer, name, value);
     return checkWritten(
         connection.exchange(writer.buffer(), writer.length(), MessageType.WRITE, name), name);
   }
 
   /** Does the same on the current connection, whose server is known. */
-  private Answer sendWriteHere(String name, String nameBytes, String valueBytes)
+  private ExchangeAnswer sendWriteHere(String name, String nameBytes, String valueBytes)
       throws CrossComException {
     encode(writer, nameBytes, valueBytes);
     return checkWritten(
@@ -379,7 +380,8 @@ final class VariableExchange {
         name);
   }
 
-  private static Answer checkWritten(Answer answer, String name) throws CrossComAccessException {
+  private static ExchangeAnswer checkWritten(ExchangeAnswer answer, String name)
+      throws CrossComAccessException {
     AnswerFrame result = answer.frame();
     if (!result.success()) {
       throw new CrossComAccessException(name, Operation.WRITE, false, result.code());
@@ -421,7 +423,7 @@ final class VariableExchange {
   }
 
   /** Returns the text of an answer to function 0; reads it again if that is not exact. */
-  private TextAnswer exact(ServerDetector server, Answer answer, String name)
+  private TextAnswer exact(ServerDetector server, ExchangeAnswer answer, String name)
       throws CrossComException {
     TextAnswer bytes = answer.toText();
     if (TextCharset.isPlain(answer.frame())) {

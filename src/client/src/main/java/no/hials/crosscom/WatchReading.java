@@ -8,7 +8,7 @@ import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.ServerDetector.Question;
 import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.internal.VariableName;
-import no.hials.crosscom.internal.exchange.Answer;
+import no.hials.crosscom.internal.exchange.ExchangeAnswer;
 import no.hials.crosscom.internal.exchange.Repeatability;
 import no.hials.crosscom.internal.exchange.SelectorLoop;
 import no.hials.crosscom.internal.exchange.TextAnswer;
@@ -87,7 +87,7 @@ final class WatchReading {
   /** Uses an answer, which is valid until the next exchange. */
   @FunctionalInterface
   private interface Use {
-    void of(Answer answer) throws CrossComException;
+    void of(ExchangeAnswer answer) throws CrossComException;
   }
 
   /** A part of the reading that has the turn. It is repeated once if the connection breaks. */
@@ -152,7 +152,7 @@ final class WatchReading {
           name,
           new AnswerHandler() {
             @Override
-            public void answered(Answer answer) {
+            public void answered(ExchangeAnswer answer) {
               guard(() -> use.of(answer));
             }
 

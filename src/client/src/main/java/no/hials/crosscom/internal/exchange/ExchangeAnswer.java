@@ -9,7 +9,7 @@ import no.hials.crosscom.protocol.MalformedFrameException;
  * <p>Each connection has one, and the next exchange changes it, so that an exchange creates no
  * objects. The turn of the connection guards it.
  */
-public final class Answer {
+public final class ExchangeAnswer {
   private final AnswerFrame frame = new AnswerFrame();
   private long nanos;
 

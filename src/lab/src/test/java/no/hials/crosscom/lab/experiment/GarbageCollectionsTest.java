@@ -3,6 +3,7 @@ package no.hials.crosscom.lab.experiment;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -22,7 +23,7 @@ class GarbageCollectionsTest {
 
       List<GarbageCollections.Pause> seen = pauses.seen(0);
       while (seen.isEmpty()) { // they come on a thread of the JVM's own
-        Thread.onSpinWait();
+        LockSupport.parkNanos(1_000_000); // to spin would make garbage for one more collection
         seen = pauses.seen(0);
       }
       assertThat(seen)

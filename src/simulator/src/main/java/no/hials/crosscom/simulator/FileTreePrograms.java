@@ -194,6 +194,9 @@ final class FileTreePrograms {
     }
     module.parts.forEach((end, content) -> errors.addAll(load(key, module, old, end, content)));
     module.errors = List.copyOf(errors);
+    if (!errors.isEmpty()) {
+      log.warn("{} has errors: {}", key, new KrlFileException(errors).getMessage());
+    }
     synchronized (this) {
       if (loaded.get(key) == old) {
         loaded.put(key, module);
@@ -205,9 +208,8 @@ final class FileTreePrograms {
   private List<KrlError> load(
       String key, Module module, @Nullable Module old, String end, byte[] content) {
     String file = Objects.requireNonNull(module.items.get(end)).path().name();
-    ParseResult result = null;
     try {
-      result = KrlParser.parse(file, new String(content, StandardCharsets.ISO_8859_1));
+      ParseResult result = KrlParser.parse(file, new String(content, StandardCharsets.ISO_8859_1));
       synchronized (this) {
         if (loaded.get(key) != old) {
           return List.of(); // loaded from elsewhere meanwhile
@@ -219,10 +221,7 @@ final class FileTreePrograms {
       }
       return List.of();
     } catch (KrlFileException e) {
-      // a new list applies to the module of a loaded program, with errors until the new program is
-      // loaded too
-      boolean followed = result != null && end.equals("dat") && module.hasProgram();
-      return followed ? result.errors() : e.errors();
+      return e.errors();
     } catch (RuntimeException | VirtualMachineError e) {
       log.warn("{} cannot be loaded", file, e);
       return error(file, "the file cannot be loaded: " + e).errors();

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 final class FileTreeProgramsTest {
@@ -104,6 +105,23 @@ final class FileTreeProgramsTest {
 
     tree.put("/R1/job.dat", list(1));
     assertThat(programs.prepare("/R1/JOB.SRC")).isEqualToIgnoringCase("JOB");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "'DECL REAL A[1000,1000],B[1000,1000],C[1000,1000]', at most 134217728 bytes of memory",
+    "'DECL INT N=TRUE', job.dat:2"
+  })
+  void saysWhatIsWrongWithTheDataListOfAProgram(String declaration, String message)
+      throws Exception {
+    tree.put("/R1/job.dat", "DEFDAT JOB\n" + declaration + "\nENDDAT\n");
+    tree.put("/R1/job.src", "DEF job( )\nEND\n");
+    tree.put("/R1/good.src", "DEF good( )\nEND\n");
+
+    assertThatExceptionOfType(KrlFileException.class)
+        .isThrownBy(() -> programs.prepare("/R1/JOB.SRC"))
+        .withMessageContaining(message);
+    assertThat(programs.prepare("/R1/GOOD.SRC")).isEqualToIgnoringCase("GOOD");
   }
 
   @Test

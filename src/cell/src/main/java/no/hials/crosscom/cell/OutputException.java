@@ -27,6 +27,31 @@ public final class OutputException extends RuntimeException {
     brokenPipe = message.contains("pipe");
   }
 
+  private OutputException(String message, boolean brokenPipe, Throwable cause) {
+    super(message, cause);
+    this.brokenPipe = brokenPipe;
+  }
+
+  /**
+   * Returns this failure of an output that reports a change of the controller. It is no broken
+   * pipe: the user must know of the change.
+   *
+   * @param change the change as it would have been printed
+   */
+  public OutputException after(String change) {
+    return new OutputException("done: " + change + "; " + getMessage(), false, getCause());
+  }
+
+  /**
+   * Returns this failure with the place of the command.
+   *
+   * @param place the text before the message, such as {@code FILE:3: }
+   */
+  public OutputException at(String place) {
+    return new OutputException(place + getMessage(), brokenPipe, getCause());
+  }
+
+  /** Returns whether the reader of the output has closed it, of which no one needs to know. */
   public boolean isBrokenPipe() {
     return brokenPipe;
   }

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A file that cannot be written is exit code 74 in each command. */
@@ -115,17 +116,49 @@ class UnwritableFileTest {
   }
 
   @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "write|MYINT 5 --yes|MYINT = 5",
+        "write|MYINT 5 --yes --json|MYINT = 5",
+        "run|{lines} --yes|MYINT = 5",
+        "file put|{lines} /R1/ --yes|{lines} -> /R1/lines, 10 bytes",
+        "file rm|/R1/a.src --yes|deleted /R1/a.src",
+        "confirm|--yes|all messages confirmed",
+        "program stop|--yes|robot: no program #P_FREE"
+      })
+  @EnabledOnOs(OS.LINUX)
+  void stdoutOfAChange(String command, String arguments, String change) throws IOException {
+    String lines = Files.writeString(dir.resolve("lines"), "MYINT = 5\n").toString();
+    server.files().put("KRC:\\R1\\Program\\a.src", "DEF A()\nEND\n");
+    String place = command.equals("run") ? lines + ":1: " : "";
+
+    assertThat(
+            onAFullDisk(
+                Cli.argsOn(server, command, arguments.replace("{lines}", lines).split(" "))))
+        .isEqualTo(
+            "jopenshowvar: %sdone: %s; could not write the output: No space left on device%n"
+                .formatted(place, change.replace("{lines}", lines)));
+  }
+
+  @ParameterizedTest
   @ValueSource(strings = {"--help", "--version", "read --help", "vars torque"})
   @EnabledOnOs(OS.LINUX)
   void stdout(String arguments) throws IOException {
+    assertThat(onAFullDisk(arguments.split(" ")))
+        .startsWith("jopenshowvar: could not write the output: ");
+  }
+
+  /** Runs a command whose stdout takes no byte; returns its stderr. */
+  private static String onAFullDisk(String... arguments) throws IOException {
     StringWriter err = new StringWriter();
     try (Writer full = Files.newBufferedWriter(Path.of(FULL))) {
-      int code = Main.run(arguments.split(" "), new Console(full, err, Map.of()));
+      int code = Main.run(arguments, new Console(full, err, Map.of()));
 
       assertThat(code).isEqualTo(74);
     } catch (IOException e) {
       // closing flushes what could not be written
     }
-    assertThat(err.toString()).startsWith("jopenshowvar: could not write the output: ");
+    return err.toString();
   }
 }

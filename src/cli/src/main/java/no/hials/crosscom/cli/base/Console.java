@@ -168,6 +168,21 @@ public final class Console implements WritePermission.Confirmation {
   }
 
   /**
+   * Prints a change of the controller, or of a file.
+   *
+   * @param change the change as a line of text
+   * @param line the line to print, which can be JSON
+   * @throws OutputException as {@link #print}; it names the change
+   */
+  public void printChange(String change, String line) {
+    try {
+      print(line);
+    } catch (OutputException e) {
+      throw e.after(change);
+    }
+  }
+
+  /**
    * Prints data that has its own line ends, exactly as it is.
    *
    * @throws OutputException as {@link #print}

@@ -43,10 +43,11 @@ public abstract class BridgeCommand extends ControllerCommand {
     }
   }
 
-  /** Prints a line, or as JSON an object of fields and their values. */
+  /** Prints a change as a line, or as JSON an object of fields and their values. */
   final void print(String line, @Nullable String... fields) {
     console()
-        .print(
+        .printChange(
+            line,
             json
                 ? JsonLine.object(
                     object -> {

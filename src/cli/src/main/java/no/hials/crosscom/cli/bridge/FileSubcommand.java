@@ -118,8 +118,10 @@ abstract class FileSubcommand extends BridgeCommand {
     boolean up = command.equals("put");
     String from = up ? local.toString() : remote;
     String to = up ? remote : local.toString();
+    String line = from + " -> " + to + ", " + Printable.count(size, "byte");
     console()
-        .print(
+        .printChange(
+            line,
             isJson()
                 ? JsonLine.object(
                     json -> {
@@ -128,7 +130,7 @@ abstract class FileSubcommand extends BridgeCommand {
                       json.writeStringField("name", remote);
                       json.writeNumberField("size", size);
                     })
-                : from + " -> " + to + ", " + Printable.count(size, "byte"));
+                : line);
   }
 
   /** Prints the remaining files, if any. */

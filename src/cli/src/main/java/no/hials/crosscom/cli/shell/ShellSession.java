@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.cell.CatalogueEntry;
+import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
@@ -61,6 +62,8 @@ final class ShellSession {
     } catch (IOException e) {
       console.failure(place, e, verbose);
       return e instanceof ShellSyntaxException ? ExitCode.USAGE : ExitCode.of(e);
+    } catch (OutputException e) {
+      throw e.at(place);
     }
   }
 
@@ -77,7 +80,8 @@ final class ShellSession {
     String answer = controller.client().writeText(write.name(), write.value());
     symbols.used(write.name());
     WriteAnswer.check(write.name(), write.value(), answer);
-    console.print(write.name() + " = " + write.value());
+    String change = write.name() + " = " + write.value();
+    console.printChange(change, change);
   }
 
   static void sleep(Duration time) throws ShellSyntaxException {

@@ -76,7 +76,8 @@ public final class WriteCommand extends ControllerCommand {
       throw wrongUsage("VALUE is blank; an empty text is '\"\"'");
     }
     KrlValue parsed = parse();
-    String line = json ? JsonLine.of("", name, parsed, value) : name + " = " + value;
+    String change = name + " = " + value;
+    String line = json ? JsonLine.of("", name, parsed, value) : change;
     try (RobotConnection controller = open(writeOptions, "write " + name)) {
       controller.client().checkText(name, value);
       checkPermission(controller);
@@ -88,7 +89,7 @@ public final class WriteCommand extends ControllerCommand {
     } catch (IllegalArgumentException e) {
       throw wrongUsage(String.valueOf(e.getMessage()));
     }
-    console().print(line);
+    console().printChange(change, line);
     return ExitCode.DONE;
   }
 

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Set;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComClient;
-import no.hials.crosscom.CrossComUnsupportedException;
+import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.c3.BenchmarkResult;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Printable;
@@ -29,7 +29,7 @@ import no.hials.crosscom.lab.bench.BenchCsv;
 import no.hials.crosscom.lab.bench.BenchTally;
 import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.mock.Latency;
-import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.MessageType;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -318,19 +318,22 @@ public final class BenchCommand extends ControllerCommand {
 
   // what C3 Bridge measures
 
-  /** Returns the mean time of a read on the server itself; empty if it does not measure. */
+  /**
+   * Returns the mean time of a read on the server itself, by the name of the variable. A failure is
+   * printed, and the measurement of this program goes on without that time.
+   */
   private Map<String, Double> serverMillis(CrossComClient client, List<BenchAccess> accesses)
       throws IOException {
-    if (client.getServer().type() != ServerType.C3_BRIDGE) {
-      return Map.of();
-    }
     Map<String, Double> millis = new LinkedHashMap<>();
     for (BenchAccess access : accesses) {
-      if (!access.write()) {
-        try {
+      try {
+        if (!access.write() && client.getServer().knows(MessageType.BENCHMARK)) {
           millis.put(access.name(), serverMillis(client, access.name()));
-        } catch (CrossComAccessException | CrossComUnsupportedException e) {
-          console().failure(e, isVerbose());
+        }
+      } catch (CrossComException e) {
+        console().failure(e, isVerbose());
+        if (ExitCode.of(e) != ExitCode.REFUSED) {
+          return millis; // each of the others would wait as long
         }
       }
     }

@@ -17,6 +17,7 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
+import no.hials.crosscom.protocol.MessageType;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.code.OperatingMode;
@@ -26,6 +27,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 class BenchCommandTest {
   @TempDir private Path folder;
@@ -352,6 +354,43 @@ class BenchCommandTest {
       assertThat(lines.get(3)).matches("write MYINT .* -");
       assertThat(Cli.runOn(c3, "bench", "--count", "5", "$OV_PRO", "--json").out())
           .containsPattern(",\"server_ms\":\\d+\\.\\d{3}}");
+    }
+  }
+
+  @Test
+  void doesNotAskAServerThatDoesNotMeasure() throws IOException {
+    try (MockServer c3 = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
+      c3.fault(
+          request -> request.request().type() == MessageType.FEATURES,
+          Fault.answer("1".repeat(16), Tail.SUCCESS));
+
+      Cli.runOn(c3, "bench", "--count", "5", "MYINT")
+          .succeeds()
+          .anyMatch(line -> line.endsWith("  MEAN"))
+          .anyMatch(line -> line.startsWith("read MYINT "));
+      assertThat(c3.requests())
+          .extracting(request -> request.request().type())
+          .contains(MessageType.FEATURES)
+          .doesNotContain(MessageType.BENCHMARK);
+    }
+  }
+
+  static List<Fault> faults() {
+    return List.of(Fault.answer("", Tail.FAILURE), Fault.closeBefore(), Fault.wrongFunction(9));
+  }
+
+  @ParameterizedTest
+  @MethodSource("faults")
+  void printsItsOwnTimesIfTheServerFailsToMeasure(Fault fault) throws IOException {
+    try (MockServer c3 = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
+      c3.fault(request -> request.request().type() == MessageType.BENCHMARK, fault);
+
+      Cli.Result result = Cli.runOn(c3, "bench", "--count", "5", "MYINT");
+
+      assertThat(result.lines())
+          .anyMatch(line -> line.endsWith("  MEAN"))
+          .anyMatch(line -> line.startsWith("read MYINT "));
+      assertThat(result.errLines()).singleElement().asString().contains("benchmark");
     }
   }
 

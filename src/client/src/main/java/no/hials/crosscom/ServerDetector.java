@@ -135,8 +135,8 @@ final class ServerDetector {
         throw new CrossComRefusedException(
             question.phrase,
             answer.code(),
-            "; it also failed to answer @PROXY_TYPE, so that its type is unknown: set it with"
-                + " ClientConfig.Builder.server");
+            "; it also failed to answer @PROXY_TYPE, so that its type is unknown: set it in"
+                + " ClientConfig (server), or for jopenshowvar in config.toml (server of the robot)");
       }
     } else if (!answer.success()) {
       typeUnclear = true;

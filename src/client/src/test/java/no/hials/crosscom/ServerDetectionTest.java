@@ -91,7 +91,7 @@ class ServerDetectionTest extends RobotTest {
 
     assertThatExceptionOfType(CrossComRefusedException.class)
         .isThrownBy(this::detected)
-        .withMessageContaining("its type is unknown: set it with ClientConfig.Builder.server");
+        .withMessageContaining("its type is unknown: set it in ClientConfig (server), or");
     assertThat(detected()).as("the connection is usable").isEqualTo(server);
   }
 

@@ -125,9 +125,6 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
     if (mock && (host != null || port != null)) {
       throw table.error("mock excludes host and port");
     }
-    if (!mock && server != null) {
-      throw table.error("server", "goes with mock = true");
-    }
     if (!mock && host == null) {
       throw table.error("a robot needs a host, or mock = true");
     }
@@ -137,7 +134,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
         port(table, host, port),
         timeout,
         readOnly ? "read-only = true in " + table.place("read-only") : null,
-        server == null ? simulated : server,
+        mock && server == null ? simulated : server,
         charset);
   }
 

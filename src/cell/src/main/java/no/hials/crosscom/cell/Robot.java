@@ -16,7 +16,8 @@ import org.jspecify.annotations.Nullable;
  * @param timeout limit for connecting and for each answer; null for the client's own limits
  * @param readOnlyBy the setting that makes it read-only, such as {@code
  *     JOPENSHOWVAR_READ_ONLY=true}; null if writes are allowed
- * @param server the server of a simulated controller
+ * @param server the server of a simulated controller, or the known type of a real one; null if it
+ *     is detected
  * @param charset the charset of texts on KUKAVARPROXY; null for the client's own
  */
 public record Robot(
@@ -25,7 +26,7 @@ public record Robot(
     int port,
     @Nullable Duration timeout,
     @Nullable String readOnlyBy,
-    ServerType server,
+    @Nullable ServerType server,
     @Nullable Charset charset) {
 
   /** Does not reconnect, so that a command reports the loss of its connection. */
@@ -42,6 +43,6 @@ public record Robot(
 
   /** Returns this robot with the address of the server that simulates it. */
   public Robot at(String simulatedHost, int simulatedPort) {
-    return new Robot(name, simulatedHost, simulatedPort, timeout, readOnlyBy, server, charset);
+    return new Robot(name, simulatedHost, simulatedPort, timeout, readOnlyBy, null, charset);
   }
 }

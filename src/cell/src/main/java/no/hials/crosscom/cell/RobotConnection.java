@@ -51,6 +51,9 @@ public record RobotConnection(
                   if (limit != null) {
                     cfg.connectTimeout(limit).requestTimeout(limit);
                   }
+                  if (robot.server() != null) {
+                    cfg.server(robot.server());
+                  }
                   if (robot.charset() != null) {
                     cfg.charset(robot.charset());
                   }

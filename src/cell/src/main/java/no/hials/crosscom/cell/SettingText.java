@@ -52,7 +52,7 @@ public final class SettingText {
     };
   }
 
-  /** Parses the server of a simulated controller. */
+  /** Parses the type of a server. */
   public static ServerType server(String text) {
     return switch (text.toLowerCase(Locale.ROOT)) {
       case "kukavarproxy" -> ServerType.KUKAVARPROXY;

@@ -215,6 +215,17 @@ class ProfilesTest {
   }
 
   @Test
+  void doesNotAskARobotForTheTypeThatTheFileSays() throws IOException {
+    config(robot("a", one) + "\nserver = 'kukavarproxy'");
+
+    assertThat(run("info", "@a").out()).contains("KUKAVARPROXY");
+    assertThat(one.requests())
+        .extracting(RecordedRequest::name)
+        .isNotEmpty()
+        .doesNotContain("@PROXY_TYPE");
+  }
+
+  @Test
   void readsFromSeveralRobotsInTheOrderGiven() throws IOException {
     config(robot("cell1", one), robot("cell2", two));
 
@@ -362,7 +373,6 @@ class ProfilesTest {
         "timeout = '3h'         | :2: robots.a.timeout: must be like 500, 500ms, 3s or 1m, is 3h",
         "read-only = 'yes'      | :2: robots.a.read-only: must be true or false, without quotes",
         "mock = 1               | :2: robots.a.mock: must be true or false, without quotes",
-        "server = 'c3'          | :2: robots.a.server: goes with mock = true",
         "server = 'c4'          | :2: robots.a.server: must be kukavarproxy or c3, is c4",
         "'read only' = true     | :2: robots.a.read only: no such key",
         "mock.server = 'c3'     | :2: robots.a.mock: must be true or false",

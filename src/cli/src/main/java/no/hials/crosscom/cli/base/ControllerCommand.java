@@ -141,11 +141,10 @@ public abstract class ControllerCommand extends ConsoleCommand {
     if (host != null) {
       HostAndPort at = argument("--host", host, HostAndPort::parse);
       int itsPort = argument("--host", host, text -> at.portOr(port, ClientConfig.DEFAULT_PORT));
-      return List.of(new Robot("", at.host(), itsPort, null, null, simulated(), null));
+      return List.of(new Robot("", at.host(), itsPort, null, null, null, null));
     }
     if (environment.host() != null) {
-      return List.of(
-          new Robot("", environment.host(), environment.port(), null, null, simulated(), null));
+      return List.of(new Robot("", environment.host(), environment.port(), null, null, null, null));
     }
     Profiles profiles = Profiles.read(console()::environment, simulated());
     if (profiles == null || profiles.defaultRobot() == null) {

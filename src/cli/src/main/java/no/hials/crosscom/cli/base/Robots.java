@@ -2,12 +2,14 @@ package no.hials.crosscom.cli.base;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.util.Objects;
 import java.util.function.Consumer;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
+import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 
 /** Connects to the robots that the user chose, and starts the simulated ones. */
@@ -37,8 +39,9 @@ public final class Robots {
     if (robot.host() != null) {
       return RobotConnection.open(robot, settings);
     }
+    ServerType server = Objects.requireNonNull(robot.server(), "a simulated robot has a server");
     MockServer simulation =
-        listen(InetAddress.getLoopbackAddress(), 0, cfg -> more.accept(cfg.server(robot.server())));
+        listen(InetAddress.getLoopbackAddress(), 0, cfg -> more.accept(cfg.server(server)));
     try {
       RobotConnection connection =
           RobotConnection.open(robot.at(simulation.host(), simulation.port()), settings);

@@ -1,6 +1,7 @@
 package no.hials.crosscom.cell;
 
 import java.io.IOException;
+import java.nio.file.NoSuchFileException;
 import java.util.Locale;
 
 /** Thrown when data cannot be written to stdout or a file. */
@@ -20,11 +21,18 @@ public final class OutputException extends RuntimeException {
    * @param to the name of the output
    */
   public OutputException(String to, IOException cause) {
-    super("could not write " + to + ": " + FileException.reason(cause), cause);
+    super("could not write " + to + ": " + reason(cause), cause);
     String message = String.valueOf(cause.getMessage()).toLowerCase(Locale.ROOT);
     // Java has no exception class for a broken pipe; the messages of Linux, macOS and Windows
     // contain the word
     brokenPipe = message.contains("pipe");
+  }
+
+  private static String reason(IOException cause) {
+    // the file to be created does not exist in any case
+    return cause instanceof NoSuchFileException
+        ? "no such folder, or it does not take this file"
+        : FileException.reason(cause);
   }
 
   private OutputException(String message, boolean brokenPipe, Throwable cause) {

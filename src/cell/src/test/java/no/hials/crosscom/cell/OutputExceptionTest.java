@@ -3,6 +3,7 @@ package no.hials.crosscom.cell;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.AccessDeniedException;
+import java.nio.file.NoSuchFileException;
 import org.junit.jupiter.api.Test;
 
 class OutputExceptionTest {
@@ -10,5 +11,11 @@ class OutputExceptionTest {
   void saysWhyAndNotTheNameOfTheFileAgain() {
     assertThat(new OutputException("a.png", new AccessDeniedException("a.png")))
         .hasMessage("could not write a.png: access is denied");
+  }
+
+  @Test
+  void aFileThatCannotBeCreatedIsNotCalledMissing() {
+    assertThat(new OutputException("a.png", new NoSuchFileException("a.png")))
+        .hasMessage("could not write a.png: no such folder, or it does not take this file");
   }
 }

@@ -67,7 +67,7 @@ class UnwritableFileTest {
         .contains("there is no folder");
     Cli.run("plot", csv.toString(), "MYINT", "--out", "/proc/a.svg")
         .fails(74)
-        .startsWith("jopenshowvar: could not write /proc/a.svg");
+        .startsWith("jopenshowvar: could not write /proc/a.svg: no such folder, or");
   }
 
   @Test

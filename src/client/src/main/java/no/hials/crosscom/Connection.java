@@ -209,7 +209,7 @@ final class Connection implements SelectorLoop.Selectable {
       return foreign != null
           ? foreign
           : new CrossComProtocolException(
-              "the server sent bytes without a request: " + reader.surplusHex(), null, false);
+              "the server sent bytes without a request: " + reader.printSurplus(), null, false);
     }
     return null;
   }
@@ -572,6 +572,7 @@ final class Connection implements SelectorLoop.Selectable {
             + (waited > 0
                 ? ", of which it waited " + waited / 1_000_000 + " ms for other accesses to end"
                 : "")
+            + (reader.surplus() > 0 ? ", only the bytes " + reader.printSurplus() : "")
             + "; the connection is closed",
         cause,
         current.write);

@@ -121,6 +121,26 @@ class ForeignServiceTest extends RobotTest {
   }
 
   @Test
+  void aShortTextBeforeARequestIsShownAsText() throws Exception {
+    assertThat(failure("+PONG\r\n".getBytes(StandardCharsets.US_ASCII), true))
+        .isEqualTo("the server sent bytes without a request: \"+PONG\\x0D\\x0A\"");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {"FF FB 01 | FF FB 01", "48 45 4C 31 | \"HEL1\"", "48 45 4C 4C 4F | \"HELLO\""})
+  void bytesThatAreNoAnswerAreShownAfterATimeOut(String sent, String shown) throws Exception {
+    robot.enqueue(Fault.raw(sent));
+
+    try (CrossComClient hasty = client(Duration.ofSeconds(1))) {
+      assertThatExceptionOfType(CrossComTimeoutException.class)
+          .isThrownBy(() -> hasty.readText("$OV_PRO"))
+          .withMessageContaining(" within 1000 ms, only the bytes " + shown + "; the connection");
+    }
+  }
+
+  @Test
   void aValueThatLooksLikeAnotherProtocolIsAValue() throws Exception {
     robot.enqueue(Fault.answer("HTTP/1.1 400", Tail.SUCCESS));
 

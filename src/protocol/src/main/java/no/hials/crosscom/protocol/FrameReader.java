@@ -5,7 +5,9 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.ReadableByteChannel;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import no.hials.crosscom.protocol.value.PrintableText;
 
 /**
  * Splits a stream into frames, whether TCP delivers single bytes, pieces, or several frames at
@@ -16,6 +18,9 @@ import java.util.Arrays;
 public final class FrameReader {
   /** Enough for most answers; the buffer grows if a frame needs more. */
   private static final int START_CAPACITY = 2048;
+
+  /** The number of characters that are not an answer in a message. */
+  private static final int SHOWN = 60;
 
   private final Source source;
   private byte[] buffer = new byte[START_CAPACITY];
@@ -187,13 +192,18 @@ public final class FrameReader {
   }
 
   /**
-   * Returns the bytes after the last frame in hex, such as a frame that is not complete yet.
+   * Returns the bytes after the last frame for a message, such as a frame that is not complete yet.
    *
-   * @return the bytes
+   * @return the first 60 characters in quotes if all bytes are ASCII text, otherwise hex
    */
-  public String surplusHex() {
-    byte[] rest = new byte[surplus()];
-    System.arraycopy(buffer, length, rest, 0, rest.length);
-    return MalformedFrameException.hex(rest, rest.length);
+  public String printSurplus() {
+    byte[] rest = Arrays.copyOfRange(buffer, length, end);
+    for (byte each : rest) {
+      if (each < ' ' && each != '\r' && each != '\n' && each != '\t') {
+        return MalformedFrameException.hex(rest, rest.length);
+      }
+    }
+    String text = new String(rest, 0, Math.min(rest.length, SHOWN), StandardCharsets.US_ASCII);
+    return '"' + PrintableText.of(text) + (rest.length > SHOWN ? "...\"" : "\"");
   }
 }

@@ -159,10 +159,10 @@ final class FrameReaderTest {
             (InputStream) Pieces.of(join(ANSWER_100, Hex.bytes("00 01 00"), new byte[0])));
 
     assertThat(reader.surplus()).isZero();
-    assertThat(reader.surplusHex()).isEmpty();
+    assertThat(reader.printSurplus()).isEqualTo("\"\"");
     expectNext(reader, ANSWER_100);
     assertThat(reader.surplus()).isEqualTo(3);
-    assertThat(reader.surplusHex()).isEqualTo("00 01 00");
+    assertThat(reader.printSurplus()).isEqualTo("00 01 00");
   }
 
   @Test
@@ -171,7 +171,7 @@ final class FrameReaderTest {
 
     expectNext(reader, ANSWER_100);
     assertThat(reader.surplus()).isZero();
-    assertThat(reader.surplusHex()).isEmpty();
+    assertThat(reader.printSurplus()).isEqualTo("\"\"");
   }
 
   @Test
@@ -248,9 +248,9 @@ final class FrameReaderTest {
                     join(Arrays.copyOfRange(ANSWER_100, 9, 13), ANSWER_50)));
 
     assertThatExceptionOfType(SocketTimeoutException.class).isThrownBy(reader::next);
-    assertThat(reader.surplusHex()).isEqualTo("00 00 00");
+    assertThat(reader.printSurplus()).isEqualTo("00 00 00");
     assertThatExceptionOfType(SocketTimeoutException.class).isThrownBy(reader::next);
-    assertThat(reader.surplusHex()).isEqualTo("00 00 00 09 00 00 03 31 30");
+    assertThat(reader.printSurplus()).isEqualTo("00 00 00 09 00 00 03 31 30");
     expectNext(reader, ANSWER_100);
     expectNext(reader, ANSWER_50);
   }
@@ -311,7 +311,7 @@ final class FrameReaderTest {
 
     assertThat(in.reads).isEqualTo(2);
     assertThat(reader.surplus()).isEqualTo(3);
-    assertThat(reader.surplusHex()).isEqualTo("00 01 00");
+    assertThat(reader.printSurplus()).isEqualTo("00 01 00");
     assertThat(Arrays.copyOf(reader.buffer(), ANSWER_100.length))
         .as("the last frame stays")
         .isEqualTo(ANSWER_100);

@@ -145,9 +145,11 @@ public final class CrossComClient extends OriginalAccess {
   }
 
   /**
-   * Creates a client that connects in the background, and again after each failed attempt. A call
-   * that finds no connection tries to connect itself, unless the next attempt has to wait; it then
-   * fails with {@link CrossComConnectException}.
+   * Creates a client that connects in the background, and again after each failed attempt until the
+   * first connection. A call that finds no connection tries to connect itself, unless the next
+   * attempt has to wait; it then fails with {@link CrossComConnectException}. After a loss, the
+   * client connects as if the constructor had created it: by the next call, also of {@link
+   * #connected}, or at the next keep-alive.
    *
    * @param config the address and the options
    * @return the client, which may not be connected yet
@@ -159,10 +161,13 @@ public final class CrossComClient extends OriginalAccess {
   }
 
   /**
-   * Returns a future that is completed when the client is connected.
+   * Returns a future that is completed when the client is connected. If there is no connection, the
+   * client connects in the background, and again after each failed attempt and its {@link
+   * ClientConfig#reconnectBackoff}, until it is connected or closed. A connection that broke while
+   * idle counts as one until the next call or keep-alive finds out.
    *
    * @return a new future: already completed while there is a connection; fails with {@link
-   *     CrossComClosedException} when the client is closed
+   *     CrossComClosedException} if {@link #isClosed} returns true, or when the client is closed
    */
   public CompletableFuture<@Nullable Void> connected() {
     return connection.connected();

@@ -43,6 +43,8 @@ import org.slf4j.LoggerFactory;
 final class ReconnectingConnection {
   private static final Logger LOG = LoggerFactory.getLogger(ReconnectingConnection.class);
 
+  private static final long NEVER = Long.MAX_VALUE;
+
   private final ClientConfig config;
   private final ClientRuntime runtime;
   private final SelectorLoop loop;
@@ -67,14 +69,22 @@ final class ReconnectingConnection {
   /** The attempt to connect under way, if any. */
   private volatile @Nullable CompletableFuture<Connection> connecting;
 
-  /** The next use of an idle connection. */
-  private volatile @Nullable Future<?> nextUse;
+  /** Whether to connect in the background; until there is a connection. */
+  private volatile boolean wanted;
+
+  /** The next use of an idle connection, or the next attempt; guarded by {@link #uses}. */
+  private @Nullable Future<?> nextUse;
+
+  private final Object uses = new Object();
 
   // guarded by the turn
   private int lastId;
   private @Nullable CrossComException lostBy;
   private int failedAttempts;
   private long nextAttempt;
+
+  /** Whether {@link #connected} is that of the current connection. */
+  private boolean usable;
 
   ReconnectingConnection(ClientConfig config) {
     this.config = config;
@@ -91,20 +101,32 @@ final class ReconnectingConnection {
     tell(ConnectionChange.CONNECTED, ChangeReason.NONE, null);
   }
 
-  /** Returns a future that is completed as soon as there is a connection. */
+  /** Returns a future that is completed as soon as there is a connection, and connects for it. */
   CompletableFuture<@Nullable Void> connected() {
-    return connected.copy();
+    CompletableFuture<@Nullable Void> waiting = connected;
+    if (isClosed()) {
+      return CompletableFuture.failedFuture(closedFailure());
+    }
+    if (!waiting.isDone()) {
+      wanted = true;
+      scheduleUse(0);
+    }
+    return waiting.copy();
+  }
+
+  private CrossComClosedException closedFailure() {
+    return new CrossComClosedException(
+        closed ? "the client is closed" : "the connection failed, and reconnecting is off",
+        null,
+        false);
   }
 
   /** Starts the timer, which connects if there is no connection yet. */
   void start() {
     started = true;
     runtime.add(this);
-    boolean connected = connection != null;
-    if (connected && config.keepAlive().isZero()) {
-      return;
-    }
-    scheduleUse(connected ? config.keepAlive().toNanos() : 0);
+    wanted = connection == null;
+    scheduleUse(timeToNextUse());
   }
 
   /**
@@ -325,7 +347,8 @@ final class ReconnectingConnection {
     }
     lostBy = why;
     meter.failed(why);
-    if (connected.isDone()) {
+    if (usable) {
+      usable = false;
       connected = new CompletableFuture<>();
     }
     ChangeReason reason = ChangeReason.of(why);
@@ -391,14 +414,14 @@ final class ReconnectingConnection {
     connecting = null;
     boolean first = connection == null;
     connection = made;
+    usable = true;
+    wanted = false;
     made.setTimeout(timeoutNanos);
     if (closed) {
       made.close(); // the program closed the client while this connected
       throw new CrossComClosedException("the client is closed", null, false);
     }
     if (started) {
-      CompletableFuture<@Nullable Void> waiting = connected;
-      runtime.listeners().execute(() -> waiting.complete(null));
       if (!first) {
         meter.reconnected();
       }
@@ -406,6 +429,8 @@ final class ReconnectingConnection {
           first ? ConnectionChange.CONNECTED : ConnectionChange.RECONNECTED,
           ChangeReason.NONE,
           null);
+      CompletableFuture<@Nullable Void> waiting = connected;
+      runtime.listeners().execute(() -> waiting.complete(null));
     }
   }
 
@@ -509,22 +534,21 @@ final class ReconnectingConnection {
 
   /** Uses the connection when it was idle for a while, and reconnects when it is lost. */
   private void useIdle() {
-    long wait = timeToNextUse();
-    if (closed || wait > 0) {
-      endUse(wait);
+    if (closed || timeToNextUse() > 0) {
+      endUse();
       return;
     }
     AnswerHandler end =
         new AnswerHandler() {
           @Override
           public void answered(ExchangeAnswer answer) {
-            endUse(timeToNextUse());
+            endUse();
           }
 
           @Override
           public void failed(CrossComException failure) {
             LOG.debug("keeping the connection failed: {}", failure.getMessage());
-            endUse(timeToNextUse());
+            endUse();
           }
         };
     connectedAsync(
@@ -532,35 +556,50 @@ final class ReconnectingConnection {
         end::failed);
   }
 
-  private void endUse(long wait) {
+  private void endUse() {
+    long wait = timeToNextUse();
     endAsync();
-    Connection last = connection;
-    boolean unusable = !config.reconnect() && last != null && last.isClosed();
-    if (!unusable && !(last != null && config.keepAlive().isZero())) {
-      scheduleUse(Math.max(wait, 1));
-    }
+    scheduleUse(Math.max(wait, 1));
   }
 
+  /** Replaces the time of the next use, so that there is one at most. */
   private void scheduleUse(long nanos) {
-    if (closed) {
-      return;
-    }
-    try {
-      nextUse =
-          runtime.timer().schedule(() -> beginAsync(this::useIdle), nanos, TimeUnit.NANOSECONDS);
-    } catch (RejectedExecutionException e) {
-      LOG.debug("the runtime is closed");
+    synchronized (uses) {
+      cancelUse();
+      if (closed || nanos == NEVER) {
+        return;
+      }
+      try {
+        nextUse =
+            runtime.timer().schedule(() -> beginAsync(this::useIdle), nanos, TimeUnit.NANOSECONDS);
+      } catch (RejectedExecutionException e) {
+        LOG.debug("the runtime is closed");
+      }
     }
   }
 
-  /** Returns the time until the connection has to be used or made. */
+  private void cancelUse() {
+    synchronized (uses) {
+      Future<?> next = nextUse;
+      if (next != null) {
+        next.cancel(false);
+      }
+    }
+  }
+
+  /** Returns the time until the connection has to be used or made; {@link #NEVER} if it has not. */
   private long timeToNextUse() {
     long now = System.nanoTime();
     Connection last = connection;
-    if ((last == null || last.isClosed()) && failedAttempts > 0) {
-      return nextAttempt - now;
+    boolean keep = !config.keepAlive().isZero();
+    if (last == null || last.isClosed()) {
+      if (isClosed() || !(wanted || keep)) {
+        return NEVER;
+      } else if (wanted || failedAttempts > 0) {
+        return failedAttempts > 0 ? nextAttempt - now : 0;
+      }
     }
-    return last == null ? 0 : last.lastEnd() + config.keepAlive().toNanos() - now;
+    return last != null && keep ? last.lastEnd() + config.keepAlive().toNanos() - now : NEVER;
   }
 
   private void tell(ConnectionChange kind, ChangeReason reason, @Nullable CrossComException cause) {
@@ -605,19 +644,11 @@ final class ReconnectingConnection {
     if (attempt != null) {
       attempt.cancel(false);
     }
-    Future<?> waiting = nextUse;
-    if (waiting != null) {
-      waiting.cancel(false);
-    }
+    cancelUse();
     watches.forEach(Watch::close);
     runtime.remove(this);
     CompletableFuture<@Nullable Void> pending = connected;
-    runtime
-        .listeners()
-        .execute(
-            () ->
-                pending.completeExceptionally(
-                    new CrossComClosedException("the client is closed", null, false)));
+    runtime.listeners().execute(() -> pending.completeExceptionally(closedFailure()));
     tell(ConnectionChange.CLOSED, reason, null);
   }
 }

@@ -12,6 +12,8 @@ import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Connects at once or in the background, and closes clients that were dropped. */
 class ConnectingTest extends RobotTest {
@@ -51,9 +53,7 @@ class ConnectingTest extends RobotTest {
       assertThat(lazy.getLocalPort()).isEqualTo(-1);
       assertThat(connected).isNotDone();
       lazy.close();
-      assertThatExceptionOfType(ExecutionException.class)
-          .isThrownBy(() -> connected.get(60, TimeUnit.SECONDS))
-          .withCauseInstanceOf(CrossComClosedException.class);
+      assertClosed(connected);
     }
   }
 
@@ -70,6 +70,45 @@ class ConnectingTest extends RobotTest {
   @Test
   void connectedIsDoneAfterTheConstructor() {
     assertThat(client.connected()).isCompleted();
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void connectedConnectsAfterALossWithoutAnyAccess(boolean isLazy) throws Exception {
+    try (CrossComClient its =
+        isLazy ? CrossComClient.lazy(config()) : new CrossComClient(config())) {
+      its.connected().get(60, TimeUnit.SECONDS);
+      for (int i = 0; i < 2; i++) {
+        robot.refuseConnections();
+        robot.disconnectClients();
+        assertThatExceptionOfType(CrossComException.class)
+            .isThrownBy(() -> its.readText("$OV_PRO"));
+        CompletableFuture<Void> connected = its.connected();
+        assertThat(connected).isNotDone();
+        robot.acceptConnections();
+        connected.get(60, TimeUnit.SECONDS);
+        assertThat(its.connected()).isCompleted();
+      }
+      assertThat(its.statistics().reconnects()).isEqualTo(2);
+    }
+  }
+
+  @Test
+  void connectedFailsIfTheConnectionIsLostForGoodOrTheClientIsClosed() throws Exception {
+    robot.disconnectClients(); // the client of the base class does not connect again
+    assertThatExceptionOfType(CrossComException.class).isThrownBy(() -> client.readText("$OV_PRO"));
+    assertThat(client.isClosed()).isTrue();
+    assertClosed(client.connected());
+
+    CrossComClient its = new CrossComClient(config());
+    its.close();
+    assertClosed(its.connected());
+  }
+
+  private static void assertClosed(CompletableFuture<Void> connected) {
+    assertThatExceptionOfType(ExecutionException.class)
+        .isThrownBy(() -> connected.get(60, TimeUnit.SECONDS))
+        .withCauseInstanceOf(CrossComClosedException.class);
   }
 
   @Test

@@ -43,6 +43,7 @@ public final class ClientRuntime implements AutoCloseable {
   private final ThreadPoolExecutor listeners;
   private final ThreadPoolExecutor callbacks;
   private final Set<ReconnectingConnection> connections = ConcurrentHashMap.newKeySet();
+  private volatile boolean closed;
 
   private ClientRuntime(Builder options) {
     int number = COUNT.incrementAndGet();
@@ -104,8 +105,16 @@ public final class ClientRuntime implements AutoCloseable {
     return callbacks;
   }
 
+  /** Closes a connection when this is closed. */
   void add(ReconnectingConnection connection) {
     connections.add(connection);
+    if (closed) {
+      connection.close(ChangeReason.RUNTIME_CLOSED);
+    }
+  }
+
+  boolean isClosed() {
+    return closed;
   }
 
   void remove(ReconnectingConnection connection) {
@@ -121,6 +130,7 @@ public final class ClientRuntime implements AutoCloseable {
     if (this == SHARED) {
       return;
     }
+    closed = true;
     List.copyOf(connections).forEach(connection -> connection.close(ChangeReason.RUNTIME_CLOSED));
     resolver.shutdown();
     timer.shutdownNow();

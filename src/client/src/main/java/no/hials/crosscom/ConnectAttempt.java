@@ -49,9 +49,13 @@ final class ConnectAttempt implements SelectorLoop.Selectable {
     try {
       attempt.start();
     } catch (RejectedExecutionException e) {
-      attempt.fail(new IOException("the runtime is closed", e));
+      attempt.fail(runtimeClosed(e));
     }
     return attempt.connection;
+  }
+
+  static IOException runtimeClosed(@Nullable RejectedExecutionException e) {
+    return new IOException("the runtime is closed", e);
   }
 
   private void start() {

@@ -153,8 +153,12 @@ public final class CrossComClient extends OriginalAccess {
    *
    * @param config the address and the options
    * @return the client, which may not be connected yet
+   * @throws CrossComConnectException if the {@link ClientRuntime} is closed
    */
-  public static CrossComClient lazy(ClientConfig config) {
+  public static CrossComClient lazy(ClientConfig config) throws CrossComException {
+    if (config.runtime().isClosed()) {
+      throw ConnectAttempt.failure(config, ConnectAttempt.runtimeClosed(null));
+    }
     CrossComClient client = new CrossComClient(config, new ReconnectingConnection(config));
     client.connection.start();
     return client;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -11,6 +12,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -64,6 +66,21 @@ class ConnectingTest extends RobotTest {
     assertThat(client.readInt("$OV_PRO")).isEqualTo(100);
     try (CrossComClient other = new CrossComClient(config())) {
       assertThat(other.readInt("$OV_PRO")).isEqualTo(100);
+    }
+  }
+
+  @Test
+  void aClosedRuntimeRefusesNewClients() {
+    ClientRuntime runtime = ClientRuntime.create(cfg -> {});
+    runtime.close();
+    ClientConfig config = config().toBuilder().runtime(runtime).build();
+
+    for (ThrowingCallable create :
+        List.<ThrowingCallable>of(
+            () -> new CrossComClient(config), () -> CrossComClient.lazy(config))) {
+      assertThatExceptionOfType(CrossComConnectException.class)
+          .isThrownBy(create)
+          .withMessageEndingWith("the runtime is closed");
     }
   }
 

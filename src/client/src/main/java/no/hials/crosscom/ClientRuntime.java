@@ -3,6 +3,7 @@ package no.hials.crosscom;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
@@ -11,6 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import no.hials.crosscom.internal.exchange.DaemonThreads;
+import no.hials.crosscom.internal.exchange.GrowingPool;
 import no.hials.crosscom.internal.exchange.SelectorLoop;
 
 /**
@@ -25,12 +27,17 @@ import no.hials.crosscom.internal.exchange.SelectorLoop;
  *   <li>{@code crosscom-io-N} connects, does the exchanges of watches, and keeps idle connections
  *       alive. It runs until the runtime is closed.
  *   <li>{@code crosscom-resolver-N}, at most four, find the addresses of host names.
- *   <li>{@code crosscom-listener-N}, at most {@link Builder#listenerThreads}, create the samples of
- *       watches, and call listeners and subscribers. If all of them are blocked, further calls
- *       wait, and watches miss periods.
+ *   <li>{@code crosscom-sampler-N}, at most two, create the samples of watches, which calls the
+ *       constructors of the program's records, and hand them to iterators. If both are blocked,
+ *       watches miss periods.
+ *   <li>{@code crosscom-listener-N} call listeners and subscribers. There are at most 16, and more
+ *       while calls wait for threads that are blocked: one more every 20 ms, at most {@link
+ *       Builder#listenerThreads}. If all of them are blocked, further calls wait; watches, their
+ *       iterators and all futures go on.
  *   <li>{@code crosscom-callback-N}, at most {@link Builder#callbackThreads}, run the functions
- *       that follow on the future of an asynchronous call. If all of them are blocked, the thread
- *       that ran the call does so.
+ *       that follow on the future of an asynchronous call or of {@link CrossComClient#connected}.
+ *       If all of them are blocked, the thread that ran the call does so, or for a future without a
+ *       call a thread of listeners.
  * </ul>
  */
 public final class ClientRuntime implements AutoCloseable {
@@ -40,7 +47,8 @@ public final class ClientRuntime implements AutoCloseable {
   private final ScheduledThreadPoolExecutor timer;
   private final SelectorLoop loop;
   private final ThreadPoolExecutor resolver;
-  private final ThreadPoolExecutor listeners;
+  private final ThreadPoolExecutor samplers;
+  private final GrowingPool listeners;
   private final ThreadPoolExecutor callbacks;
   private final Set<ReconnectingConnection> connections = ConcurrentHashMap.newKeySet();
   private volatile boolean closed;
@@ -53,7 +61,8 @@ public final class ClientRuntime implements AutoCloseable {
     timer.allowCoreThreadTimeOut(true);
     loop = new SelectorLoop("crosscom-io-" + number);
     resolver = DaemonThreads.pool(4, "crosscom-resolver-" + number);
-    listeners = DaemonThreads.pool(options.listenerThreads, "crosscom-listener-" + number);
+    samplers = DaemonThreads.pool(2, "crosscom-sampler-" + number);
+    listeners = new GrowingPool(options.listenerThreads, "crosscom-listener-" + number, timer);
     callbacks =
         new ThreadPoolExecutor(
             0,
@@ -62,7 +71,13 @@ public final class ClientRuntime implements AutoCloseable {
             TimeUnit.SECONDS,
             new SynchronousQueue<>(),
             DaemonThreads.named("crosscom-callback-" + number),
-            new ThreadPoolExecutor.CallerRunsPolicy());
+            (task, pool) -> {
+              if (task instanceof Completion) {
+                listeners.execute(task);
+              } else {
+                task.run();
+              }
+            });
   }
 
   /** Returns the runtime of this process, which is never closed. */
@@ -95,14 +110,32 @@ public final class ClientRuntime implements AutoCloseable {
     return resolver;
   }
 
+  /** Returns the executor that creates samples. */
+  Executor samplers() {
+    return samplers;
+  }
+
   /** Returns the executor of listeners; a task never runs in the thread that submits it. */
-  ThreadPoolExecutor listeners() {
+  Executor listeners() {
     return listeners;
   }
 
   /** Returns the executor of functions that follow on a future. */
-  ThreadPoolExecutor callbacks() {
+  Executor callbacks() {
     return callbacks;
+  }
+
+  /** A task that the thread that submits it must not run, such as that of the selector. */
+  private record Completion(Runnable task) implements Runnable {
+    @Override
+    public void run() {
+      task.run();
+    }
+  }
+
+  /** Completes a future that no call completes; never in this thread. */
+  void complete(Runnable completion) {
+    callbacks.execute(new Completion(completion));
   }
 
   /** Closes a connection when this is closed. */
@@ -122,8 +155,8 @@ public final class ClientRuntime implements AutoCloseable {
   }
 
   /**
-   * Closes the clients that use this runtime and their watches, and ends its threads. No client can
-   * connect with it later. The shared runtime stays open.
+   * Closes the clients that use this runtime and their watches, and ends its threads as soon as
+   * their tasks are done. No client can connect with it later. The shared runtime stays open.
    */
   @Override
   public void close() {
@@ -133,18 +166,21 @@ public final class ClientRuntime implements AutoCloseable {
     closed = true;
     List.copyOf(connections).forEach(connection -> connection.close(ChangeReason.RUNTIME_CLOSED));
     resolver.shutdown();
+    DaemonThreads.endIdle(samplers);
+    DaemonThreads.endIdle(callbacks);
+    listeners.endIdleThreads();
     timer.shutdownNow();
     loop.close();
   }
 
   /** Sets the options. Each method sets one option and returns this builder. */
   public static final class Builder {
-    private int listenerThreads = 16;
+    private int listenerThreads = 256;
     private int callbackThreads = 32;
 
     private Builder() {}
 
-    /** Sets the maximum number of threads that call listeners, 1 to 1000. The default is 16. */
+    /** Sets the maximum number of threads that call listeners, 1 to 1000. The default is 256. */
     public Builder listenerThreads(int value) {
       listenerThreads = check("listener", value);
       return this;

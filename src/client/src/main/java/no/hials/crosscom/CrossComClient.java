@@ -126,7 +126,7 @@ public final class CrossComClient extends OriginalAccess {
             config.port(),
             config.maxPendingCalls(),
             config.runtime().callbacks(),
-            config.runtime().listeners(),
+            config.runtime()::complete,
             () -> new CrossComClosedException("the client is closed", null, false));
     this.channel =
         new C3Channel(

@@ -430,7 +430,7 @@ final class ReconnectingConnection {
           ChangeReason.NONE,
           null);
       CompletableFuture<@Nullable Void> waiting = connected;
-      runtime.listeners().execute(() -> waiting.complete(null));
+      runtime.complete(() -> waiting.complete(null));
     }
   }
 
@@ -648,7 +648,7 @@ final class ReconnectingConnection {
     watches.forEach(Watch::close);
     runtime.remove(this);
     CompletableFuture<@Nullable Void> pending = connected;
-    runtime.listeners().execute(() -> pending.completeExceptionally(closedFailure()));
+    runtime.complete(() -> pending.completeExceptionally(closedFailure()));
     tell(ConnectionChange.CLOSED, reason, null);
   }
 }

@@ -26,11 +26,11 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Creates the samples of a watch from its readings, and publishes them. One thread at a time uses
- * it; since it creates records of the program, this is a thread of listeners.
+ * it; since it creates records of the program, this is a thread of samplers.
  */
 final class Sampler {
   private final WatchConfig config;
-  private final SubmissionPublisher<Sample> publisher;
+  private final List<SubmissionPublisher<Sample>> publishers;
   private final List<Watched> watched;
   private final List<KRLVariable> variables;
   private final DeadBand deadBand;
@@ -46,9 +46,9 @@ final class Sampler {
   /** The changes in dropped samples, which the next sample repeats. */
   private final Set<String> undelivered = new HashSet<>();
 
-  Sampler(WatchConfig config, SubmissionPublisher<Sample> publisher) {
+  Sampler(WatchConfig config, List<SubmissionPublisher<Sample>> publishers) {
     this.config = config;
-    this.publisher = publisher;
+    this.publishers = publishers;
     this.watched =
         config.handles().isEmpty()
             ? config.names().stream().map(name -> new Watched(name, null)).toList()
@@ -124,12 +124,14 @@ final class Sampler {
   private void publish(Sample sample, long missedBefore) {
     sample.changed().forEach(name -> published.put(name, sample.readings().get(name)));
     long before = dropped.get();
-    publisher.offer(
-        sample,
-        (subscriber, lost) -> {
-          dropped.incrementAndGet();
-          return false;
-        });
+    for (SubmissionPublisher<Sample> publisher : publishers) {
+      publisher.offer(
+          sample,
+          (subscriber, lost) -> {
+            dropped.incrementAndGet();
+            return false;
+          });
+    }
     if (dropped.get() == before) {
       missedInSamples = missedBefore;
       failedSinceSample = 0;

@@ -32,8 +32,9 @@ import org.slf4j.LoggerFactory;
  * continues; the next sample contains the number of failed readings.
  *
  * <p>A watch has no thread. The {@link ClientRuntime} of the client starts its readings by the
- * timer and reads in the selector thread, both for all watches; the threads of listeners create the
- * samples. If all of these are blocked, periods are missed, because at most one reading waits until
+ * timer and reads in the selector thread, both for all watches; the threads of samplers create the
+ * samples, and the threads of listeners call listeners and subscribers. If the constructors of the
+ * program's records block all samplers, periods are missed, because at most one reading waits until
  * its sample is created.
  *
  * <p>A watch ends when it, its client or the runtime is closed; subscribers then get {@code
@@ -53,7 +54,12 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   /** Runs the sampler, and completes the subscribers. */
   private final SerialExecutor sampling;
 
+  /** For listeners and subscribers. */
   private final SubmissionPublisher<Sample> publisher;
+
+  /** For iterators, which run no code of the program. */
+  private final SubmissionPublisher<Sample> iterators;
+
   private final Sampler sampler;
   private final AtomicLong polls = new AtomicLong();
   private final AtomicLong missed = new AtomicLong();
@@ -85,10 +91,11 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     this.channel = channel;
     this.config = config;
     this.runtime = runtime;
-    this.sampling = new SerialExecutor(runtime.listeners());
+    this.sampling = new SerialExecutor(runtime.samplers());
     // not shut down: a subscriber may request waiting samples after the end
     this.publisher = new SubmissionPublisher<>(runtime.listeners(), config.bufferSize());
-    this.sampler = new Sampler(config, publisher);
+    this.iterators = new SubmissionPublisher<>(runtime.samplers(), config.bufferSize());
+    this.sampler = new Sampler(config, List.of(publisher, iterators));
   }
 
   /** Starts the first reading, unless it was started before. */
@@ -185,7 +192,8 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   @Override
   public Iterator<Sample> iterator() {
     SubscriberIterator<Sample> iterator = new SubscriberIterator<>();
-    subscribe(iterator);
+    iterators.subscribe(iterator);
+    start();
     return iterator;
   }
 
@@ -295,7 +303,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     @Override
     public void broken(Throwable failure) {
       LOG.warn("a watch failed", failure);
-      end(() -> publisher.closeExceptionally(failure));
+      end(failure);
     }
   }
 
@@ -304,7 +312,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
       reading = false;
     }
     if (isClosed()) {
-      end(publisher::close);
+      end(null);
     } else {
       scheduleTick();
     }
@@ -323,15 +331,15 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
         return;
       }
     }
-    end(publisher::close);
+    end(null);
   }
 
   /**
    * Ends the watch.
    *
-   * @param completion completes the subscribers, after the samples so far
+   * @param failure the failure that ends it; null if it was closed
    */
-  private void end(Runnable completion) {
+  private void end(@Nullable Throwable failure) {
     synchronized (this) {
       closed = true;
       if (ended) {
@@ -343,6 +351,15 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
       }
     }
     connection.remove(this);
-    sampling.execute(completion);
+    sampling.execute(
+        () -> {
+          for (SubmissionPublisher<Sample> each : List.of(publisher, iterators)) {
+            if (failure == null) {
+              each.close();
+            } else {
+              each.closeExceptionally(failure);
+            }
+          }
+        });
   }
 }

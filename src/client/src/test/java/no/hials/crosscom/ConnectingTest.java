@@ -96,6 +96,7 @@ class ConnectingTest extends RobotTest {
         isLazy ? CrossComClient.lazy(config()) : new CrossComClient(config())) {
       its.connected().get(60, TimeUnit.SECONDS);
       for (int i = 0; i < 2; i++) {
+        assertThat(its.readText("$OV_PRO")).isEqualTo("100"); // the server knows this client
         robot.refuseConnections();
         robot.disconnectClients();
         assertThatExceptionOfType(CrossComException.class)
@@ -112,7 +113,9 @@ class ConnectingTest extends RobotTest {
 
   @Test
   void connectedFailsIfTheConnectionIsLostForGoodOrTheClientIsClosed() throws Exception {
-    robot.disconnectClients(); // the client of the base class does not connect again
+    // the client of the base class does not connect again
+    assertThat(client.readText("$OV_PRO")).isEqualTo("100"); // the server knows it
+    robot.disconnectClients();
     assertThatExceptionOfType(CrossComException.class).isThrownBy(() -> client.readText("$OV_PRO"));
     assertThat(client.isClosed()).isTrue();
     assertClosed(client.connected());

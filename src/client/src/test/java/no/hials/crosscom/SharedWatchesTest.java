@@ -10,6 +10,7 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -85,8 +86,8 @@ class SharedWatchesTest extends RobotTest {
               .count();
 
       assertThat(threads)
-          .as("a timer, a selector and listeners")
-          .isLessThanOrEqualTo(2 + LISTENER_THREADS);
+          .as("a timer, a selector, two samplers and listeners")
+          .isLessThanOrEqualTo(4 + LISTENER_THREADS);
     } finally {
       for (CrossComClient its : clients) {
         its.close();
@@ -120,6 +121,61 @@ class SharedWatchesTest extends RobotTest {
       for (CrossComClient its : clients) {
         its.close();
       }
+    }
+  }
+
+  /** Starts watches whose listeners are blocked until the latch opens. */
+  private void block(CrossComClient its, int watches, CountDownLatch release) throws Exception {
+    CountDownLatch blocked = new CountDownLatch(watches);
+    for (int i = 0; i < watches; i++) {
+      its.watch(
+          PERIOD,
+          sample -> {
+            blocked.countDown();
+            try {
+              release.await();
+            } catch (InterruptedException e) {
+              Thread.currentThread().interrupt();
+            }
+          },
+          "$OV_PRO");
+    }
+    assertThat(blocked.await(60, TimeUnit.SECONDS)).isTrue();
+  }
+
+  @Test
+  void blockedListenersStopNoOtherWatch() throws Exception {
+    CountDownLatch release = new CountDownLatch(1);
+    try (ClientRuntime growing = ClientRuntime.create(cfg -> {});
+        CrossComClient its = client(cfg -> cfg.runtime(growing))) {
+      block(its, 40, release);
+      its.watch(PERIOD, samples::add, "$OV_PRO");
+      for (int i = 1; i <= 20; i++) {
+        assertThat(next().number()).isEqualTo(i);
+      }
+      release.countDown();
+    }
+  }
+
+  @Test
+  void ifAllListenersAreBlockedIteratorsAndFuturesGoOn() throws Exception {
+    CountDownLatch release = new CountDownLatch(1);
+    try (ClientRuntime one = ClientRuntime.create(cfg -> cfg.listenerThreads(1));
+        CrossComClient its = client(cfg -> cfg.runtime(one))) {
+      block(its, 1, release);
+      Watch watch = its.watch(WatchConfig.create(List.of("$OV_PRO"), cfg -> cfg.period(PERIOD)));
+      Iterator<Sample> iterator = watch.iterator();
+      for (int i = 1; i <= 20; i++) {
+        assertThat(iterator.next().number()).isEqualTo(i);
+      }
+      try (CrossComClient lazy = CrossComClient.lazy(its.getConfig())) {
+        lazy.connected().get(60, TimeUnit.SECONDS);
+      }
+      its.close();
+      while (iterator.hasNext()) {
+        iterator.next();
+      }
+      release.countDown();
     }
   }
 

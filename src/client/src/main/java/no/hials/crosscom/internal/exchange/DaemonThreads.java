@@ -26,4 +26,9 @@ public final class DaemonThreads {
     pool.allowCoreThreadTimeOut(true);
     return pool;
   }
+
+  /** Ends each thread of a pool as soon as it is idle. Later tasks still run. */
+  public static void endIdle(ThreadPoolExecutor pool) {
+    pool.setKeepAliveTime(1, TimeUnit.NANOSECONDS);
+  }
 }

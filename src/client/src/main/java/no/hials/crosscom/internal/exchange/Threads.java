@@ -31,7 +31,7 @@ public final class Threads {
   private final ThreadPoolExecutor transfers;
   private final int maxPending;
   private final Executor callbacks;
-  private final Executor listeners;
+  private final Executor completions;
   private final Supplier<? extends Exception> closed;
   private final AtomicInteger pending = new AtomicInteger();
 
@@ -41,20 +41,20 @@ public final class Threads {
    * @param port the server's port, for the names of the threads
    * @param maxPending the maximum number of calls that have not ended
    * @param callbacks runs the functions on the futures of calls
-   * @param listeners completes the futures of calls that do not run
+   * @param completions completes the futures of calls that do not run, in another thread
    * @param closed creates the failure of a call if the client is closed
    */
   public Threads(
       int port,
       int maxPending,
       Executor callbacks,
-      Executor listeners,
+      Executor completions,
       Supplier<? extends Exception> closed) {
     this.async = DaemonThreads.pool(1, "crosscom-async-" + port);
     this.transfers = DaemonThreads.pool(1, "crosscom-files-" + port);
     this.maxPending = maxPending;
     this.callbacks = callbacks;
-    this.listeners = listeners;
+    this.completions = completions;
     this.closed = closed;
   }
 
@@ -107,7 +107,7 @@ public final class Threads {
     try {
       executor.execute(new Task<>(call, operation));
     } catch (RejectedExecutionException e) {
-      call.refuse(listeners, closed.get());
+      call.refuse(completions, closed.get());
     }
     return call;
   }
@@ -118,7 +118,7 @@ public final class Threads {
       executor.shutdown();
       List<Runnable> queued = new ArrayList<>();
       executor.getQueue().drainTo(queued); // the operation under way may wait for one of them
-      queued.forEach(task -> ((Task<?>) task).call.refuse(listeners, closed.get()));
+      queued.forEach(task -> ((Task<?>) task).call.refuse(completions, closed.get()));
     }
   }
 }

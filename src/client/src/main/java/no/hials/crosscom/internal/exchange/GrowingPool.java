@@ -1,0 +1,123 @@
+package no.hials.crosscom.internal.exchange;
+
+import java.util.concurrent.Executor;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Threads for tasks that may block. A few threads run the tasks; only while a task waits for more
+ * than 20 ms, another thread starts every 20 ms. A thread ends after 1 s without tasks, or at once
+ * if a few others are idle.
+ *
+ * <p>The timer looks after the tasks that wait, since no further task may come.
+ */
+public final class GrowingPool implements Executor {
+  private static final int FEW = 16;
+  private static final long PATIENCE_NANOS = 20_000_000;
+
+  /**
+   * Starts a thread, because the queue refuses it; does nothing if there are as many as allowed.
+   */
+  private static final Runnable START = () -> {};
+
+  private final Waiting queue;
+  private final ThreadPoolExecutor threads;
+  private final ScheduledExecutorService timer;
+  private final AtomicBoolean checking = new AtomicBoolean();
+
+  /**
+   * Creates a pool without threads.
+   *
+   * @param most the maximum number of threads
+   * @param name the name of each thread
+   */
+  public GrowingPool(int most, String name, ScheduledExecutorService timer) {
+    int few = Math.min(FEW, most);
+    this.queue = new Waiting(few);
+    this.timer = timer;
+    this.threads =
+        new ThreadPoolExecutor(
+            few,
+            most,
+            1,
+            TimeUnit.SECONDS,
+            queue,
+            DaemonThreads.named(name),
+            new ThreadPoolExecutor.DiscardPolicy());
+    threads.allowCoreThreadTimeOut(true);
+  }
+
+  /** A task and the time since when it waits, by {@link System#nanoTime}. */
+  private record Task(Runnable task, long since) implements Runnable {
+    @Override
+    public void run() {
+      task.run();
+    }
+  }
+
+  /** The tasks that wait, and the threads that wait for tasks. */
+  private static final class Waiting extends LinkedBlockingQueue<Runnable> {
+    private static final long serialVersionUID = 1L;
+
+    private final int few;
+    private final AtomicInteger idle = new AtomicInteger();
+
+    Waiting(int few) {
+      this.few = few;
+    }
+
+    @Override
+    public boolean offer(Runnable task) {
+      return task != START && super.offer(task);
+    }
+
+    @Override
+    public @Nullable Runnable poll(long timeout, TimeUnit unit) throws InterruptedException {
+      try {
+        return idle.incrementAndGet() > few ? null : super.poll(timeout, unit);
+      } finally {
+        idle.decrementAndGet();
+      }
+    }
+  }
+
+  /** Queues a task, which never runs in this thread. */
+  @Override
+  public void execute(Runnable task) {
+    threads.execute(new Task(task, System.nanoTime()));
+    if (!queue.isEmpty()) {
+      checkLater();
+    }
+  }
+
+  private void checkLater() {
+    if (checking.compareAndSet(false, true)) {
+      try {
+        timer.schedule(this::check, PATIENCE_NANOS, TimeUnit.NANOSECONDS);
+      } catch (RejectedExecutionException e) {
+        checking.set(false); // closed: the threads that there are run the rest
+      }
+    }
+  }
+
+  private void check() {
+    checking.set(false);
+    if (queue.peek() instanceof Task oldest) {
+      if (System.nanoTime() - oldest.since >= PATIENCE_NANOS) {
+        threads.execute(START);
+      }
+      checkLater();
+    }
+  }
+
+  /** Ends each thread as soon as it is idle. Later tasks still run. */
+  public void endIdleThreads() {
+    DaemonThreads.endIdle(threads);
+  }
+}

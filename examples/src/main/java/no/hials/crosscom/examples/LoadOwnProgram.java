@@ -48,7 +48,7 @@ public final class LoadOwnProgram {
       Controller controller = robot.controller();
       controller.load("$config.dat", CONFIG);
       try {
-        controller.load("weigh.src", PROGRAM.replace("PTP", "SPTP"));
+        controller.load("weigh.src", PROGRAM.replace("PTP", "ASYPTP"));
       } catch (KrlFileException e) {
         System.out.println(e.getMessage());
       }

@@ -171,6 +171,12 @@ public final class Catalogue {
       return false;
     }
 
+    /** It is no variable. */
+    @Override
+    public Boolean visit(Declaration.Channel channel) {
+      return false;
+    }
+
     /** The data list of the other module declares it. */
     @Override
     public Boolean visit(Declaration.External external) {

@@ -96,6 +96,12 @@ public final class DeclarationRows {
     }
 
     @Override
+    public Stream<Row> visit(Declaration.Channel channel) {
+      String settings = ExpressionText.of(channel.settings());
+      return row(channel, channel.name(), "CHANNEL", settings, false, channel.comment());
+    }
+
+    @Override
     public Stream<Row> visit(Declaration.External external) {
       return row(external, external.name(), "EXTERNAL", external.source(), false, "");
     }

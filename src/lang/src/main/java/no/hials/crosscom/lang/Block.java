@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockEndContext;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 
@@ -18,27 +19,27 @@ final class Block {
           KrlGrammarParser.FOR, KrlGrammarParser.ENDFOR,
           KrlGrammarParser.WHILE, KrlGrammarParser.ENDWHILE,
           KrlGrammarParser.REPEAT, KrlGrammarParser.UNTIL,
-          KrlGrammarParser.LOOP, KrlGrammarParser.ENDLOOP);
+          KrlGrammarParser.LOOP, KrlGrammarParser.ENDLOOP,
+          KrlGrammarParser.SPLINE, KrlGrammarParser.ENDSPLINE);
 
   /** Creates the statement when its end has been read. */
   interface Finish {
     /**
      * Creates the statement.
      *
-     * @param until the condition after {@code UNTIL}; null for all but {@code REPEAT}
+     * @param end the line that ends the block
      */
-    Statement make(Block block, @Nullable Expression until);
+    Statement make(Block block, BlockEndContext end);
   }
 
-  /** A {@code CASE}; the values are null if they contain an error. */
-  record Branch(Position position, @Nullable List<Expression> values, List<Statement> body) {}
-
   private final Token opener;
+  private final Position position;
   private final @Nullable Finish finish;
-  private final List<Branch> branches = new ArrayList<>();
-  private final List<Statement> body = new ArrayList<>();
-  private @Nullable List<Statement> otherwise;
-  private List<Statement> current = body;
+  private final List<Statement.Case> cases = new ArrayList<>();
+  private final PackedList<Statement> body = new PackedList<>();
+  private @Nullable PackedList<Statement> otherwise;
+  private PackedList<Statement> current = body;
+  private @Nullable String damage;
   private boolean suspect;
 
   /**
@@ -46,8 +47,9 @@ final class Block {
    *
    * @param finish null if the line that opens the block contains an error
    */
-  Block(Token opener, @Nullable Finish finish) {
+  Block(Token opener, Position position, @Nullable Finish finish) {
     this.opener = opener;
+    this.position = position;
     this.finish = finish;
     // A line with an error may be a whole statement, without an end.
     suspect = finish == null;
@@ -63,7 +65,11 @@ final class Block {
   }
 
   boolean isLoop() {
-    return opener.getType() != KrlGrammarParser.IF && !isSwitch();
+    return opener.getType() != KrlGrammarParser.IF && !isSwitch() && !isSpline();
+  }
+
+  boolean isSpline() {
+    return opener.getType() == KrlGrammarParser.SPLINE;
   }
 
   boolean isSwitch() {
@@ -71,38 +77,37 @@ final class Block {
   }
 
   /** Returns the list that gets the next statement. */
-  List<Statement> current() {
+  PackedList<Statement> current() {
     return current;
   }
 
   /** Returns the statements between the first line and the end or {@code ELSE}. */
-  List<Statement> body() {
+  PackedList<Statement> body() {
     return body;
   }
 
   /** Returns the statements after {@code ELSE} or {@code DEFAULT}; null without either. */
-  @Nullable List<Statement> otherwise() {
+  @Nullable PackedList<Statement> otherwise() {
     return otherwise;
   }
 
   void beginOtherwise() {
-    otherwise = new ArrayList<>();
+    otherwise = new PackedList<>();
     current = otherwise;
   }
 
-  List<Branch> branches() {
-    return branches;
+  List<Statement.Case> cases() {
+    return List.copyOf(cases);
   }
 
-  void beginBranch(Position position, @Nullable List<Expression> values) {
-    Branch branch = new Branch(position, values, new ArrayList<>());
-    branches.add(branch);
-    current = branch.body();
+  void beginCase(Position casePosition, List<Expression> values) {
+    current = new PackedList<>();
+    cases.add(new Statement.Case(casePosition, values, current));
   }
 
   /** Returns whether the next line must be the first {@code CASE} of a {@code SWITCH}. */
   boolean awaitsCase() {
-    return isSwitch() && current == body;
+    return isSwitch() && cases.isEmpty() && otherwise == null;
   }
 
   /** Notes that a line reported in the block may be its mistyped end. */
@@ -114,7 +119,22 @@ final class Block {
     return suspect;
   }
 
-  @Nullable Statement finish(@Nullable Expression until) {
-    return finish == null ? null : finish.make(this, until);
+  /** Notes an error without which the block would be another statement. */
+  void damage(@Nullable String reason) {
+    damage = damage == null ? reason : damage;
+  }
+
+  /** Creates the statement when its end has been read. */
+  Statement finish(BlockEndContext end) {
+    return damage == null && finish != null ? finish.make(this, end) : invalid("");
+  }
+
+  /**
+   * Creates the statement of a block with an error.
+   *
+   * @param reason the error, unless there was one before
+   */
+  Statement invalid(String reason) {
+    return new Statement.Invalid(position, damage == null ? reason : damage);
   }
 }

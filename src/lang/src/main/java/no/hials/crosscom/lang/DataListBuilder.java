@@ -1,7 +1,5 @@
 package no.hials.crosscom.lang;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
@@ -15,7 +13,7 @@ final class DataListBuilder {
   private final ExpressionBuilder expressions;
   private final DeclarationBuilder declarationBuilder;
   private final Position position;
-  private final List<Declaration> declarations = new ArrayList<>();
+  private final PackedList<Declaration> declarations = new PackedList<>();
   private @Nullable String name;
   private boolean isPublic;
   private boolean suspect;
@@ -34,10 +32,11 @@ final class DataListBuilder {
 
   /** Adds a line. */
   void add(Line line) {
-    if (UnsupportedStatements.contain(line)) {
-      UnsupportedStatements.report(line, errors);
+    if (StatementWords.isUnsupported(line)) {
+      ErrorWords.reportUnsupported(line, errors);
       return;
     }
+    errors.beginLine();
     // Two names can only be a declaration here, so DECL is optional before any type (assumed).
     if (line.isUnknown() && !ErrorWords.isName(line.second())) {
       ErrorWords.reportUnknown(line, errors);
@@ -52,8 +51,8 @@ final class DataListBuilder {
     if (declaration == null) {
       declaration = initialValue(line, content);
     }
-    if (declaration != null) {
-      declarations.add(declaration);
+    if (declaration != null && errors.damage() == null) {
+      declarations.append(declaration);
     }
   }
 
@@ -81,8 +80,6 @@ final class DataListBuilder {
     if (found.getType() != KrlGrammarParser.ENDDAT && !suspect) {
       errors.add(found, "expected ENDDAT, found " + ErrorWords.found(found));
     }
-    return name == null
-        ? null
-        : new DataList(position, name, isPublic, headers, List.copyOf(declarations));
+    return name == null ? null : new DataList(position, name, isPublic, headers, declarations);
   }
 }

@@ -32,7 +32,7 @@ public sealed interface Declaration {
    *
    * @param position where it begins
    * @param global whether it is {@code GLOBAL}
-   * @param constant whether it is {@code CONST}
+   * @param constant whether it is {@code CONST}; a later line of the list can set its value
    * @param type the type's name as written
    * @param variables at least one
    * @param comment the comment on the same line, without {@code ;}; empty without a comment
@@ -121,6 +121,28 @@ public sealed interface Declaration {
   }
 
   /**
+   * A channel to an interface: {@code CHANNEL :SER_1 :SER_1 $PSER_1}.
+   *
+   * @param position where it begins
+   * @param name the name of the channel as written
+   * @param interfaceName the name of the interface as written
+   * @param settings the variable with its settings
+   * @param comment the comment on the same line, without {@code ;}; empty without a comment
+   */
+  record Channel(
+      Position position,
+      String name,
+      String interfaceName,
+      Expression.Variable settings,
+      String comment)
+      implements Declaration {
+    @Override
+    public <R extends @Nullable Object> R accept(DeclarationVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
+
+  /**
    * A line of a data list that sets an element or a component: {@code $SOFTN_END[1]=-170.0}.
    *
    * @param position where it begins
@@ -138,8 +160,8 @@ public sealed interface Declaration {
   }
 
   /**
-   * A reference to a routine or variable of another module: {@code EXT}, {@code EXTFCT}, {@code
-   * IMPORT}.
+   * A reference to a routine or variable of another module: {@code EXT}, {@code EXTP}, {@code
+   * EXTFCT}, {@code EXTFCTP}, {@code IMPORT}.
    *
    * @param position where it begins
    * @param name the name that becomes visible

@@ -6,6 +6,7 @@ import no.hials.crosscom.lang.Declaration.Component;
 import no.hials.crosscom.lang.Declaration.Declarator;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BracketsContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ChannelContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ComponentContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.DeclaratorContext;
@@ -75,6 +76,9 @@ final class DeclarationBuilder {
     if (definition.signal() != null) {
       return signal(content, definition.signal(), comment);
     }
+    if (definition.channel() != null) {
+      return channel(content, definition.channel(), comment);
+    }
     return external(content, definition);
   }
 
@@ -106,21 +110,18 @@ final class DeclarationBuilder {
     boolean constant = has(content, KrlGrammarParser.CONST);
     List<Declarator> variables = new ArrayList<>();
     for (DeclaratorContext declarator : declarators) {
-      variables.add(declarator(declarator, constant));
+      variables.add(declarator(declarator));
     }
     return new Declaration.Variables(
         position, isGlobal(content), constant, type.getText(), List.copyOf(variables), comment);
   }
 
-  private Declarator declarator(DeclaratorContext context, boolean constant) {
+  private Declarator declarator(DeclaratorContext context) {
     Expression initial = expressions.buildOptional(context.expression());
     if (initial != null && !dataList) {
-      errors.add(context.ASSIGN().getSymbol(), "an initial value is allowed only in a data list");
-    }
-    if (initial == null && constant && dataList) {
-      errors.add(
-          context.getStart(),
-          "expected an initial value of the constant " + context.name().getText());
+      errors.note(
+          errors.at(context.ASSIGN().getSymbol()),
+          "an initial value is allowed only in a data list");
     }
     return new Declarator(
         expressions.at(context),
@@ -174,6 +175,15 @@ final class DeclarationBuilder {
         comment);
   }
 
+  private Declaration channel(ContentContext content, ChannelContext channel, String comment) {
+    return new Declaration.Channel(
+        begin(content, true, false),
+        declared(channel.name(0)),
+        channel.name(1).getText(),
+        expressions.variable(channel.variable()),
+        comment);
+  }
+
   List<Routine.Parameter> parameters(ParametersContext context) {
     List<Routine.Parameter> parameters = new ArrayList<>();
     for (ParameterContext parameter : context.parameter()) {
@@ -203,8 +213,8 @@ final class DeclarationBuilder {
   String declared(NameContext context) {
     String name = context.getText();
     if (name.length() > maxName) {
-      errors.add(
-          context.getStart(),
+      errors.note(
+          errors.at(context.getStart()),
           "a name has at most "
               + maxName
               + " characters, "

@@ -20,6 +20,9 @@ public interface DeclarationVisitor<R extends @Nullable Object> {
   /** Handles a signal. */
   R visit(Declaration.Signal signal);
 
+  /** Handles a channel. */
+  R visit(Declaration.Channel channel);
+
   /** Handles a line that sets an element or a component. */
   R visit(Declaration.InitialValue initial);
 

@@ -80,6 +80,11 @@ final class ErrorWords {
     errors.add(line.first(), "unknown statement " + found(line.first()) + hint);
   }
 
+  /** Reports a statement that is not supported. */
+  static void reportUnsupported(Line line, Errors errors) {
+    errors.add(line.keyword(), upper(line.keyword()) + " is not supported");
+  }
+
   static boolean isName(Token token) {
     return NAMES.contains(token.getType());
   }
@@ -163,8 +168,7 @@ final class ErrorWords {
   }
 
   static String keyword(int type) {
-    String literal = KrlGrammarParser.VOCABULARY.getLiteralName(type);
-    return literal.substring(1, literal.length() - 1);
+    return KrlGrammarParser.VOCABULARY.getDisplayName(type).replace("'", "");
   }
 
   private static String join(List<String> words) {

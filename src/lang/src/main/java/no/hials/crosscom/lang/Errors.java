@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
 
 /** Collects the errors of a file, each of them once. */
 final class Errors {
@@ -14,12 +15,30 @@ final class Errors {
 
   private final String file;
   private final Set<KrlError> found = new LinkedHashSet<>();
+  private @Nullable String damage;
 
   Errors(String file) {
     this.file = file;
   }
 
+  /** Begins the next line: it has no damage yet. */
+  void beginLine() {
+    damage = null;
+  }
+
+  /** Returns the first error of the line that makes its tree wrong; null without one. */
+  @Nullable String damage() {
+    return damage;
+  }
+
+  /** Adds an error that makes the tree of the line wrong. */
   void add(Position position, String message) {
+    note(position, message);
+    damage = damage == null ? message : damage;
+  }
+
+  /** Adds an error that leaves the tree of the line as it was meant. */
+  void note(Position position, String message) {
     found.add(new KrlError(position, message));
   }
 

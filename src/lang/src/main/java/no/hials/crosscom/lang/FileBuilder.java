@@ -75,10 +75,6 @@ final class FileBuilder {
   }
 
   private void header(Token token) {
-    if (begin != null) {
-      errors.add(token, "a line with & belongs at the beginning of the file");
-      return;
-    }
     String[] words = token.getText().substring(1).strip().split("\\s+", 2);
     if (words[0].isEmpty()) {
       errors.add(token, "expected a word after &");

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /** Checks the labels of a routine and the jumps to them. */
 final class Jumps {
@@ -12,8 +13,18 @@ final class Jumps {
    * A label or a jump.
    *
    * @param around the lists of statements around it, the innermost last
+   * @param index its index in the innermost list
    */
-  private record Place(Position position, String label, List<List<Statement>> around) {}
+  private record Place(
+      Position position, String label, List<PackedList<Statement>> around, int index) {
+    static Place of(Position position, String label, List<PackedList<Statement>> around) {
+      return new Place(position, label, around, around.get(around.size() - 1).size());
+    }
+
+    void invalidate(String reason) {
+      around.get(around.size() - 1).replace(index, new Statement.Invalid(position, reason));
+    }
+  }
 
   private final Errors errors;
   private final Map<String, Place> labels = new HashMap<>();
@@ -23,8 +34,9 @@ final class Jumps {
     this.errors = errors;
   }
 
-  void label(Statement.Label label, List<List<Statement>> around) {
-    Place place = new Place(label.position(), label.name(), around);
+  /** Adds a label, which is appended to the innermost list next. */
+  void label(Statement.Label label, List<PackedList<Statement>> around) {
+    Place place = Place.of(label.position(), label.name(), around);
     Place first = labels.putIfAbsent(key(label.name()), place);
     if (first != null) {
       errors.add(
@@ -33,28 +45,37 @@ final class Jumps {
     }
   }
 
-  void jump(Statement.Goto jump, List<List<Statement>> around) {
-    jumps.add(new Place(jump.position(), jump.label(), around));
+  /** Adds a jump, which is appended to the innermost list next. */
+  void jump(Statement.Goto jump, List<PackedList<Statement>> around) {
+    jumps.add(Place.of(jump.position(), jump.label(), around));
   }
 
-  /** Reports jumps to unknown labels and jumps into a block (assumed to be forbidden). */
+  /**
+   * Reports jumps to unknown labels and jumps into a block (assumed to be forbidden); they become
+   * invalid.
+   */
   void check() {
     for (Place jump : jumps) {
-      Place label = labels.get(key(jump.label()));
-      if (label == null) {
-        errors.add(jump.position(), "unknown label " + jump.label());
-      } else if (!isAround(label.around(), jump.around())) {
-        errors.add(
-            jump.position(),
-            "GOTO into a block: the label "
-                + jump.label()
-                + " is in line "
-                + label.position().line());
+      String error = error(jump, labels.get(key(jump.label())));
+      if (error != null) {
+        errors.add(jump.position(), error);
+        jump.invalidate(error);
       }
     }
   }
 
-  private static boolean isAround(List<List<Statement>> outer, List<List<Statement>> inner) {
+  private static @Nullable String error(Place jump, @Nullable Place label) {
+    if (label == null) {
+      return "unknown label " + jump.label();
+    }
+    return isAround(label.around(), jump.around())
+        ? null
+        : "GOTO into a block: the label " + jump.label() + " is in line " + label.position().line();
+  }
+
+  @SuppressWarnings("ReferenceEquality") // other blocks can have equal statements
+  private static boolean isAround(
+      List<PackedList<Statement>> outer, List<PackedList<Statement>> inner) {
     if (outer.size() > inner.size()) {
       return false;
     }

@@ -62,6 +62,25 @@ record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
         && !BASE_TYPES.contains(first().getText().toUpperCase(Locale.ROOT));
   }
 
+  /** Returns whether the line begins as a declaration does. */
+  boolean isDeclaration() {
+    return switch (keyword().getType()) {
+      case KrlGrammarParser.STRUC,
+          KrlGrammarParser.ENUM,
+          KrlGrammarParser.SIGNAL,
+          KrlGrammarParser.CHANNEL,
+          KrlGrammarParser.EXT,
+          KrlGrammarParser.EXTFCT,
+          KrlGrammarParser.IMPORT ->
+          true;
+      case KrlGrammarParser.INTERRUPT -> false;
+      default ->
+          keyword() != first()
+              || (BASE_TYPES.contains(first().getText().toUpperCase(Locale.ROOT))
+                  && !AFTER_A_NAME.contains(second().getType()));
+    };
+  }
+
   /** Returns whether the line is one word, as a mistyped {@code ENDIF} is. */
   boolean isOneWord() {
     return tokens.size() == 2;

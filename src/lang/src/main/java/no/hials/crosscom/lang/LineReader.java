@@ -58,7 +58,9 @@ final class LineReader {
         end = token;
       }
       if (token.getType() == Token.EOF || token.getType() == KrlGrammarLexer.NEWLINE) {
-        return new Line(parser, tokens, comment);
+        Line line = new Line(parser, tokens, comment);
+        StatementWords.mark(line);
+        return line;
       }
     }
   }

@@ -9,6 +9,8 @@ import org.jspecify.annotations.Nullable;
  * @param position where it begins
  * @param global whether it is {@code GLOBAL}
  * @param returnType the type that a function returns; null for a subprogram
+ * @param returnDimensions the length of each dimension of an array that a function returns, as in
+ *     {@code DEFFCT CHAR[16] F()}; null for an open dimension; empty for all others
  * @param name its name as written
  * @param parameters its parameters
  * @param declarations its declarations; interrupt declarations are statements
@@ -19,6 +21,7 @@ public record Routine(
     Position position,
     boolean global,
     @Nullable String returnType,
+    List<@Nullable Expression> returnDimensions,
     String name,
     List<Parameter> parameters,
     List<Declaration> declarations,

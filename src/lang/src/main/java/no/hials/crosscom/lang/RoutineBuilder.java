@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import no.hials.crosscom.lang.Statement.SplineKind;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockEndContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockMiddleContext;
-import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BracketsContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.FunctionBeginContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.RoutineBeginContext;
@@ -34,13 +36,13 @@ final class RoutineBuilder {
   private boolean global;
   private @Nullable String name;
   private @Nullable String returnType;
+  private List<@Nullable Expression> returnDimensions = List.of();
   private List<Routine.Parameter> parameters = List.of();
-  private final List<Declaration> declarations = new ArrayList<>();
-  private final List<Statement> body = new ArrayList<>();
+  private final PackedList<Declaration> declarations = new PackedList<>();
+  private final PackedList<Statement> body = new PackedList<>();
   private final List<Block> open = new ArrayList<>();
   private boolean hasStatements;
   private boolean lateReported;
-  private boolean inSpline;
   private boolean tooDeep;
   private boolean suspect;
   private int unknownLines;
@@ -69,8 +71,8 @@ final class RoutineBuilder {
       return;
     }
     FunctionBeginContext function = content.definition().functionBegin();
-    BracketsContext brackets = function.brackets();
-    returnType = function.name(0).getText() + (brackets == null ? "" : brackets.getText());
+    returnType = function.name(0).getText();
+    returnDimensions = expressions.dimensions(function.brackets());
     name = declarationBuilder.declared(function.name(1));
     parameters = declarationBuilder.parameters(function.parameters());
   }
@@ -84,15 +86,15 @@ final class RoutineBuilder {
     if (tooDeep) {
       return;
     }
-    if (inSpline) {
-      inSpline = !UnsupportedStatements.endSpline(line);
-    } else if (UnsupportedStatements.contain(line)) {
-      UnsupportedStatements.report(line, errors);
-      inSpline = UnsupportedStatements.beginSpline(line);
+    errors.beginLine();
+    if (StatementWords.isUnsupported(line)) {
+      ErrorWords.reportUnsupported(line, errors);
       hasStatements = true;
+      invalid(line);
     } else if (line.isUnknown()) {
       ErrorWords.reportUnknown(line, errors);
       suspect(line);
+      invalid(line);
     } else {
       ContentContext content = line.parse(errors);
       if (content == null) {
@@ -109,7 +111,7 @@ final class RoutineBuilder {
     } else if (content.blockMiddle() != null) {
       middle(line, content.blockMiddle());
     } else if (content.blockEnd() != null) {
-      end(line.first(), expressions.buildOptional(content.blockEnd().expression()));
+      end(line.first(), content.blockEnd());
     } else {
       Statement statement = statements.build(content);
       if (statement != null) {
@@ -122,11 +124,11 @@ final class RoutineBuilder {
 
   private void declare(Line line, ContentContext content) {
     Declaration declaration = declarationBuilder.build(content, line.comment());
-    if (declaration != null) {
-      declarations.add(declaration);
+    if (declaration != null && errors.damage() == null) {
+      declarations.append(declaration);
     }
     if (hasStatements && !lateReported) {
-      errors.add(line.first(), "a declaration must precede the first statement");
+      errors.note(errors.at(line.first()), "a declaration must precede the first statement");
       lateReported = true;
     }
   }
@@ -136,8 +138,32 @@ final class RoutineBuilder {
     hasStatements |= !declaresInterrupt;
     lateReported &= declaresInterrupt;
     awaitCase(line.first());
-    check(statement);
-    current().add(statement);
+    checkSpline(line.first(), statement);
+    if (errors.damage() == null) {
+      check(statement);
+    }
+    if (errors.damage() == null) {
+      current().append(statement);
+    } else {
+      invalid(line);
+    }
+  }
+
+  /** Adds a line with an error. */
+  private void invalid(Line line) {
+    String damage = errors.damage();
+    if (damage == null) {
+      return;
+    }
+    if (isInSpline()) {
+      innermost().damage(damage);
+    } else {
+      current().append(new Statement.Invalid(errors.at(line.first()), damage));
+    }
+  }
+
+  private boolean isInSpline() {
+    return !open.isEmpty() && innermost().isSpline();
   }
 
   private void check(Statement statement) {
@@ -154,6 +180,32 @@ final class RoutineBuilder {
     }
   }
 
+  /** Reports what is not allowed in a spline block, or only there. */
+  private void checkSpline(Token found, Statement statement) {
+    String word = ErrorWords.found(found);
+    Statement.SplineMotion motion =
+        statement instanceof Statement.SplineMotion segment ? segment : null;
+    boolean isSpl =
+        motion != null && (motion.kind() == SplineKind.SPL || motion.kind() == SplineKind.SPL_REL);
+    if (!isInSpline()) {
+      if (open.stream().noneMatch(Block::isSpline)
+          && (isSpl
+              || statement instanceof Statement.TimeBlock
+              || statement instanceof Statement.ConstantVelocity)) {
+        errors.add(found, word + " is allowed only in a spline block");
+      }
+      return;
+    }
+    boolean pointToPoint = StatementBuilder.isPointToPoint(innermost().opener());
+    if (!(statement instanceof Statement.SplineElement)) {
+      errors.add(found, word + " is not allowed in a spline block");
+    } else if (motion != null && motion.kind().pointToPoint() != pointToPoint) {
+      errors.add(found, word + " is not allowed in a " + (pointToPoint ? "PTP_SPLINE" : "SPLINE"));
+    } else if (pointToPoint && statement instanceof Statement.ConstantVelocity) {
+      errors.add(found, word + " is not allowed in a PTP_SPLINE");
+    }
+  }
+
   private void checkReturn(Statement.Return result) {
     if (isFunction() && result.value() == null) {
       errors.add(result.position(), "RETURN without a value in a DEFFCT");
@@ -162,12 +214,12 @@ final class RoutineBuilder {
     }
   }
 
-  private List<Statement> current() {
+  private PackedList<Statement> current() {
     return open.isEmpty() ? body : innermost().current();
   }
 
-  private List<List<Statement>> around() {
-    return open.stream().map(Block::current).toList();
+  private List<PackedList<Statement>> around() {
+    return Stream.concat(Stream.of(body), open.stream().map(Block::current)).toList();
   }
 
   private Block innermost() {
@@ -176,8 +228,10 @@ final class RoutineBuilder {
 
   private void awaitCase(Token found) {
     if (!open.isEmpty() && innermost().awaitsCase() && !innermost().isSuspect()) {
-      errors.add(found, "expected CASE, found " + found.getText());
+      String message = "expected CASE, found " + found.getText();
+      errors.note(errors.at(found), message);
       innermost().suspect();
+      innermost().damage(message);
     }
   }
 
@@ -185,11 +239,18 @@ final class RoutineBuilder {
     hasStatements = true;
     lateReported = false;
     awaitCase(line.first());
-    open.add(new Block(line.first(), finish));
+    if (isInSpline()) {
+      errors.add(
+          line.first(), ErrorWords.found(line.first()) + " is not allowed in a spline block");
+      innermost().damage(errors.damage());
+    }
+    Block block = new Block(line.first(), errors.at(line.first()), finish);
+    open.add(block);
     if (open.size() > MAX_BLOCKS) {
       errors.add(line.first(), "blocks nested deeper than " + MAX_BLOCKS);
       tooDeep = true;
     }
+    block.damage(errors.damage());
   }
 
   private void middle(Line line, @Nullable BlockMiddleContext context) {
@@ -201,31 +262,37 @@ final class RoutineBuilder {
     }
     Block block = innermost();
     if (block.otherwise() != null) {
+      String message = "expected " + ErrorWords.keyword(block.end()) + ", found " + found.getText();
       if (unknownLines == 0) {
-        errors.add(
-            found, "expected " + ErrorWords.keyword(block.end()) + ", found " + found.getText());
+        errors.add(found, message);
       }
+      block.damage(message);
     } else if (found.getType() == KrlGrammarParser.CASE) {
       List<Expression> values =
-          context == null ? null : context.expression().stream().map(expressions::build).toList();
-      block.beginBranch(errors.at(found), values);
+          context == null
+              ? List.of()
+              : context.expression().stream().map(expressions::build).toList();
+      block.beginCase(errors.at(found), values);
     } else {
       awaitCase(found);
       block.beginOtherwise();
     }
+    block.damage(errors.damage());
   }
 
-  private void end(Token found, @Nullable Expression until) {
+  private void end(Token found, @Nullable BlockEndContext context) {
     if (!closeUpTo(found, Objects.requireNonNull(OPENERS.get(found.getType())))) {
       return;
     }
     awaitCase(found);
     Block block = open.remove(open.size() - 1);
-    boolean understood = block.end() != KrlGrammarParser.UNTIL || until != null;
-    Statement statement = understood ? block.finish(until) : null;
-    if (statement != null) {
-      current().add(statement);
-    }
+    Statement statement = context == null ? null : block.finish(context);
+    String damage = errors.damage();
+    current()
+        .append(
+            statement == null || damage != null
+                ? block.invalid(String.valueOf(damage))
+                : statement);
   }
 
   /**
@@ -240,34 +307,46 @@ final class RoutineBuilder {
         reportMissingEnd(found);
       }
       while (innermost().opener().getType() != opener) {
-        open.remove(open.size() - 1);
+        drop(found);
       }
     } else if (unknownLines > 0) {
       // A mistyped first line has one end, perhaps after an ELSE or several CASEs.
       unknownLines -= OPENERS.containsKey(found.getType()) ? 1 : 0;
     } else if (open.isEmpty()) {
-      errors.add(found, found.getText() + " without " + ErrorWords.keyword(opener));
+      String message = found.getText() + " without " + ErrorWords.keyword(opener);
+      errors.note(errors.at(found), message);
+      body.append(new Statement.Invalid(errors.at(found), message));
     } else {
       reportMissingEnd(found);
       innermost().suspect();
+      innermost().damage(missingEnd(found));
     }
     return isOpen;
   }
 
   private void reportMissingEnd(Token found) {
-    Block block = innermost();
-    if (!block.isSuspect()) {
-      errors.add(
-          found,
-          "expected "
-              + ErrorWords.keyword(block.end())
-              + " of the "
-              + ErrorWords.keyword(block.opener().getType())
-              + " in line "
-              + block.opener().getLine()
-              + ", found "
-              + ErrorWords.found(found));
+    if (!innermost().isSuspect()) {
+      errors.note(errors.at(found), missingEnd(found));
     }
+  }
+
+  private String missingEnd(Token found) {
+    Token opener = innermost().opener();
+    return "expected "
+        + ErrorWords.keyword(innermost().end())
+        + " of the "
+        + ErrorWords.upper(opener)
+        + " in line "
+        + opener.getLine()
+        + ", found "
+        + ErrorWords.found(found);
+  }
+
+  /** Closes the innermost block without its end. */
+  private void drop(Token found) {
+    Statement invalid = innermost().invalid(missingEnd(found));
+    open.remove(open.size() - 1);
+    current().append(invalid);
   }
 
   /** Recovers from a line with an error the block or label that later lines need. */
@@ -282,8 +361,12 @@ final class RoutineBuilder {
         || type == KrlGrammarParser.DEFAULT) {
       middle(line, null);
     } else if (line.second().getType() == KrlGrammarParser.COLON) {
-      Position place = errors.at(line.first());
-      jumps.label(new Statement.Label(place, line.first().getText()), around());
+      Statement.Label label = new Statement.Label(errors.at(line.first()), line.first().getText());
+      jumps.label(label, around());
+      current().append(label);
+      invalid(line);
+    } else if (!line.isDeclaration()) {
+      invalid(line);
     }
   }
 
@@ -314,6 +397,9 @@ final class RoutineBuilder {
       errors.add(
           found, "expected " + ErrorWords.keyword(end) + ", found " + ErrorWords.found(found));
     }
+    while (!open.isEmpty()) {
+      drop(found);
+    }
     if (!tooDeep) {
       jumps.check();
     }
@@ -323,10 +409,11 @@ final class RoutineBuilder {
             position,
             global,
             returnType,
+            returnDimensions,
             name,
             parameters,
-            List.copyOf(declarations),
-            List.copyOf(body),
+            declarations,
+            body,
             errors.at(found));
   }
 }

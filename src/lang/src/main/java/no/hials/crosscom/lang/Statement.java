@@ -10,6 +10,15 @@ public sealed interface Statement {
   /** Returns the position of the first token. */
   Position position();
 
+  /**
+   * A line that cannot be parsed, or a block whose beginning or end cannot be parsed. The result of
+   * the parse has its error; a program that reaches it must stop.
+   *
+   * @param position where it begins
+   * @param reason the message of the error
+   */
+  record Invalid(Position position, String reason) implements Statement {}
+
   /** A statement that an interrupt or trigger can execute. */
   sealed interface Action extends Statement permits AssignmentStatement, CallStatement, Pulse {}
 
@@ -289,13 +298,179 @@ public sealed interface Statement {
       @Nullable String coordinates)
       implements Statement {}
 
+  /** The kinds of spline motions and segments. */
+  enum SplineKind {
+    /** Point to point. */
+    SPTP,
+    /** Linear. */
+    SLIN,
+    /** Circular. */
+    SCIRC,
+    /** A segment through a point, only in a block. */
+    SPL,
+    /** Point to point, relative to the last target. */
+    SPTP_REL,
+    /** Linear, relative to the last target. */
+    SLIN_REL,
+    /** Circular, relative to the last target. */
+    SCIRC_REL,
+    /** A segment through a point, relative to the last target. */
+    SPL_REL;
+
+    /** Returns whether the target is relative: true for the kinds with {@code _REL}. */
+    public boolean relative() {
+      return this == SPTP_REL || this == SLIN_REL || this == SCIRC_REL || this == SPL_REL;
+    }
+
+    /** Returns whether it is {@code SPTP} or {@code SPTP_REL}. */
+    public boolean pointToPoint() {
+      return this == SPTP || this == SPTP_REL;
+    }
+  }
+
+  /** A statement that is allowed in a spline block. */
+  sealed interface SplineElement extends Statement
+      permits SplineMotion, Trigger, TimeBlock, ConstantVelocity, StopOnPath {}
+
+  /**
+   * A spline motion, or a segment of a spline block.
+   *
+   * @param position where it begins
+   * @param kind the kind
+   * @param auxiliary the auxiliary point of a circular motion; null for the others
+   * @param target the target
+   * @param circularAngle {@code CA}, in degrees; null without it
+   * @param with the assignments to system variables after {@code WITH}; they hold for this motion
+   *     only. Empty without {@code WITH}
+   * @param approximate whether it has {@code C_SPL}
+   * @param coordinates {@code #BASE} or {@code #TOOL} of a relative motion; null without it
+   */
+  record SplineMotion(
+      Position position,
+      SplineKind kind,
+      @Nullable Expression auxiliary,
+      Expression target,
+      @Nullable Expression circularAngle,
+      List<AssignmentStatement> with,
+      boolean approximate,
+      @Nullable String coordinates)
+      implements SplineElement {}
+
+  /**
+   * {@code SPLINE ... ENDSPLINE} or {@code PTP_SPLINE ... ENDSPLINE}. A block with an error is
+   * {@link Invalid} as a whole, because it is one motion.
+   *
+   * @param position where it begins
+   * @param pointToPoint whether it is {@code PTP_SPLINE}, whose segments are all {@code SPTP}
+   * @param with the assignments to system variables after {@code WITH}; they hold for the segments
+   *     without an assignment to the same variable. Empty without {@code WITH}
+   * @param elements the segments, and what happens on them
+   * @param approximate whether it ends with {@code C_SPL}
+   */
+  record SplineBlock(
+      Position position,
+      boolean pointToPoint,
+      List<AssignmentStatement> with,
+      List<SplineElement> elements,
+      boolean approximate)
+      implements Statement {}
+
+  /** The lines of a time block. */
+  enum TimeBlockPart {
+    /** Begins the block. */
+    START,
+    /** Ends a part of the block. */
+    PART,
+    /** Ends the block. */
+    END
+  }
+
+  /**
+   * {@code TIME_BLOCK} in a spline block.
+   *
+   * @param position where it begins
+   * @param part which line it is
+   * @param value for {@code PART} its share of the time, for {@code END} the time of the block in
+   *     s; null for {@code START}
+   */
+  record TimeBlock(Position position, TimeBlockPart part, @Nullable Expression value)
+      implements SplineElement {}
+
+  /**
+   * {@code CONST_VEL} in a spline block: begins or ends a section of constant speed.
+   *
+   * @param position where it begins
+   * @param end whether it is {@code CONST_VEL END}
+   * @param distance in mm from the next point, or from the last with {@code ONSTART}
+   * @param onStart whether it has {@code ONSTART}
+   */
+  record ConstantVelocity(Position position, boolean end, Expression distance, boolean onStart)
+      implements SplineElement {}
+
+  /**
+   * {@code STOP WHEN PATH=50 IF A}: stops the robot on the path while a condition is true.
+   *
+   * @param position where it begins
+   * @param distance in mm from the next point, or from the last with {@code ONSTART}
+   * @param onStart whether it has {@code ONSTART}
+   * @param condition the condition
+   */
+  record StopOnPath(Position position, Expression distance, boolean onStart, Expression condition)
+      implements SplineElement {}
+
+  /**
+   * {@code ON_ERROR_PROCEED}: an error of the next statement does not stop the program.
+   *
+   * @param position where it is
+   */
+  record OnErrorProceed(Position position) implements Statement {}
+
+  /**
+   * {@code CONFIRM}: confirms a message.
+   *
+   * @param position where it begins
+   * @param message the number of the message
+   */
+  record Confirm(Position position, Expression message) implements Statement {}
+
+  /**
+   * {@code ANIN ON A = 2*$ANIN[1]+1}: reads an analogue input in cycles; {@code ANIN OFF A}.
+   *
+   * @param position where it begins
+   * @param target the variable that gets the value after {@code ON}; the name after {@code OFF}
+   * @param value the value, which is evaluated in cycles; null for {@code OFF}
+   */
+  record AnalogInput(Position position, Expression.Variable target, @Nullable Expression value)
+      implements Statement {}
+
+  /**
+   * {@code ANOUT ON $ANOUT[1] = 2*V+1 DELAY=0.5 MINIMUM=0 MAXIMUM=1}: writes an analogue output in
+   * cycles; {@code ANOUT OFF $ANOUT[1]}.
+   *
+   * @param position where it begins
+   * @param target the output
+   * @param value the value, which is evaluated in cycles; null for {@code OFF}
+   * @param delay in s; null without it
+   * @param minimum the lower limit; null without it
+   * @param maximum the upper limit; null without it
+   */
+  record AnalogOutput(
+      Position position,
+      Expression.Variable target,
+      @Nullable Expression value,
+      @Nullable Expression delay,
+      @Nullable Expression minimum,
+      @Nullable Expression maximum)
+      implements Statement {}
+
   /**
    * {@code TRIGGER WHEN DISTANCE=0 DELAY=20 DO ...}.
    *
    * @param position where it begins
    * @param onPath whether it has {@code PATH} instead of {@code DISTANCE}
    * @param distance 0 for the start and 1 for the end of the next motion; with {@code PATH} in mm
-   *     from the end
+   *     from the next point, or from the last with {@code ONSTART}
+   * @param onStart whether it has {@code ONSTART}
    * @param delay in ms; null for 0
    * @param action the action
    * @param priority the number after {@code PRIO}; null without it
@@ -304,8 +479,9 @@ public sealed interface Statement {
       Position position,
       boolean onPath,
       Expression distance,
+      boolean onStart,
       @Nullable Expression delay,
       Action action,
       @Nullable Expression priority)
-      implements Statement {}
+      implements SplineElement {}
 }

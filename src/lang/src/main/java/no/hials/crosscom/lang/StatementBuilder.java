@@ -9,17 +9,26 @@ import java.util.Set;
 import no.hials.crosscom.lang.Statement.Approximation;
 import no.hials.crosscom.lang.Statement.InterruptCommand;
 import no.hials.crosscom.lang.Statement.MotionKind;
+import no.hials.crosscom.lang.Statement.SplineKind;
+import no.hials.crosscom.lang.Statement.TimeBlockPart;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ActionContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.AnalogContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockBeginContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ExpressionContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.InterruptContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.MotionContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.NameContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.NamedContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.PathCommandContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.PulseContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.SimpleStatementContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.SplineEndContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.SplineMotionContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.StepsContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.TriggerContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.WithContext;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.TerminalNode;
@@ -44,6 +53,15 @@ final class StatementBuilder {
     }
     if (content.motion() != null) {
       return motion(content.motion());
+    }
+    if (content.splineMotion() != null) {
+      return splineMotion(content.splineMotion());
+    }
+    if (content.pathCommand() != null) {
+      return pathCommand(content.pathCommand());
+    }
+    if (content.analog() != null) {
+      return analog(content.analog());
     }
     if (content.pulse() != null) {
       return pulse(content.pulse());
@@ -70,10 +88,13 @@ final class StatementBuilder {
     }
     return context.steps() == null
         ? null
-        : new Statement.AssignmentStatement(
-            position,
-            expressions.variable(context.name(), context.steps()),
-            expressions.build(context.expression()));
+        : assignment(context.name(), context.steps(), context.expression());
+  }
+
+  private Statement.AssignmentStatement assignment(
+      NameContext name, StepsContext steps, ExpressionContext value) {
+    return new Statement.AssignmentStatement(
+        expressions.at(name), expressions.variable(name, steps), expressions.build(value));
   }
 
   private Statement simple(SimpleStatementContext context) {
@@ -87,6 +108,9 @@ final class StatementBuilder {
       case KrlGrammarParser.CONTINUE -> new Statement.Continue(position);
       case KrlGrammarParser.RESUME -> new Statement.Resume(position);
       case KrlGrammarParser.BRAKE -> new Statement.Brake(position, context.F() != null);
+      case KrlGrammarParser.ON_ERROR_PROCEED -> new Statement.OnErrorProceed(position);
+      case KrlGrammarParser.CONFIRM ->
+          new Statement.Confirm(position, expressions.build(context.expression()));
       default -> {
         Expression value = expressions.build(context.expression());
         yield context.FOR() != null
@@ -123,10 +147,7 @@ final class StatementBuilder {
     return context.arguments() != null
         ? new Statement.CallStatement(
             position, context.name().getText(), expressions.arguments(context.arguments()))
-        : new Statement.AssignmentStatement(
-            position,
-            expressions.variable(context.name(), context.steps()),
-            expressions.build(context.expression()));
+        : assignment(context.name(), context.steps(), context.expression());
   }
 
   private Statement.Pulse pulse(PulseContext context) {
@@ -142,6 +163,7 @@ final class StatementBuilder {
         expressions.at(context),
         context.PATH() != null,
         expressions.build(context.distance),
+        context.ONSTART() != null,
         expressions.buildOptional(context.delay),
         action(context.action()),
         expressions.buildOptional(context.priority));
@@ -157,7 +179,60 @@ final class StatementBuilder {
         expressions.build(points.get(circle ? 1 : 0)),
         expressions.buildOptional(points.size() > 2 ? points.get(2) : null),
         approximations(context),
-        coordinates(context));
+        coordinates(context.ENUM_VALUE()));
+  }
+
+  private Statement splineMotion(SplineMotionContext context) {
+    List<ExpressionContext> points = context.expression();
+    boolean circle = points.size() > 1;
+    SplineEndContext end = context.splineEnd();
+    return new Statement.SplineMotion(
+        expressions.at(context),
+        SplineKind.valueOf(ErrorWords.upper(context.getStart())),
+        circle ? expressions.build(points.get(0)) : null,
+        expressions.build(points.get(circle ? 1 : 0)),
+        expressions.buildOptional(points.size() > 2 ? points.get(2) : null),
+        with(end == null ? null : end.with()),
+        end != null && end.C_SPL() != null,
+        coordinates(context.ENUM_VALUE()));
+  }
+
+  private List<Statement.AssignmentStatement> with(@Nullable WithContext context) {
+    return context == null
+        ? List.of()
+        : context.assignment().stream()
+            .map(each -> assignment(each.name(), each.steps(), each.expression()))
+            .toList();
+  }
+
+  private Statement pathCommand(PathCommandContext context) {
+    Position position = expressions.at(context);
+    boolean onStart = context.ONSTART() != null;
+    Expression value = expressions.buildOptional(context.expression(0));
+    if (context.TIME_BLOCK() != null) {
+      String part = ErrorWords.upper(((TerminalNode) context.getChild(1)).getSymbol());
+      return new Statement.TimeBlock(position, TimeBlockPart.valueOf(part), value);
+    }
+    Expression distance = Objects.requireNonNull(value);
+    return context.CONST_VEL() != null
+        ? new Statement.ConstantVelocity(position, context.END() != null, distance, onStart)
+        : new Statement.StopOnPath(
+            position, distance, onStart, expressions.build(context.expression(1)));
+  }
+
+  private Statement analog(AnalogContext context) {
+    Position position = expressions.at(context);
+    Expression.Variable target = expressions.variable(context.variable());
+    return context.ANIN() != null
+        ? new Statement.AnalogInput(
+            position, target, expressions.buildOptional(context.expression(0)))
+        : new Statement.AnalogOutput(
+            position,
+            target,
+            expressions.buildOptional(context.value),
+            expressions.buildOptional(context.delay),
+            expressions.buildOptional(context.minimum),
+            expressions.buildOptional(context.maximum));
   }
 
   private Set<Approximation> approximations(MotionContext context) {
@@ -171,8 +246,7 @@ final class StatementBuilder {
     return Collections.unmodifiableSet(approximations);
   }
 
-  private @Nullable String coordinates(MotionContext context) {
-    TerminalNode written = context.ENUM_VALUE();
+  private @Nullable String coordinates(@Nullable TerminalNode written) {
     if (written == null) {
       return null;
     }
@@ -189,46 +263,43 @@ final class StatementBuilder {
     List<Expression> values = context.expression().stream().map(expressions::build).toList();
     return switch (context.getStart().getType()) {
       case KrlGrammarParser.IF ->
-          (block, until) ->
-              new Statement.If(
-                  position, values.get(0), List.copyOf(block.body()), otherwise(block));
+          (block, end) -> new Statement.If(position, values.get(0), block.body(), otherwise(block));
       case KrlGrammarParser.SWITCH ->
-          (block, until) ->
-              new Statement.Switch(
-                  position,
-                  values.get(0),
-                  cases(block),
-                  block.otherwise() == null ? null : otherwise(block));
+          (block, end) ->
+              new Statement.Switch(position, values.get(0), block.cases(), block.otherwise());
       case KrlGrammarParser.FOR -> {
         Expression.Variable counter = expressions.variable(context.variable());
         Expression step = values.size() > 2 ? values.get(2) : null;
-        yield (block, until) ->
-            new Statement.For(
-                position, counter, values.get(0), values.get(1), step, List.copyOf(block.body()));
+        yield (block, end) ->
+            new Statement.For(position, counter, values.get(0), values.get(1), step, block.body());
       }
       case KrlGrammarParser.WHILE ->
-          (block, until) -> new Statement.While(position, values.get(0), List.copyOf(block.body()));
+          (block, end) -> new Statement.While(position, values.get(0), block.body());
       case KrlGrammarParser.REPEAT ->
-          (block, until) ->
-              new Statement.Repeat(
-                  position, List.copyOf(block.body()), Objects.requireNonNull(until));
-      default -> (block, until) -> new Statement.Loop(position, List.copyOf(block.body()));
+          (block, end) ->
+              new Statement.Repeat(position, block.body(), expressions.build(end.expression()));
+      case KrlGrammarParser.SPLINE -> {
+        boolean pointToPoint = isPointToPoint(context.getStart());
+        List<Statement.AssignmentStatement> with = with(context.with());
+        yield (block, end) ->
+            new Statement.SplineBlock(
+                position,
+                pointToPoint,
+                with,
+                block.body().stream().map(Statement.SplineElement.class::cast).toList(),
+                end.C_SPL() != null);
+      }
+      default -> (block, end) -> new Statement.Loop(position, block.body());
     };
   }
 
   private static List<Statement> otherwise(Block block) {
     List<Statement> otherwise = block.otherwise();
-    return otherwise == null ? List.of() : List.copyOf(otherwise);
+    return otherwise == null ? List.of() : otherwise;
   }
 
-  private static List<Statement.Case> cases(Block block) {
-    List<Statement.Case> cases = new ArrayList<>();
-    for (Block.Branch branch : block.branches()) {
-      if (branch.values() != null) {
-        cases.add(
-            new Statement.Case(branch.position(), branch.values(), List.copyOf(branch.body())));
-      }
-    }
-    return List.copyOf(cases);
+  /** Returns whether the first line of a spline block begins a {@code PTP_SPLINE}. */
+  static boolean isPointToPoint(Token opener) {
+    return ErrorWords.upper(opener).equals("PTP_SPLINE");
   }
 }

@@ -52,11 +52,14 @@ class FileTest {
     assertThat(file.name()).isEqualTo("Main");
     assertThat(file.routines())
         .containsExactly(
-            new Routine(at(3, 1), false, null, "Main", List.of(), List.of(), List.of(), at(4, 1)),
+            new Routine(
+                at(3, 1), false, null, List.of(), "Main", List.of(), List.of(), List.of(),
+                at(4, 1)),
             new Routine(
                 at(5, 3),
                 true,
                 "REAL",
+                List.of(),
                 "Limit",
                 List.of(
                     new Parameter(at(5, 29), "Value", 0, false),
@@ -69,6 +72,7 @@ class FileTest {
                 at(7, 1),
                 true,
                 null,
+                List.of(),
                 "$Sub",
                 List.of(new Parameter(at(7, 17), "A", 0, true)),
                 List.of(),
@@ -79,7 +83,7 @@ class FileTest {
   @Test
   void readsAFunctionOfAnArrayType() {
     assertThat(show(Snippets.onlyRoutine(parse("DEFFCT CHAR[] F()\nENDFCT"))))
-        .isEqualTo("Routine(false, CHAR[], F, [], [], [])");
+        .isEqualTo("Routine(false, CHAR, [-], F, [], [], [])");
   }
 
   @Test
@@ -118,8 +122,18 @@ class FileTest {
             entry("COMMENT", ""));
   }
 
+  @Test
+  void keepsHeadersInsideAndAfterAModule() {
+    ParseResult result = parse("DEF A()\n&REL 5\nB=1\nEND\n&PARAM X = Y\nDEF C()\nEND\n");
+
+    assertThat(result.errors()).isEmpty();
+    KrlFile file = result.file().orElseThrow();
+    assertThat(file.headers()).containsExactly(entry("REL", "5"), entry("PARAM", "X = Y"));
+    assertThat(((SourceFile) file).routines()).extracting(Routine::name).containsExactly("A", "C");
+  }
+
   @ParameterizedTest
-  @ValueSource(strings = {"\n", "\r\n"})
+  @ValueSource(strings = {"\n", "\r\n", "\r\r\n"})
   void countsLinesWithEitherLineEnd(String end) {
     assertThat(errors(parse(String.join(end, "DEF A()", "", ";FOLD INI;%{PE}", "A=)", "END"))))
         .containsExactly("4:3 expected a value, found )");
@@ -160,7 +174,6 @@ class FileTest {
         "DEF A();END;B=1;C=1     | 3:1 expected DEF, DEFFCT or the end of the file, found B",
         "DEF A();END;END         | 3:1 expected DEF, DEFFCT or the end of the file, found END",
         "DEF A();END;DEFDAT A;INT B;ENDDAT | 3:1 expected DEF, DEFFCT or the end of the file, found DEFDAT",
-        "DEF A();&REL 5;END      | 2:1 a line with & belongs at the beginning of the file",
         "&;DEF A();END           | 1:1 expected a word after &",
         "DEFFCT A();ENDFCT       | 1:9 expected a name or [, found (",
         "DEFFCT INT A();END      | 2:1 expected ENDFCT, found END",

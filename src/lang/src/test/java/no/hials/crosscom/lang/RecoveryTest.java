@@ -107,13 +107,15 @@ class RecoveryTest {
             "11:10 expected a value, found the end of the line");
     assertThat(show(result.file().orElseThrow()))
         .isEqualTo(
-            "SourceFile([Routine(false, -, C, [], [], []), Routine(true, INT, F,"
+            "SourceFile([Routine(false, -, [], C, [], [],"
+                + " [Invalid(expected THEN, found =)]), Routine(true, INT, [], F,"
                 + " [Parameter(G, 0, false)], [Variables(false, false, INT,"
-                + " [Declarator(G, [], -)], )], [])])");
+                + " [Declarator(G, [], -)], )],"
+                + " [Invalid(expected a value, found the end of the line)])])");
   }
 
   @Test
-  void keepsWhatWasUnderstoodOfABlock() {
+  void keepsABlockAroundLinesWithErrors() {
     ParseResult result =
         routine(
             """
@@ -130,8 +132,9 @@ class RecoveryTest {
     assertThat(result.errors()).hasSize(2);
     assertThat(show(result.file().orElseThrow()))
         .isEqualTo(
-            "SourceFile([Routine(false, -, T, [], [], [While(A, [Switch(C,"
-                + " [Case([2], [AssignmentStatement(E, 1)])], -)])])])");
+            "SourceFile([Routine(false, -, [], T, [], [], [While(A,"
+                + " [Invalid(expected a value, found )),"
+                + " Invalid(expected a value, found the end of the line)])])])");
   }
 
   @Test

@@ -72,9 +72,26 @@ class StatementTest {
         "CIRC A,B,CA 90 C_ORI  | MotionStatement(CIRC, A, B, 90, [C_ORI], -)",
         "CIRC CA,CA,CA -CA     | MotionStatement(CIRC, CA, CA, (MINUS CA), [], -)",
         "CIRC_REL A,B,CA 5 C_DIS #TOOL | MotionStatement(CIRC_REL, A, B, 5, [C_DIS], #TOOL)",
-        "TRIGGER WHEN DISTANCE=0 DELAY=20 DO FOO() PRIO=-1 | Trigger(false, 0, 20, CallStatement(FOO, []), (MINUS 1))",
-        "TRIGGER WHEN DISTANCE=1 DO A=1 | Trigger(false, 1, -, AssignmentStatement(A, 1), -)",
-        "TRIGGER WHEN PATH=-5 DELAY=D DO PULSE($OUT[1],TRUE,1) | Trigger(true, (MINUS 5), D, Pulse($OUT[1], true, 1), -)",
+        "TRIGGER WHEN DISTANCE=0 DELAY=20 DO FOO() PRIO=-1 | Trigger(false, 0, false, 20, CallStatement(FOO, []), (MINUS 1))",
+        "TRIGGER WHEN DISTANCE=1 DO A=1 | Trigger(false, 1, false, -, AssignmentStatement(A, 1), -)",
+        "TRIGGER WHEN PATH=-5 DELAY=D DO PULSE($OUT[1],TRUE,1) | Trigger(true, (MINUS 5), false, D, Pulse($OUT[1], true, 1), -)",
+        "TRIGGER WHEN PATH=50 ONSTART DELAY=0 DO FOO() PRIO=P | Trigger(true, 50, true, 0, CallStatement(FOO, []), P)",
+        "ON_ERROR_PROCEED      | OnErrorProceed()",
+        "ERR_RAISE(E)          | CallStatement(ERR_RAISE, [E])",
+        "CONFIRM N             | Confirm(N)",
+        "ANIN ON A=2*$ANIN[1]+1 | AnalogInput(A, ((2 TIMES $ANIN[1]) PLUS 1))",
+        "ANIN OFF A            | AnalogInput(A, -)",
+        "ANOUT ON $ANOUT[1]=A*2 | AnalogOutput($ANOUT[1], (A TIMES 2), -, -, -)",
+        "ANOUT ON Q=A DELAY=-0.5 MINIMUM=0 MAXIMUM=1 | AnalogOutput(Q, A, (MINUS 0.5), 0, 1)",
+        "ANOUT OFF $ANOUT[1]   | AnalogOutput($ANOUT[1], -, -, -, -)",
+        "$CYCFLAG[1]=A AND B   | AssignmentStatement($CYCFLAG[1], (A AND B))",
+        "SREAD(TEXT[],STATE,OFFSET,\"%d\",N) | CallStatement(SREAD, [TEXT[]+open, STATE, OFFSET, \"%d\", N])",
+        "F(A,,,B,)             | CallStatement(F, [A, -, -, B, -])",
+        "F(A+1, ,G(,1))        | CallStatement(F, [(A PLUS 1), -, G(-, 1)])",
+        "STOP()                | CallStatement(STOP, [])",
+        "STOP:                 | Label(STOP)",
+        "START=END_X           | AssignmentStatement(START, END_X)",
+        "WITH=PART+MINIMUM     | AssignmentStatement(WITH, (PART PLUS MINIMUM))",
       })
   void readsStatements(String line, String tree) {
     assertThat(show(statements(line))).isEqualTo("[" + tree + "]");
@@ -182,7 +199,12 @@ class StatementTest {
         "CIRC P1,P2,90         | 2:12 expected CA, found 90",
         "TRIGGER DISTANCE=0    | 2:9 expected WHEN, found DISTANCE",
         "TRIGGER WHEN X=0 DO A() | 2:14 expected DISTANCE or PATH, found X",
-        "TRIGGER WHEN PATH=0 ONSTART DO A() | 2:21 expected DELAY or DO, found ONSTART",
+        "TRIGGER WHEN PATH=0 START DO A() | 2:21 expected DELAY, DO or ONSTART, found START",
+        "TRIGGER WHEN DISTANCE=0 ONSTART DO A() | 2:25 expected DELAY or DO, found ONSTART",
+        "ON_ERROR_PROCEED 1    | 2:18 expected the end of the line, found 1",
+        "CONFIRM               | 2:8 expected a value, found the end of the line",
+        "ANIN A=1              | 2:6 expected OFF or ON, found A",
+        "ANOUT ON A            | 2:11 expected =, found the end of the line",
         "TRIGGER WHEN PATH=0 DO A() PRIO | 2:32 expected =, found the end of the line",
         "GOTO                  | 2:5 expected a name, found the end of the line",
         "GOTO NOWHERE          | 2:1 unknown label NOWHERE",
@@ -234,40 +256,12 @@ class StatementTest {
       delimiter = '|',
       quoteCharacter = '~',
       value = {
-        "SPTP P1 WITH $VEL.CP=1 | SPTP",
-        "sptp_rel {A1 5}        | SPTP_REL",
-        "SLIN P1                | SLIN",
-        "SLIN_REL {X 1} #TOOL   | SLIN_REL",
-        "SCIRC P1,P2,CA 90      | SCIRC",
-        "SCIRC_REL P1,P2        | SCIRC_REL",
-        "SPL P1                 | SPL",
-        "TIME_BLOCK START       | TIME_BLOCK",
-        "CONST_VEL START=5      | CONST_VEL",
-        "STOP WHEN PATH=50 IF A | STOP",
         "ASYPTP {E1 5}          | ASYPTP",
         "ASYSTOP                | ASYSTOP",
         "ASYCONT                | ASYCONT",
         "ASYCANCEL 1            | ASYCANCEL",
-        "ANIN ON A=1*$ANIN[1]+0 | ANIN",
-        "ANOUT ON $ANOUT[1]=A*1 | ANOUT",
-        "CHANNEL :C :C SER      | CHANNEL",
-        "CONFIRM MSG            | CONFIRM",
-        "EXTP FOO()             | EXTP",
-        "EXTFCTP INT FOO()      | EXTFCTP",
       })
   void saysWhatIsNotSupported(String line, String word) {
     assertThat(errors(routine(line))).containsExactly("2:1 " + word + " is not supported");
-  }
-
-  @ParameterizedTest
-  @CsvSource({"SPLINE", "PTP_SPLINE"})
-  void reportsASplineBlockOnce(String word) {
-    assertThat(errors(routine(word + " WITH $VEL=1\n SPL P1\n ! ?\nENDSPLINE C_SPL\nA=)")))
-        .containsExactly("2:1 " + word + " is not supported", "6:3 expected a value, found )");
-  }
-
-  @Test
-  void leavesASplineBlockWithoutAnEndAtTheEndOfTheRoutine() {
-    assertThat(errors(routine("SPLINE\nSPL P1"))).containsExactly("2:1 SPLINE is not supported");
   }
 }

@@ -9,13 +9,34 @@
  * at the first token that is not allowed in its place.
  *
  * Keywords with a meaning in only one place (SEC, STEP, DISTANCE, ...) are names elsewhere:
- * $DATE.SEC is a component. Types are names too. Unsupported statements (SPTP, ...) are not part
- * of the grammar; see UnsupportedStatements.
+ * $DATE.SEC is a component. Types are names too. The tokens without a rule (SPTP, ...) begin a
+ * line; see StatementWords. Unsupported statements (ASYPTP, ...) are not part of the grammar.
  */
 grammar KrlGrammar;
 
 options {
   caseInsensitive = true;
+}
+
+tokens {
+  ANIN,
+  ANOUT,
+  CHANNEL,
+  CONFIRM,
+  CONST_VEL,
+  ENDSPLINE,
+  ON_ERROR_PROCEED,
+  SCIRC,
+  SCIRC_REL,
+  SLIN,
+  SLIN_REL,
+  SPL,
+  SPLINE,
+  SPL_REL,
+  SPTP,
+  SPTP_REL,
+  STOP,
+  TIME_BLOCK
 }
 
 line : content? (NEWLINE | EOF) ;
@@ -32,8 +53,11 @@ content
   | blockEnd
   | simpleStatement
   | motion
+  | splineMotion
+  | pathCommand
   | pulse
   | trigger
+  | analog
   ;
 
 // ---- modules and declarations
@@ -50,6 +74,7 @@ definition
   | struc
   | enumeration
   | signal
+  | channel
   | external
   | externalFunction
   | imported
@@ -58,7 +83,7 @@ definition
 
 routineBegin : DEF name parameters ;
 
-// Assumed: a function can return an array (CHAR[]).
+// A function can return an array, as CHAR[16] (docs/reference/krl-language.md#modules).
 functionBegin : DEFFCT name brackets? name parameters ;
 
 parameters : '(' (parameter (',' parameter)*)? ')' ;
@@ -77,6 +102,9 @@ component : name name? brackets? ;
 enumeration : ENUM name name (',' name)* ;
 
 signal : SIGNAL name (FALSE | variable (TO variable)?) ;
+
+// (docs/reference/krl-language.md#declarations)
+channel : CHANNEL ':' name ':' name variable ;
 
 external : EXT name parameters ;
 
@@ -105,6 +133,7 @@ blockBegin
   | WHILE expression
   | REPEAT
   | LOOP
+  | SPLINE with?
   ;
 
 blockMiddle
@@ -120,6 +149,7 @@ blockEnd
   | ENDWHILE
   | UNTIL expression
   | ENDLOOP
+  | ENDSPLINE C_SPL?
   ;
 
 simpleStatement
@@ -131,6 +161,8 @@ simpleStatement
   | WAIT (FOR expression | SEC expression)
   | RESUME
   | BRAKE F?
+  | ON_ERROR_PROCEED
+  | CONFIRM expression
   ;
 
 interrupt
@@ -141,7 +173,7 @@ interrupt
   ;
 
 trigger
-  : TRIGGER WHEN (DISTANCE | PATH) '=' distance=expression
+  : TRIGGER WHEN (DISTANCE '=' distance=expression | PATH '=' distance=expression ONSTART?)
     (DELAY '=' delay=expression)?
     DO action
     (PRIO '=' priority=expression)?
@@ -164,6 +196,42 @@ motion
     (pathApproximation pathApproximation?)?
   | CIRC_REL expression ',' expression (',' CA expression)?
     (pathApproximation pathApproximation?)? ENUM_VALUE?
+  ;
+
+// Assumed: C_SPL can precede WITH (docs/reference/krl-language.md#splines).
+splineMotion
+  : (SPTP | SPTP_REL | SLIN | SPL) expression splineEnd?
+  | (SLIN_REL | SPL_REL) expression splineEnd? ENUM_VALUE?
+  | SCIRC expression ',' expression (',' CA expression)? splineEnd?
+  | SCIRC_REL expression ',' expression (',' CA expression)? splineEnd? ENUM_VALUE?
+  ;
+
+splineEnd
+  : C_SPL with?
+  | with C_SPL?
+  ;
+
+with : WITH assignment (',' assignment)* ;
+
+assignment : name steps '=' expression ;
+
+// (docs/reference/krl-language.md#splines)
+pathCommand
+  : TIME_BLOCK (START | (PART | END) '=' expression)
+  | CONST_VEL (START | END) '=' expression ONSTART?
+  | STOP WHEN PATH '=' expression ONSTART? IF expression
+  ;
+
+// Assumed, as all of analogue cycles (docs/reference/krl-language.md#analogue-cycles).
+analog
+  : ANIN (ON variable '=' expression | OFF variable)
+  | ANOUT
+    ( ON variable '=' value=expression
+      (DELAY '=' delay=expression)?
+      (MINIMUM '=' minimum=expression)?
+      (MAXIMUM '=' maximum=expression)?
+    | OFF variable
+    )
   ;
 
 anyApproximation : C_PTP | pathApproximation ;
@@ -240,14 +308,20 @@ name
   | F
   | IN
   | IS
+  | MAXIMUM
+  | MINIMUM
   | OFF
   | ON
+  | ONSTART
   | OUT
+  | PART
   | PATH
   | PRIO
   | PUBLIC
   | SEC
+  | START
   | STEP
+  | WITH
   ;
 
 // ---- tokens
@@ -261,6 +335,7 @@ BRAKE : 'BRAKE' ;
 C_DIS : 'C_DIS' ;
 C_ORI : 'C_ORI' ;
 C_PTP : 'C_PTP' ;
+C_SPL : 'C_SPL' ;
 C_VEL : 'C_VEL' ;
 CA : 'CA' ;
 CASE : 'CASE' ;
@@ -306,11 +381,15 @@ IS : 'IS' ;
 LIN : 'LIN' ;
 LIN_REL : 'LIN_REL' ;
 LOOP : 'LOOP' ;
+MAXIMUM : 'MAXIMUM' ;
+MINIMUM : 'MINIMUM' ;
 NOT : 'NOT' ;
 OFF : 'OFF' ;
 ON : 'ON' ;
+ONSTART : 'ONSTART' ;
 OR : 'OR' ;
 OUT : 'OUT' ;
+PART : 'PART' ;
 PATH : 'PATH' ;
 PRIO : 'PRIO' ;
 PTP : 'PTP' ;
@@ -322,6 +401,7 @@ RESUME : 'RESUME' ;
 RETURN : 'RETURN' ;
 SEC : 'SEC' ;
 SIGNAL : 'SIGNAL' ;
+START : 'START' ;
 STEP : 'STEP' ;
 STRUC : 'STRUC' ;
 SWITCH : 'SWITCH' ;
@@ -333,6 +413,7 @@ UNTIL : 'UNTIL' ;
 WAIT : 'WAIT' ;
 WHEN : 'WHEN' ;
 WHILE : 'WHILE' ;
+WITH : 'WITH' ;
 
 ASSIGN : '=' ;
 COLON : ':' ;
@@ -367,7 +448,7 @@ HEADER : '&' ~[\r\n]* ;
 
 COMMENT : ';' ~[\r\n]* -> channel(HIDDEN) ;
 BLANK : [ \t]+ -> channel(HIDDEN) ;
-NEWLINE : '\r'? '\n' ;
+NEWLINE : '\r'* '\n' ;
 
 // Invalid characters are tokens too, so that the parser reports them with their position.
 OPEN_TEXT : '"' ~["\r\n]* ;

@@ -43,6 +43,7 @@ public final class DataListLoader {
                       .run(Declaration.StrucDeclaration.class, DataListLoader::declareStruc)
                       .run(Declaration.EnumDeclaration.class, DataListLoader::declareEnum)
                       .run(Declaration.Signal.class, DataListLoader::declareSignal)
+                      .run(Declaration.Channel.class, DataListLoader::refuseChannel)
                       .run(Declaration.InitialValue.class, DataListLoader::initialise)
                       .run(Declaration.External.class, DataListLoader::checkExternal));
 
@@ -414,6 +415,10 @@ public final class DataListLoader {
   }
 
   // other modules
+
+  private void refuseChannel(Declaration.Channel channel) throws KrlErrorException {
+    throw new KrlErrorException(channel.position(), "CHANNEL is not supported by this simulation");
+  }
 
   private void checkExternal(Declaration.External external) throws KrlErrorException {
     if (external.source().isEmpty()) {

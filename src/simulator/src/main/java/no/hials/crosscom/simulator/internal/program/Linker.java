@@ -149,6 +149,9 @@ final class Linker {
             errors,
             called);
     String type = routine.returnType();
+    if (!routine.returnDimensions().isEmpty()) {
+      errors.accept(routine.position(), "an array cannot be returned by this simulation");
+    }
     Storage result = type == null ? null : symbols.result(routine.position(), type);
     CompiledCode code =
         new StatementCompiler(context, type != null)

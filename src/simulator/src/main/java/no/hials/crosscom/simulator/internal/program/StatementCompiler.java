@@ -58,9 +58,19 @@ final class StatementCompiler {
                       Statement.Brake.class,
                       (c, it) -> c.code.emit(it.position(), machine -> machine.brake(it.maximum())))
                   .run(Statement.MotionStatement.class, StatementCompiler::motion)
+                  .run(Statement.Trigger.class, StatementCompiler::trigger)
+                  .run(Statement.SplineMotion.class, (c, it) -> c.unsupported(it, it.kind().name()))
+                  .run(Statement.SplineBlock.class, (c, it) -> c.unsupported(it, "SPLINE"))
+                  .run(Statement.TimeBlock.class, (c, it) -> c.unsupported(it, "TIME_BLOCK"))
+                  .run(Statement.ConstantVelocity.class, (c, it) -> c.unsupported(it, "CONST_VEL"))
+                  .run(Statement.StopOnPath.class, (c, it) -> c.unsupported(it, "STOP WHEN"))
                   .run(
-                      Statement.Trigger.class,
-                      (c, it) -> c.motions.trigger(it, c.detached(it.action()))));
+                      Statement.OnErrorProceed.class,
+                      (c, it) -> c.unsupported(it, "ON_ERROR_PROCEED"))
+                  .run(Statement.Confirm.class, (c, it) -> c.unsupported(it, "CONFIRM"))
+                  .run(Statement.AnalogInput.class, (c, it) -> c.unsupported(it, "ANIN"))
+                  .run(Statement.AnalogOutput.class, (c, it) -> c.unsupported(it, "ANOUT"))
+                  .run(Statement.Invalid.class, StatementCompiler::stop));
 
   /** Compiles an action without the stop of the advance run. */
   private static final TypeSwitch<StatementCompiler, Statement.Action, Void, RuntimeException>
@@ -130,6 +140,19 @@ final class StatementCompiler {
       STATEMENTS.run(this, statement);
       goOn = statement instanceof Statement.Continue;
     }
+  }
+
+  private void unsupported(Statement statement, String word) {
+    context.error(statement.position(), word + " is not supported by this simulation");
+  }
+
+  /** Compiles a line that could not be parsed: the program stops there. */
+  private void stop(Statement.Invalid invalid) {
+    code.emit(
+        invalid.position(),
+        machine -> {
+          throw new KrlExecutionException(KrlExecutionException.NOT_ALLOWED, invalid.reason());
+        });
   }
 
   // the advance run
@@ -457,6 +480,13 @@ final class StatementCompiler {
   }
 
   // motions
+
+  private void trigger(Statement.Trigger trigger) {
+    if (trigger.onStart()) {
+      unsupported(trigger, "ONSTART");
+    }
+    motions.trigger(trigger, detached(trigger.action()));
+  }
 
   private void motion(Statement.MotionStatement motion) {
     awaitFor(motion.position(), motion.auxiliary(), motion.target(), motion.circularAngle());

@@ -43,6 +43,7 @@ final class SymbolTable {
                   .run(Declaration.Variables.class, (table, it) -> {})
                   .run(Declaration.Signal.class, (table, it) -> {})
                   .run(Declaration.External.class, (table, it) -> {})
+                  .run(Declaration.Channel.class, SymbolTable::refuseChannel)
                   .run(Declaration.InitialValue.class, SymbolTable::refuse));
 
   /** Declares everything but the types. */
@@ -58,6 +59,7 @@ final class SymbolTable {
                       Declaration.Signal.class,
                       (table, it) -> Declarations.declare(table.own, it, Access.READ_WRITE))
                   .run(Declaration.External.class, SymbolTable::importVariable)
+                  .run(Declaration.Channel.class, (table, it) -> {})
                   .run(Declaration.InitialValue.class, (table, it) -> {}));
 
   private final KrlModule module;
@@ -165,6 +167,10 @@ final class SymbolTable {
         declareLocal(variable, variables.type(), new StorageLocation.Local(locals.size()));
       }
     }
+  }
+
+  private void refuseChannel(Declaration.Channel channel) throws KrlErrorException {
+    throw new KrlErrorException(channel.position(), "CHANNEL is not supported by this simulation");
   }
 
   private void refuse(Declaration.InitialValue value) throws KrlErrorException {

@@ -36,23 +36,32 @@ final class Block {
   private final Position position;
   private final @Nullable Finish finish;
   private final List<Statement.Case> cases = new ArrayList<>();
-  private final PackedList<Statement> body = new PackedList<>();
+  private final TreeBytes tree;
+  private final PackedList<Statement> body;
   private @Nullable PackedList<Statement> otherwise;
-  private PackedList<Statement> current = body;
+  private PackedList<Statement> current;
   private @Nullable String damage;
   private boolean suspect;
 
   /**
    * Creates an open block.
    *
+   * @param tree the tree of the file
    * @param finish null if the line that opens the block contains an error
    */
-  Block(Token opener, Position position, @Nullable Finish finish) {
+  Block(TreeBytes tree, Token opener, Position position, @Nullable Finish finish) {
+    this.tree = tree;
+    body = statements();
+    current = body;
     this.opener = opener;
     this.position = position;
     this.finish = finish;
     // A line with an error may be a whole statement, without an end.
     suspect = finish == null;
+  }
+
+  private PackedList<Statement> statements() {
+    return new PackedList<>(tree, Statement.class);
   }
 
   Token opener() {
@@ -92,7 +101,7 @@ final class Block {
   }
 
   void beginOtherwise() {
-    otherwise = new PackedList<>();
+    otherwise = statements();
     current = otherwise;
   }
 
@@ -101,7 +110,7 @@ final class Block {
   }
 
   void beginCase(Position casePosition, List<Expression> values) {
-    current = new PackedList<>();
+    current = statements();
     cases.add(new Statement.Case(casePosition, values, current));
   }
 

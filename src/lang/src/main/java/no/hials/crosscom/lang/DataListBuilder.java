@@ -13,13 +13,14 @@ final class DataListBuilder {
   private final ExpressionBuilder expressions;
   private final DeclarationBuilder declarationBuilder;
   private final Position position;
-  private final PackedList<Declaration> declarations = new PackedList<>();
+  private final PackedList<Declaration> declarations;
   private @Nullable String name;
   private boolean isPublic;
   private boolean suspect;
 
-  DataListBuilder(Line line, Errors errors) {
+  DataListBuilder(Line line, TreeBytes tree, Errors errors) {
     this.errors = errors;
+    declarations = new PackedList<>(tree, Declaration.class);
     expressions = new ExpressionBuilder(errors);
     declarationBuilder = new DeclarationBuilder(errors, expressions, true);
     position = errors.at(line.first());
@@ -80,6 +81,6 @@ final class DataListBuilder {
     if (found.getType() != KrlGrammarParser.ENDDAT && !suspect) {
       errors.add(found, "expected ENDDAT, found " + ErrorWords.found(found));
     }
-    return name == null ? null : new DataList(position, name, isPublic, headers, declarations);
+    return name == null ? null : new DataList(position, name, isPublic, headers, declarations.trim());
   }
 }

@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 final class FileBuilder {
   private final LineReader lines;
   private final Errors errors;
+  private final TreeBytes tree;
   private final Map<String, String> headers = new LinkedHashMap<>();
   private final List<Routine> routines = new ArrayList<>();
   private @Nullable RoutineBuilder routine;
@@ -26,6 +27,7 @@ final class FileBuilder {
 
   FileBuilder(String file, String text) {
     errors = new Errors(file);
+    tree = new TreeBytes(file);
     lines = new LineReader(text);
   }
 
@@ -35,6 +37,7 @@ final class FileBuilder {
     }
     Token end = lines.end();
     close(end);
+    tree.close();
     if (begin == null) {
       outside(end);
     }
@@ -93,7 +96,7 @@ final class FileBuilder {
       return;
     }
     begin(line);
-    routine = new RoutineBuilder(line, errors);
+    routine = new RoutineBuilder(line, tree, errors);
   }
 
   private void beginDataList(Line line) {
@@ -104,7 +107,7 @@ final class FileBuilder {
     }
     begin(line);
     isDataList = true;
-    dataBuilder = new DataListBuilder(line, errors);
+    dataBuilder = new DataListBuilder(line, tree, errors);
   }
 
   private void begin(Line line) {

@@ -1,28 +1,71 @@
 package no.hials.crosscom.lang;
 
 import java.util.AbstractList;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Arrays;
+import java.util.RandomAccess;
 
-/** The statements or declarations of a block. Users of the tree cannot change it. */
-final class PackedList<E> extends AbstractList<E> {
-  private final List<E> elements = new ArrayList<>();
+/**
+ * The statements or declarations of a block, stored as bytes: a tree of records would take more
+ * than ten times the memory of its file. An element is created whenever it is read.
+ *
+ * <p>Users of the tree cannot change the list, and any number of threads can read it.
+ */
+final class PackedList<E> extends AbstractList<E> implements RandomAccess {
+  private final TreeBytes tree;
+  private final Class<E> type;
 
-  void append(E element) {
-    elements.add(element);
-  }
+  /** Where each element begins. */
+  private int[] offsets = new int[4];
 
-  void replace(int index, E element) {
-    elements.set(index, element);
+  private int size;
+  private byte[] bytes = new byte[64];
+  private int end;
+
+  PackedList(TreeBytes tree, Class<E> type) {
+    this.tree = tree;
+    this.type = type;
   }
 
   @Override
   public E get(int index) {
-    return elements.get(index);
+    if (index < 0 || index >= size) {
+      throw new IndexOutOfBoundsException("index " + index + ", size " + size);
+    }
+    return type.cast(tree.read(bytes, offsets[index]));
   }
 
   @Override
   public int size() {
-    return elements.size();
+    return size;
+  }
+
+  void append(E element) {
+    if (size == offsets.length) {
+      offsets = Arrays.copyOf(offsets, size + (size >> 1) + 4);
+    }
+    offsets[size++] = write(element);
+  }
+
+  /** Replaces an element, even after {@link #trim}. The bytes of the old element stay. */
+  void replace(int index, E element) {
+    offsets[index] = write(element);
+  }
+
+  private int write(Object element) {
+    byte[] added = tree.of(element);
+    int start = end;
+    end += added.length;
+    if (end > bytes.length) {
+      bytes = Arrays.copyOf(bytes, end + (end >> 1));
+    }
+    System.arraycopy(added, 0, bytes, start, added.length);
+    return start;
+  }
+
+  /** Frees the memory that is reserved for more elements. */
+  PackedList<E> trim() {
+    offsets = Arrays.copyOf(offsets, size);
+    bytes = Arrays.copyOf(bytes, end);
+    return this;
   }
 }

@@ -38,8 +38,9 @@ final class RoutineBuilder {
   private @Nullable String returnType;
   private List<@Nullable Expression> returnDimensions = List.of();
   private List<Routine.Parameter> parameters = List.of();
-  private final PackedList<Declaration> declarations = new PackedList<>();
-  private final PackedList<Statement> body = new PackedList<>();
+  private final TreeBytes tree;
+  private final PackedList<Declaration> declarations;
+  private final PackedList<Statement> body;
   private final List<Block> open = new ArrayList<>();
   private boolean hasStatements;
   private boolean lateReported;
@@ -47,8 +48,11 @@ final class RoutineBuilder {
   private boolean suspect;
   private int unknownLines;
 
-  RoutineBuilder(Line line, Errors errors) {
+  RoutineBuilder(Line line, TreeBytes tree, Errors errors) {
+    this.tree = tree;
     this.errors = errors;
+    declarations = new PackedList<>(tree, Declaration.class);
+    body = new PackedList<>(tree, Statement.class);
     expressions = new ExpressionBuilder(errors);
     declarationBuilder = new DeclarationBuilder(errors, expressions, false);
     statements = new StatementBuilder(errors, expressions, declarationBuilder);
@@ -244,7 +248,7 @@ final class RoutineBuilder {
           line.first(), ErrorWords.found(line.first()) + " is not allowed in a spline block");
       innermost().damage(errors.damage());
     }
-    Block block = new Block(line.first(), errors.at(line.first()), finish);
+    Block block = new Block(tree, line.first(), errors.at(line.first()), finish);
     open.add(block);
     if (open.size() > MAX_BLOCKS) {
       errors.add(line.first(), "blocks nested deeper than " + MAX_BLOCKS);
@@ -412,8 +416,8 @@ final class RoutineBuilder {
             returnDimensions,
             name,
             parameters,
-            declarations,
-            body,
+            declarations.trim(),
+            body.trim(),
             errors.at(found));
   }
 }

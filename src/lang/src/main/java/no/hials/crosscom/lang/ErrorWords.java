@@ -1,6 +1,7 @@
 package no.hials.crosscom.lang;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
@@ -18,11 +19,17 @@ import org.antlr.v4.runtime.misc.IntervalSet;
 /** Describes in KRL's words what the parser expected and what it found. */
 final class ErrorWords {
   /** The operators, whose tokens have their names; {@code +} and {@code -} are also signs. */
-  static final Set<Integer> OPERATORS =
+  private static final Set<Integer> OPERATORS =
       IntStream.rangeClosed(1, KrlGrammarParser.VOCABULARY.getMaxTokenType())
           .filter(type -> type == KrlGrammarParser.COLON || isOperator(tokenName(type)))
           .boxed()
           .collect(Collectors.toSet());
+
+  private static final BitSet OPERATOR_BITS = new BitSet();
+
+  static {
+    OPERATORS.forEach(OPERATOR_BITS::set);
+  }
 
   private static final Set<Integer> NAMES = firstTokens(KrlGrammarParser.RULE_name);
 
@@ -37,6 +44,10 @@ final class ErrorWords {
   private static final int MAX_LENGTH = 40;
 
   private ErrorWords() {}
+
+  static boolean isOperator(Token token) {
+    return token.getType() > 0 && OPERATOR_BITS.get(token.getType());
+  }
 
   private static boolean isOperator(String name) {
     return Stream.of(BinaryOperator.values(), UnaryOperator.values())

@@ -43,7 +43,7 @@ final class ExpressionBuilder {
   }
 
   Expression build(ExpressionContext context) {
-    if (context.primary() != null) {
+    if (context.operator == null) {
       return primary(context.primary());
     }
     Position position = errors.at(context.operator);
@@ -75,16 +75,20 @@ final class ExpressionBuilder {
   }
 
   private Expression primary(PrimaryContext context) {
-    if (context.expression() != null) {
-      return build(context.expression());
-    }
-    if (context.aggregate() != null) {
-      return aggregate(context.aggregate());
-    }
-    if (context.reference() != null) {
-      return reference(context.reference());
-    }
-    return literal(context.getStart());
+    Token start = context.getStart();
+    return switch (start.getType()) {
+      case KrlGrammarParser.LEFT_PARENTHESIS -> build(context.expression());
+      case KrlGrammarParser.LEFT_BRACE -> aggregate(context.aggregate());
+      case KrlGrammarParser.INT,
+          KrlGrammarParser.REAL,
+          KrlGrammarParser.BITS,
+          KrlGrammarParser.TRUE,
+          KrlGrammarParser.FALSE,
+          KrlGrammarParser.TEXT,
+          KrlGrammarParser.ENUM_VALUE ->
+          literal(start);
+      default -> reference(context.reference());
+    };
   }
 
   private Expression literal(Token token) {
@@ -147,7 +151,8 @@ final class ExpressionBuilder {
 
   private Expression.AggregateField field(
       NameContext name, @Nullable BracketsContext brackets, ExpressionContext value) {
-    String written = name.getText() + (brackets == null ? "" : brackets.getText());
+    String plain = name.getStart().getText();
+    String written = brackets == null ? plain : plain + brackets.getText();
     return new Expression.AggregateField(at(name), written, build(value));
   }
 

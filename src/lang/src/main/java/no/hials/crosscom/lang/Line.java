@@ -6,8 +6,6 @@ import java.util.Objects;
 import java.util.Set;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
-import org.antlr.v4.runtime.CommonTokenStream;
-import org.antlr.v4.runtime.ListTokenSource;
 import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
@@ -96,7 +94,7 @@ record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
     if (!NestingLimit.holds(tokens, errors)) {
       return null;
     }
-    parser.setTokenStream(new CommonTokenStream(new ListTokenSource(tokens)));
+    parser.setTokenStream(new LineTokens(parser.getTokenStream().getTokenSource(), tokens));
     try {
       return parser.line().content();
     } catch (ParseCancellationException e) {

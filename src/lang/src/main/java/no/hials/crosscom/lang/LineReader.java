@@ -5,22 +5,24 @@ import java.util.List;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarLexer;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import org.antlr.v4.runtime.CharStreams;
-import org.antlr.v4.runtime.CommonTokenStream;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.atn.PredictionMode;
 import org.jspecify.annotations.Nullable;
 
 /** Splits a file into lines of tokens. */
 final class LineReader {
+  /** The tokens of a motion to six coordinates and its end. */
+  private static final int USUAL_LENGTH = 24;
+
   private final KrlGrammarLexer lexer;
   private final KrlGrammarParser parser;
   private @Nullable Token end;
 
   LineReader(String text) {
     lexer = new KrlGrammarLexer(CharStreams.fromString(text));
-    parser = new KrlGrammarParser(new CommonTokenStream(lexer));
+    parser = new KrlGrammarParser(new LineTokens(lexer, List.of()));
     parser.removeErrorListeners();
-    parser.setErrorHandler(new FirstError());
+    parser.setErrorHandler(new FirstError(parser.getATN()));
     // Only operators need prediction, and this mode is exact for them.
     parser.getInterpreter().setPredictionMode(PredictionMode.SLL);
   }
@@ -45,7 +47,7 @@ final class LineReader {
   }
 
   private Line read() {
-    List<Token> tokens = new ArrayList<>();
+    List<Token> tokens = new ArrayList<>(USUAL_LENGTH);
     String comment = "";
     while (true) {
       Token token = lexer.nextToken();

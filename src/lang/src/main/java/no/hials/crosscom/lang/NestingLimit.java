@@ -47,7 +47,7 @@ final class NestingLimit {
           deepest = Math.max(deepest, depth);
           depth = 0;
         }
-        default -> depth += ErrorWords.OPERATORS.contains(token.getType()) ? 1 : 0;
+        default -> depth += ErrorWords.isOperator(token) ? 1 : 0;
       }
       if (depth + open.size() > MAX) {
         errors.add(token, "an expression with more than " + MAX + " operators and brackets");

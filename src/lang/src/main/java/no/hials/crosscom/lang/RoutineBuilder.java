@@ -8,12 +8,14 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import no.hials.crosscom.lang.Statement.SplineKind;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockBeginContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockEndContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockMiddleContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.FunctionBeginContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.RoutineBeginContext;
 import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.tree.ParseTree;
 import org.jspecify.annotations.Nullable;
 
 /** Builds the tree of the lines from {@code DEF} to {@code END}. */
@@ -110,12 +112,13 @@ final class RoutineBuilder {
   }
 
   private void add(Line line, ContentContext content) {
-    if (content.blockBegin() != null) {
-      begin(line, statements.begin(content.blockBegin()));
-    } else if (content.blockMiddle() != null) {
-      middle(line, content.blockMiddle());
-    } else if (content.blockEnd() != null) {
-      end(line.first(), content.blockEnd());
+    ParseTree first = content.getChild(0);
+    if (first instanceof BlockBeginContext begin) {
+      begin(line, statements.begin(begin));
+    } else if (first instanceof BlockMiddleContext middle) {
+      middle(line, middle);
+    } else if (first instanceof BlockEndContext end) {
+      end(line.first(), end);
     } else {
       Statement statement = statements.build(content);
       if (statement != null) {

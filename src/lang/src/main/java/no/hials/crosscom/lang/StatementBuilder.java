@@ -16,6 +16,7 @@ import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ActionContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.AnalogContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockBeginContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
+import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.DefinitionContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ExpressionContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.InterruptContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.MotionContext;
@@ -31,6 +32,7 @@ import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.TriggerContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.WithContext;
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.tree.ParseTree;
 import org.antlr.v4.runtime.tree.TerminalNode;
 import org.jspecify.annotations.Nullable;
 
@@ -48,33 +50,28 @@ final class StatementBuilder {
 
   /** Returns the statement on a line, or null if it is a declaration or part of a block. */
   @Nullable Statement build(ContentContext content) {
-    if (content.simpleStatement() != null) {
-      return simple(content.simpleStatement());
+    ParseTree first = content.getChild(0);
+    if (first instanceof MotionContext motion) {
+      return motion(motion);
+    } else if (first instanceof NamedContext named) {
+      return named(named);
+    } else if (first instanceof SimpleStatementContext simple) {
+      return simple(simple);
+    } else if (first instanceof SplineMotionContext motion) {
+      return splineMotion(motion);
+    } else if (first instanceof PathCommandContext command) {
+      return pathCommand(command);
+    } else if (first instanceof PulseContext pulse) {
+      return pulse(pulse);
+    } else if (first instanceof TriggerContext trigger) {
+      return trigger(trigger);
+    } else if (first instanceof AnalogContext analog) {
+      return analog(analog);
     }
-    if (content.motion() != null) {
-      return motion(content.motion());
-    }
-    if (content.splineMotion() != null) {
-      return splineMotion(content.splineMotion());
-    }
-    if (content.pathCommand() != null) {
-      return pathCommand(content.pathCommand());
-    }
-    if (content.analog() != null) {
-      return analog(content.analog());
-    }
-    if (content.pulse() != null) {
-      return pulse(content.pulse());
-    }
-    if (content.trigger() != null) {
-      return trigger(content.trigger());
-    }
-    if (content.named() != null) {
-      return named(content.named());
-    }
-    return content.definition() == null || content.definition().interrupt() == null
+    DefinitionContext definition = content.definition();
+    return definition == null || definition.interrupt() == null
         ? null
-        : interrupt(content, content.definition().interrupt());
+        : interrupt(content, definition.interrupt());
   }
 
   private @Nullable Statement named(NamedContext context) {

@@ -65,7 +65,10 @@ final class StatementWords {
 
   /** Returns whether a line is a statement of KRL that is not supported. */
   static boolean isUnsupported(Line line) {
-    return UNSUPPORTED.contains(ErrorWords.upper(line.keyword())) && !isName(line, 0);
+    Token word = line.keyword();
+    return word.getType() == KrlGrammarParser.NAME
+        && UNSUPPORTED.contains(ErrorWords.upper(word))
+        && !isName(line, 0);
   }
 
   /** Returns whether the keyword is the name of a variable, subprogram or label here. */

@@ -1,10 +1,8 @@
 package no.hials.crosscom.lang;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
@@ -16,21 +14,17 @@ import java.util.function.Consumer;
  * Thread-safe, since it has no state.
  */
 public final class KrlParser {
-  /** A byte order mark, and its UTF-8 bytes read as Latin-1. */
-  private static final List<String> MARKS = List.of("\uFEFF", "\u00EF\u00BB\u00BF");
-
   private KrlParser() {}
 
   /**
-   * Parses a file. The file is read as ISO 8859-1, so every byte is a character; a UTF-8 byte order
-   * mark is skipped.
+   * Parses a file, in Windows-1252 or UTF-8 as its contents say; a byte order mark is skipped.
    *
    * @param file the file; positions name it by this path
    * @return the tree and the errors
    * @throws IOException if the file cannot be read
    */
   public static ParseResult parse(Path file) throws IOException {
-    return parse(file.toString(), Files.readString(file, StandardCharsets.ISO_8859_1));
+    return parse(file.toString(), KrlText.decode(Files.readAllBytes(file)));
   }
 
   /**
@@ -38,17 +32,11 @@ public final class KrlParser {
    *
    * @param fileName the name of the file in positions
    * @param text the contents of a {@code .src}, {@code .sub} or {@code .dat} file, with either kind
-   *     of line end; a byte order mark is skipped, even a UTF-8 mark that was read as ISO 8859-1
+   *     of line end; a byte order mark is skipped, even a UTF-8 mark that was read as another encoding
    * @return the tree and the errors
    */
   public static ParseResult parse(String fileName, String text) {
-    String bare = text;
-    for (String mark : MARKS) {
-      if (text.startsWith(mark)) {
-        bare = text.substring(mark.length());
-      }
-    }
-    return new FileBuilder(fileName, bare).build();
+    return new FileBuilder(fileName, KrlText.withoutMark(text)).build();
   }
 
   /**

@@ -8,7 +8,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.entry;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
+import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -212,16 +212,17 @@ class FileTest {
         .hasToString("T.SRC:1:1: expected DEF, DEFFCT or DEFDAT, found X");
   }
 
-  @Test
-  void readsAFileAsLatin1(@TempDir Path folder) throws IOException {
+  @ParameterizedTest
+  @ValueSource(strings = {"windows-1252", "UTF-8"})
+  void readsAFileInEitherEncoding(String encoding, @TempDir Path folder) throws IOException {
     Path path = folder.resolve("A.DAT");
-    Files.write(
-        path, "DEFDAT A\r\nX[]=\"\u00FC\"\r\nY\r\nENDDAT".getBytes(StandardCharsets.ISO_8859_1));
+    String text = "DEFDAT A\r\nX[]=\"\u00FC\u20AC\"\r\nY\r\nENDDAT";
+    Files.write(path, text.getBytes(Charset.forName(encoding)));
 
     ParseResult result = KrlParser.parse(path);
 
     assertThat(show(result.file().orElseThrow()))
-        .isEqualTo("DataList(A, false, [InitialValue(X[]+open, \"\u00FC\", )])");
+        .isEqualTo("DataList(A, false, [InitialValue(X[]+open, \"\u00FC\u20AC\", )])");
     assertThat(result.errors())
         .extracting(KrlError::position)
         .containsExactly(new Position(path.toString(), 3, 1));
@@ -233,6 +234,24 @@ class FileTest {
     Files.writeString(path, "\uFEFFDEF A()\nEND");
 
     assertThat(KrlParser.parse(path).errors()).isEmpty();
+  }
+
+  @Test
+  void keepsEveryByteOfAFileThatIsNotUtf8() {
+    byte[] bytes = {(byte) 0x80, (byte) 0x81, (byte) 0xFC, 0, 'A'};
+
+    assertThat(KrlText.decode(bytes)).isEqualTo("\u20AC\u0081\u00FC\u0000A");
+  }
+
+  @Test
+  void readsAnyByteInAComment() {
+    byte[] bytes = new byte[256];
+    for (int i = 0; i < bytes.length; i++) {
+      bytes[i] = (byte) (i == '\n' ? ' ' : i);
+    }
+    String comment = KrlText.decode(bytes);
+
+    assertThat(errors(parse("DEFDAT A\nINT B=100 ;" + comment + "\nENDDAT"))).isEmpty();
   }
 
   @Test

@@ -446,7 +446,7 @@ ENUM_VALUE : '#' WORD ;
 NAME : WORD ;
 HEADER : '&' ~[\r\n]* ;
 
-COMMENT : ';' ~[\r\n]* -> channel(HIDDEN) ;
+COMMENT : ';' ~[\n]* -> channel(HIDDEN) ;
 BLANK : [ \t]+ -> channel(HIDDEN) ;
 NEWLINE : '\r'* '\n' ;
 

@@ -1,0 +1,55 @@
+package no.hials.crosscom.lang;
+
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * Decodes KRL files. They do not name their encoding: a controller writes Windows-1252, some
+ * editors UTF-8 (docs/reference/krl-language.md#files).
+ */
+public final class KrlText {
+  private static final Charset WINDOWS = Charset.forName("windows-1252");
+  private static final char UNDEFINED = '\uFFFD';
+  private static final char MARK = '\uFEFF';
+
+  /** A byte order mark of UTF-8 that was read as another encoding. */
+  private static final String WRONG_MARK = "\u00EF\u00BB\u00BF";
+
+  private KrlText() {}
+
+  /**
+   * Decodes the contents of a file: as UTF-8 if all of it is valid UTF-8, otherwise as
+   * Windows-1252.
+   *
+   * @param contents the bytes of the file
+   * @return the text without a byte order mark
+   */
+  public static String decode(byte[] contents) {
+    try {
+      CharBuffer text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(contents));
+      return withoutMark(text.toString());
+    } catch (CharacterCodingException e) {
+      return withoutMark(windows(contents));
+    }
+  }
+
+  /** Decodes Windows-1252; a byte that it does not define is the character of the same number. */
+  private static String windows(byte[] contents) {
+    char[] text = new String(contents, WINDOWS).toCharArray();
+    for (int i = 0; i < text.length; i++) {
+      text[i] = text[i] == UNDEFINED ? (char) (contents[i] & 0xFF) : text[i];
+    }
+    return new String(text);
+  }
+
+  /** Returns a text without the byte order mark that it begins with. */
+  static String withoutMark(String text) {
+    if (!text.isEmpty() && text.charAt(0) == MARK) {
+      return text.substring(1);
+    }
+    return text.startsWith(WRONG_MARK) ? text.substring(WRONG_MARK.length()) : text;
+  }
+}

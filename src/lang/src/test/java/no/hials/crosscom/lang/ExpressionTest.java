@@ -47,6 +47,7 @@ class ExpressionTest {
         "A:B/C                 | ((A GEOMETRIC B) DIVIDED C)",
         "-A:B                  | ((MINUS A) GEOMETRIC B)",
         "NOT A AND B           | ((NOT A) AND B)",
+        "NOT A==B              | ((NOT A) EQUAL B)",
         "B_NOT A B_AND B       | ((B_NOT A) B_AND B)",
         // the same precedence, from left to right
         "A-B+C-D               | (((A MINUS B) PLUS C) MINUS D)",

@@ -243,10 +243,8 @@ pathApproximation : C_DIS | C_VEL | C_ORI ;
 // The order of the alternatives is the precedence, highest first; operators of an alternative
 // associate to the left.
 //
-// Assumed: the comparisons are between the bit operators and the logical operators. So
-// A==1 AND B==2 joins two comparisons, and A B_AND 4==4 compares the result of B_AND. The sources
-// place the comparisons last, where A==1 AND B==2 would be (A==(1 AND B))==2, which has no type
-// (docs/reference/krl-language.md#operators). For three BOOLs without parentheses
+// Assumed: the comparisons are between the bit operators and the logical operators. What decides
+// each case is in docs/reference/krl-language.md#operators. For three BOOLs without parentheses
 // (A AND B==C) a controller may differ.
 expression
   : operator=('+' | '-' | NOT | B_NOT) expression

@@ -81,6 +81,8 @@ final class DataListBuilder {
     if (found.getType() != KrlGrammarParser.ENDDAT && !suspect) {
       errors.add(found, "expected ENDDAT, found " + ErrorWords.found(found));
     }
-    return name == null ? null : new DataList(position, name, isPublic, headers, declarations.trim());
+    return name == null
+        ? null
+        : new DataList(position, name, isPublic, headers, declarations.trim());
   }
 }

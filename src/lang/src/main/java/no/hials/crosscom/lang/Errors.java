@@ -33,7 +33,18 @@ final class Errors {
 
   /** Adds an error that makes the tree of the line wrong. */
   void add(Position position, String message) {
-    note(position, message);
+    add(position, message, true);
+  }
+
+  /**
+   * Adds an error that makes the tree of the line wrong.
+   *
+   * @param reported whether it is not a consequence of another error
+   */
+  void add(Position position, String message, boolean reported) {
+    if (reported) {
+      note(position, message);
+    }
     damage = damage == null ? message : damage;
   }
 

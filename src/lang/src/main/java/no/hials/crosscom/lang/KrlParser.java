@@ -32,7 +32,8 @@ public final class KrlParser {
    *
    * @param fileName the name of the file in positions
    * @param text the contents of a {@code .src}, {@code .sub} or {@code .dat} file, with either kind
-   *     of line end; a byte order mark is skipped, even a UTF-8 mark that was read as another encoding
+   *     of line end; a byte order mark is skipped, even a UTF-8 mark that was read as another
+   *     encoding
    * @return the tree and the errors
    */
   public static ParseResult parse(String fileName, String text) {

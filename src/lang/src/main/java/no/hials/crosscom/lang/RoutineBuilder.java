@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import no.hials.crosscom.lang.Statement.SplineKind;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockBeginContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockEndContext;
@@ -174,10 +173,9 @@ final class RoutineBuilder {
   }
 
   private void check(Statement statement) {
-    if (statement instanceof Statement.Exit
-        && unknownLines == 0
-        && open.stream().noneMatch(Block::isLoop)) {
-      errors.add(statement.position(), "EXIT outside a loop");
+    if (statement instanceof Statement.Exit && open.stream().noneMatch(Block::isLoop)) {
+      // an unknown line may be the mistyped start of the loop
+      errors.add(statement.position(), "EXIT outside a loop", unknownLines == 0);
     } else if (statement instanceof Statement.Return result) {
       checkReturn(result);
     } else if (statement instanceof Statement.Label label) {
@@ -189,27 +187,14 @@ final class RoutineBuilder {
 
   /** Reports what is not allowed in a spline block, or only there. */
   private void checkSpline(Token found, Statement statement) {
-    String word = ErrorWords.found(found);
-    Statement.SplineMotion motion =
-        statement instanceof Statement.SplineMotion segment ? segment : null;
-    boolean isSpl =
-        motion != null && (motion.kind() == SplineKind.SPL || motion.kind() == SplineKind.SPL_REL);
-    if (!isInSpline()) {
-      if (open.stream().noneMatch(Block::isSpline)
-          && (isSpl
-              || statement instanceof Statement.TimeBlock
-              || statement instanceof Statement.ConstantVelocity)) {
-        errors.add(found, word + " is allowed only in a spline block");
-      }
-      return;
-    }
-    boolean pointToPoint = StatementBuilder.isPointToPoint(innermost().opener());
-    if (!(statement instanceof Statement.SplineElement)) {
-      errors.add(found, word + " is not allowed in a spline block");
-    } else if (motion != null && motion.kind().pointToPoint() != pointToPoint) {
-      errors.add(found, word + " is not allowed in a " + (pointToPoint ? "PTP_SPLINE" : "SPLINE"));
-    } else if (pointToPoint && statement instanceof Statement.ConstantVelocity) {
-      errors.add(found, word + " is not allowed in a PTP_SPLINE");
+    String violation =
+        isInSpline()
+            ? SplineRules.inside(
+                statement, StatementBuilder.isPointToPoint(innermost().opener()))
+            : SplineRules.outside(statement);
+    // in a block in a spline block, that block is the mistake
+    if (violation != null && (isInSpline() || open.stream().noneMatch(Block::isSpline))) {
+      errors.add(found, ErrorWords.found(found) + violation);
     }
   }
 

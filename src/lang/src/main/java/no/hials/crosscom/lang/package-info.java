@@ -1,10 +1,10 @@
 /**
  * The language KRL: parses {@code .src}, {@code .sub} and {@code .dat} files into trees of records.
  *
- * <p>The parser checks syntax only; the user of a tree resolves its names. Each line is parsed alone
- * and then added to its block, so an error affects only its line; the line stays in the tree as
- * {@link no.hials.crosscom.lang.Statement.Invalid}, and is never skipped. Errors that follow from a
- * reported error are not reported.
+ * <p>The parser checks syntax only; the user of a tree resolves its names. Each line is parsed
+ * alone and then added to its block, so an error affects only its line; the line stays in the tree
+ * as {@link no.hials.crosscom.lang.Statement.Invalid}, and is never skipped. Errors that follow
+ * from a reported error are not reported.
  *
  * <p>The statements and declarations of a tree are stored as bytes and created when they are read:
  * equal, but not the same object each time. A tree takes two to five times the memory of its file.

@@ -23,6 +23,9 @@ class InvalidLinesTest {
         "B=2147483648            | Invalid(2147483648 is not an INT: the largest is 2147483647)",
         "POS=)                   | Invalid(expected a value, found ))",
         "LIN_REL C #D            | Invalid(expected #BASE or #TOOL, found #D)",
+        "LOP;EXIT;ENDLOOP        |"
+            + " Invalid(unknown statement LOP: expected = or ( after it, found the end of the line),"
+            + " Invalid(EXIT outside a loop)",
         "EXIT                    | Invalid(EXIT outside a loop)",
         "RETURN 1                | Invalid(RETURN with a value in a DEF)",
         "GOTO L;A=1              | Invalid(unknown label L), $A",

@@ -13,6 +13,9 @@ final class Errors {
       Comparator.<KrlError>comparingInt(error -> error.position().line())
           .thenComparingInt(error -> error.position().column());
 
+  /** A file that is not KRL has an error on each line, and must not fill the memory. */
+  static final int MAX = 10_000;
+
   private final String file;
   private final Set<KrlError> found = new LinkedHashSet<>();
   private @Nullable String damage;
@@ -50,7 +53,11 @@ final class Errors {
 
   /** Adds an error that leaves the tree of the line as it was meant. */
   void note(Position position, String message) {
-    found.add(new KrlError(position, message));
+    if (found.size() < MAX) {
+      found.add(new KrlError(position, message));
+    } else if (found.size() == MAX) {
+      found.add(new KrlError(position, "more than " + MAX + " errors; the rest is not listed"));
+    }
   }
 
   void add(Token token, String message) {

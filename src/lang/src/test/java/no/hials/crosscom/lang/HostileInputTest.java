@@ -125,6 +125,15 @@ class HostileInputTest {
   }
 
   @Test
+  void limitsTheNumberOfErrors() {
+    List<String> errors = errors(routine("FOO\n".repeat(20_000)));
+
+    assertThat(errors).hasSize(10_001);
+    assertThat(errors.get(10_000))
+        .isEqualTo("10002:1 more than 10000 errors; the rest is not listed");
+  }
+
+  @Test
   void keepsMessagesShort() {
     assertThat(errors(routine("A=" + "B".repeat(1000) + " " + "C".repeat(1000))))
         .containsExactly("2:1004 expected the end of the line, found " + "C".repeat(40) + "...");

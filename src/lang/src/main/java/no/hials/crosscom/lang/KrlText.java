@@ -7,12 +7,13 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Decodes KRL files. They do not name their encoding: a controller writes Windows-1252, some
- * editors UTF-8 (docs/reference/krl-language.md#files).
+ * Decodes and encodes KRL files. They do not name their encoding: a controller writes Windows-1252,
+ * some editors UTF-8 (docs/reference/krl-language.md#files).
  */
 public final class KrlText {
   private static final Charset WINDOWS = Charset.forName("windows-1252");
   private static final char UNDEFINED = '\uFFFD';
+  private static final int LAST_BYTE = 0xFF;
   private static final char MARK = '\uFEFF';
 
   /** A byte order mark of UTF-8 that was read as another encoding. */
@@ -43,6 +44,29 @@ public final class KrlText {
       text[i] = text[i] == UNDEFINED ? (char) (contents[i] & 0xFF) : text[i];
     }
     return new String(text);
+  }
+
+  /**
+   * Encodes the contents of a file, so that {@link #decode} returns them: in Windows-1252 if that
+   * is possible, otherwise in UTF-8 with a byte order mark.
+   *
+   * @param text the text, without a byte order mark
+   * @return the bytes of the file
+   * @throws CharacterCodingException if a character is half a surrogate pair
+   */
+  public static byte[] encode(String text) throws CharacterCodingException {
+    byte[] windows = text.getBytes(WINDOWS);
+    for (int i = 0; i < windows.length && windows.length == text.length(); i++) {
+      boolean undefined = windows[i] == '?' && text.charAt(i) <= LAST_BYTE;
+      windows[i] = undefined ? (byte) text.charAt(i) : windows[i];
+    }
+    if (decode(windows).equals(text)) {
+      return windows;
+    }
+    ByteBuffer encoded = StandardCharsets.UTF_8.newEncoder().encode(CharBuffer.wrap(MARK + text));
+    byte[] bytes = new byte[encoded.remaining()];
+    encoded.get(bytes);
+    return bytes;
   }
 
   /** Returns a text without the byte order mark that it begins with. */

@@ -189,8 +189,7 @@ final class RoutineBuilder {
   private void checkSpline(Token found, Statement statement) {
     String violation =
         isInSpline()
-            ? SplineRules.inside(
-                statement, StatementBuilder.isPointToPoint(innermost().opener()))
+            ? SplineRules.inside(statement, StatementBuilder.isPointToPoint(innermost().opener()))
             : SplineRules.outside(statement);
     // in a block in a spline block, that block is the mistake
     if (violation != null && (isInSpline() || open.stream().noneMatch(Block::isSpline))) {

@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.entry;
 
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -241,6 +242,19 @@ class FileTest {
     byte[] bytes = {(byte) 0x80, (byte) 0x81, (byte) 0xFC, 0, 'A'};
 
     assertThat(KrlText.decode(bytes)).isEqualTo("\u20AC\u0081\u00FC\u0000A");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"plain?", "\u00FC\u20AC\u0081", "\u00C3\u00BC", "\u0080", "\u4E2D", "\uFEFFA"})
+  void readsWhatItWrote(String text) throws CharacterCodingException {
+    assertThat(KrlText.decode(KrlText.encode(text))).isEqualTo(text);
+  }
+
+  @Test
+  void writesWindows1252IfItCan() throws CharacterCodingException {
+    assertThat(KrlText.encode("\u20AC\u0081?")).containsExactly(0x80, 0x81, '?');
+    assertThat(KrlText.encode("\u0080")).containsExactly(0xEF, 0xBB, 0xBF, 0xC2, 0x80);
   }
 
   @Test

@@ -89,7 +89,7 @@ public final class VariableTable {
    * The list of a module, whose name does not start with {@code $}, adds only its GLOBAL
    * declarations, and only if it is PUBLIC; the rest is only checked.
    *
-   * @param file the file, in ISO 8859-1, with any line ends
+   * @param file the file, in Windows-1252 or UTF-8, with any line ends
    * @throws IOException if it cannot be read
    * @throws KrlFileException if it contains errors; the exception lists all of them, and nothing
    *     has changed
@@ -137,7 +137,7 @@ public final class VariableTable {
    * without a value stay without one. Java code can declare names longer than the 24 characters of
    * KRL; such a variable is saved but cannot be loaded.
    *
-   * @param file the file, which is overwritten; in ISO 8859-1, with CR and LF
+   * @param file the file, which is overwritten; in Windows-1252 if possible, else UTF-8; CR and LF
    * @throws IOException if it cannot be written
    * @throws IllegalStateException if a text contains a line break, which a data list cannot contain
    */
@@ -149,7 +149,7 @@ public final class VariableTable {
    * Saves some variables and their types, as {@link #save(Path)} does: {@code save(file, name ->
    * !name.startsWith("$"))} omits the system variables.
    *
-   * @param file the file, which is overwritten; in ISO 8859-1, with CR and LF
+   * @param file the file, which is overwritten; in Windows-1252 if possible, else UTF-8; CR and LF
    * @param variables returns whether to save a variable, given its name as declared
    * @throws IOException if it cannot be written
    * @throws IllegalStateException if a text contains a line break, which a data list cannot contain

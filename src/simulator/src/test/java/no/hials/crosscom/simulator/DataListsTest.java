@@ -312,11 +312,13 @@ class DataListsTest {
     }
 
     @Test
-    void refusesToSaveATextThatTheFileCannotHold() {
+    void savesATextThatWindows1252CannotHold() throws Exception {
       small.declare("GREETING[5]", "CHAR", "\"\u4F60\u597D\"");
-
-      assertThatThrownBy(() -> small.save(directory.resolve("state.dat")))
-          .hasMessageContaining("a data list must be ISO 8859-1, has the line: GREETING[]=");
+      Path file = directory.resolve("state.dat");
+      small.save(file);
+      VariableTable loaded = VariableTable.empty();
+      loaded.load(file);
+      assertThat(loaded.get("GREETING[]")).isEqualTo("\"\u4F60\u597D\"");
     }
 
     @Test

@@ -1,7 +1,6 @@
 package no.hials.crosscom.simulator.internal.data;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -17,6 +16,7 @@ import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.lang.KrlText;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.VariableNote;
@@ -30,7 +30,7 @@ public final class DataLists {
   private DataLists() {}
 
   /**
-   * Parses a file in ISO 8859-1.
+   * Parses a file in Windows-1252 or UTF-8.
    *
    * @throws IOException if the file does not exist or cannot be read
    */
@@ -46,21 +46,12 @@ public final class DataLists {
   }
 
   /**
-   * Writes a file in ISO 8859-1.
+   * Writes a file in Windows-1252, or in UTF-8 if a character requires it.
    *
-   * @throws IOException if the text has another character, or the file cannot be written
+   * @throws IOException if the file cannot be written
    */
   public static void write(java.nio.file.Path file, String text) throws IOException {
-    String line = text.lines().filter(DataLists::isNotLatin1).findFirst().orElse(null);
-    if (line != null) {
-      throw new FileSystemException(
-          file.toString(), null, "a data list must be ISO 8859-1, has the line: " + line);
-    }
-    Files.writeString(file, text, StandardCharsets.ISO_8859_1);
-  }
-
-  private static boolean isNotLatin1(String line) {
-    return line.chars().anyMatch(c -> c > 0xFF);
+    Files.write(file, KrlText.encode(text));
   }
 
   /**

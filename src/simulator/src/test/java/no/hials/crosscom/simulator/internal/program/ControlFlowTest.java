@@ -18,6 +18,18 @@ class ControlFlowTest {
   }
 
   @Test
+  void stopsAtALineThatCouldNotBeParsed() {
+    Rig rig = new Rig().loadLeniently("DEF TEST()\nI = 1\nGRIPPER OPEN\nI = 2\nEND\n");
+    rig.select("TEST");
+    rig.interpreter.start();
+    rig.cycle();
+
+    assertThat(rig.fault())
+        .isEqualTo("9010 line 3: unknown statement GRIPPER; a type needs DECL before it");
+    assertThat(rig.get("I")).isEqualTo("1");
+  }
+
+  @Test
   void skipsAnIfWithoutElse() {
     assertThat(new Rig().execute("IF 1 > 2 THEN\nI = 1\nENDIF").get("I")).isEqualTo("0");
   }

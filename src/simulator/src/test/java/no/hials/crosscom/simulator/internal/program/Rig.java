@@ -119,6 +119,13 @@ final class Rig {
     return this;
   }
 
+  /** Loads a module without regard to the errors of the parser. */
+  Rig loadLeniently(String source) {
+    SourceFile file = (SourceFile) KrlParser.parse("test.src", source).file().orElseThrow();
+    assertThat(library.put(file, null)).isEmpty();
+    return this;
+  }
+
   /** Loads a module and returns its errors, with lines and columns. */
   List<String> errorsOf(String source) {
     SourceFile file = (SourceFile) parse("test.src", source);

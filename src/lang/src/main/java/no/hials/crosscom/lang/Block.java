@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import no.hials.crosscom.lang.internal.PackedList;
+import no.hials.crosscom.lang.internal.TreeBytes;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockEndContext;
 import org.antlr.v4.runtime.Token;

@@ -1,6 +1,8 @@
 package no.hials.crosscom.lang;
 
 import java.util.Map;
+import no.hials.crosscom.lang.internal.PackedList;
+import no.hials.crosscom.lang.internal.TreeBytes;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.ContentContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.NamedContext;

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import no.hials.crosscom.lang.internal.TreeBytes;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;

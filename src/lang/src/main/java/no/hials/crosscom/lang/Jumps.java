@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import no.hials.crosscom.lang.internal.PackedList;
 import org.jspecify.annotations.Nullable;
 
 /** Checks the labels of a routine and the jumps to them. */

@@ -2,6 +2,8 @@ package no.hials.crosscom.lang;
 
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.lang.internal.FirstError;
+import no.hials.crosscom.lang.internal.LineTokens;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarLexer;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import org.antlr.v4.runtime.CharStreams;

@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import no.hials.crosscom.lang.internal.PackedList;
+import no.hials.crosscom.lang.internal.TreeBytes;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockBeginContext;
 import no.hials.crosscom.lang.internal.grammar.KrlGrammarParser.BlockEndContext;

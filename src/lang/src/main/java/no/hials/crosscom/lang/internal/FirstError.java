@@ -1,4 +1,4 @@
-package no.hials.crosscom.lang;
+package no.hials.crosscom.lang.internal;
 
 import java.util.BitSet;
 import org.antlr.v4.runtime.BailErrorStrategy;
@@ -15,11 +15,12 @@ import org.jspecify.annotations.Nullable;
  * Ends the parse of a line at its first error. ANTLR's own strategy guesses the intended token and
  * continues, and then also reports the errors that follow from a wrong guess.
  */
-final class FirstError extends BailErrorStrategy {
+public final class FirstError extends BailErrorStrategy {
   /** The tokens that can follow each state of the parser; null if not yet asked. */
   private final @Nullable BitSet[] next;
 
-  FirstError(ATN atn) {
+  /** Creates the strategy of a parser. */
+  public FirstError(ATN atn) {
     next = new BitSet[atn.states.size()];
   }
 

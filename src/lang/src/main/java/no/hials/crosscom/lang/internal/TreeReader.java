@@ -1,8 +1,9 @@
-package no.hials.crosscom.lang;
+package no.hials.crosscom.lang.internal;
 
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import no.hials.crosscom.lang.Position;
 import org.jspecify.annotations.Nullable;
 
 /** Creates a record of a tree from the bytes of {@link TreeBytes}. */

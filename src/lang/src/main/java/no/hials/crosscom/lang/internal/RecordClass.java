@@ -1,4 +1,4 @@
-package no.hials.crosscom.lang;
+package no.hials.crosscom.lang.internal;
 
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
@@ -17,6 +17,9 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import no.hials.crosscom.lang.Declaration;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.Statement;
 import org.jspecify.annotations.Nullable;
 
 /** A class of records in a tree, found by reflection: how to take one apart and create it again. */

@@ -1,4 +1,4 @@
-package no.hials.crosscom.lang;
+package no.hials.crosscom.lang.internal;
 
 import java.util.AbstractList;
 import java.util.Arrays;
@@ -10,7 +10,7 @@ import java.util.RandomAccess;
  *
  * <p>Users of the tree cannot change the list, and any number of threads can read it.
  */
-final class PackedList<E> extends AbstractList<E> implements RandomAccess {
+public final class PackedList<E> extends AbstractList<E> implements RandomAccess {
   private final TreeBytes tree;
   private final Class<E> type;
 
@@ -21,7 +21,13 @@ final class PackedList<E> extends AbstractList<E> implements RandomAccess {
   private byte[] bytes = new byte[64];
   private int end;
 
-  PackedList(TreeBytes tree, Class<E> type) {
+  /**
+   * Creates an empty list.
+   *
+   * @param tree the tree of the file
+   * @param type the class of the elements
+   */
+  public PackedList(TreeBytes tree, Class<E> type) {
     this.tree = tree;
     this.type = type;
   }
@@ -39,7 +45,8 @@ final class PackedList<E> extends AbstractList<E> implements RandomAccess {
     return size;
   }
 
-  void append(E element) {
+  /** Adds an element to the end. */
+  public void append(E element) {
     if (size == offsets.length) {
       offsets = Arrays.copyOf(offsets, size + (size >> 1) + 4);
     }
@@ -47,7 +54,7 @@ final class PackedList<E> extends AbstractList<E> implements RandomAccess {
   }
 
   /** Replaces an element, even after {@link #trim}. The bytes of the old element stay. */
-  void replace(int index, E element) {
+  public void replace(int index, E element) {
     offsets[index] = write(element);
   }
 
@@ -63,7 +70,7 @@ final class PackedList<E> extends AbstractList<E> implements RandomAccess {
   }
 
   /** Frees the memory that is reserved for more elements. */
-  PackedList<E> trim() {
+  public PackedList<E> trim() {
     offsets = Arrays.copyOf(offsets, size);
     bytes = Arrays.copyOf(bytes, end);
     return this;

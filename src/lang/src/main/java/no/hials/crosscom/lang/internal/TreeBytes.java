@@ -1,4 +1,4 @@
-package no.hials.crosscom.lang;
+package no.hials.crosscom.lang.internal;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import no.hials.crosscom.lang.Position;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -13,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * components in order; texts and the lists of blocks are numbers in a table of the file. {@link
  * TreeReader} is the opposite. The bytes never leave the memory.
  */
-final class TreeBytes {
+public final class TreeBytes {
   /** What is null: a record, a text or a list. */
   static final int NULL = 0;
 
@@ -42,12 +43,13 @@ final class TreeBytes {
   private int end;
   private int line;
 
-  TreeBytes(String file) {
+  /** Creates the table of a file, whose name is in each position. */
+  public TreeBytes(String file) {
     this.file = file;
   }
 
   /** Frees the memory that only {@link #of} needs. */
-  void close() {
+  public void close() {
     numbers = Map.of();
   }
 

@@ -1,4 +1,4 @@
-package no.hials.crosscom.lang;
+package no.hials.crosscom.lang.internal;
 
 import java.util.List;
 import org.antlr.v4.runtime.CommonToken;
@@ -9,14 +9,20 @@ import org.antlr.v4.runtime.TokenStream;
 import org.antlr.v4.runtime.misc.Interval;
 
 /** The tokens of a line as the parser reads them. ANTLR's own streams hold a whole file. */
-final class LineTokens implements TokenStream {
+public final class LineTokens implements TokenStream {
   private static final Token END = new CommonToken(Token.EOF);
 
   private final TokenSource source;
   private final List<Token> tokens;
   private int index;
 
-  LineTokens(TokenSource source, List<Token> tokens) {
+  /**
+   * Creates a stream.
+   *
+   * @param source the source of the tokens
+   * @param tokens the tokens of the line and its end
+   */
+  public LineTokens(TokenSource source, List<Token> tokens) {
     this.source = source;
     this.tokens = tokens;
   }

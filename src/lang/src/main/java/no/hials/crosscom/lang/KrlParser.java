@@ -24,7 +24,7 @@ public final class KrlParser {
    * @throws IOException if the file cannot be read
    */
   public static ParseResult parse(Path file) throws IOException {
-    return parse(file.toString(), KrlText.decode(Files.readAllBytes(file)));
+    return parse(file.toString(), KrlEncoding.decode(Files.readAllBytes(file)));
   }
 
   /**
@@ -37,7 +37,7 @@ public final class KrlParser {
    * @return the tree and the errors
    */
   public static ParseResult parse(String fileName, String text) {
-    return new FileBuilder(fileName, KrlText.withoutMark(text)).build();
+    return new FileBuilder(fileName, KrlEncoding.withoutMark(text)).build();
   }
 
   /**

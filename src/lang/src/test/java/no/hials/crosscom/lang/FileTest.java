@@ -241,20 +241,20 @@ class FileTest {
   void keepsEveryByteOfAFileThatIsNotUtf8() {
     byte[] bytes = {(byte) 0x80, (byte) 0x81, (byte) 0xFC, 0, 'A'};
 
-    assertThat(KrlText.decode(bytes)).isEqualTo("\u20AC\u0081\u00FC\u0000A");
+    assertThat(KrlEncoding.decode(bytes)).isEqualTo("\u20AC\u0081\u00FC\u0000A");
   }
 
   @ParameterizedTest
   @ValueSource(
       strings = {"plain?", "\u00FC\u20AC\u0081", "\u00C3\u00BC", "\u0080", "\u4E2D", "\uFEFFA"})
   void readsWhatItWrote(String text) throws CharacterCodingException {
-    assertThat(KrlText.decode(KrlText.encode(text))).isEqualTo(text);
+    assertThat(KrlEncoding.decode(KrlEncoding.encode(text))).isEqualTo(text);
   }
 
   @Test
   void writesWindows1252IfItCan() throws CharacterCodingException {
-    assertThat(KrlText.encode("\u20AC\u0081?")).containsExactly(0x80, 0x81, '?');
-    assertThat(KrlText.encode("\u0080")).containsExactly(0xEF, 0xBB, 0xBF, 0xC2, 0x80);
+    assertThat(KrlEncoding.encode("\u20AC\u0081?")).containsExactly(0x80, 0x81, '?');
+    assertThat(KrlEncoding.encode("\u0080")).containsExactly(0xEF, 0xBB, 0xBF, 0xC2, 0x80);
   }
 
   @Test
@@ -263,7 +263,7 @@ class FileTest {
     for (int i = 0; i < bytes.length; i++) {
       bytes[i] = (byte) (i == '\n' ? ' ' : i);
     }
-    String comment = KrlText.decode(bytes);
+    String comment = KrlEncoding.decode(bytes);
 
     assertThat(errors(parse("DEFDAT A\nINT B=100 ;" + comment + "\nENDDAT"))).isEmpty();
   }

@@ -109,13 +109,14 @@ class SampleFilesTest {
       throws Exception {
     for (String name : List.of("globals.dat", "newer.src", "machine.dat", "config.dat")) {
       ParseResult expected = KrlParser.parse(path(name));
-      String text = KrlText.decode(Files.readAllBytes(path(name))).replace("\r\n", "\n");
+      String text = KrlEncoding.decode(Files.readAllBytes(path(name))).replace("\r\n", "\n");
       String ended = windows ? text.replace("\n", "\r\n") : text;
       String marked = windows && encoding.equals("UTF-8") ? "\uFEFF" + ended : ended;
 
       byte[] bytes = marked.getBytes(Charset.forName(encoding));
 
-      assertThat(KrlParser.parse(path(name).toString(), KrlText.decode(bytes))).isEqualTo(expected);
+      assertThat(KrlParser.parse(path(name).toString(), KrlEncoding.decode(bytes)))
+          .isEqualTo(expected);
     }
   }
 

@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * TreeReader} is the opposite. The bytes never leave the memory.
  */
 public final class TreeBytes {
-  /** What is null: a record, a text or a list. */
+  /** A record, a text or a list that is null. */
   static final int NULL = 0;
 
   /** A text in a list; the classes of records follow. */

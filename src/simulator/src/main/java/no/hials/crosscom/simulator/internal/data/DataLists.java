@@ -13,10 +13,10 @@ import java.util.Map;
 import java.util.Optional;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.Declaration;
+import no.hials.crosscom.lang.KrlEncoding;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
-import no.hials.crosscom.lang.KrlText;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.VariableNote;
@@ -51,7 +51,7 @@ public final class DataLists {
    * @throws IOException if the file cannot be written
    */
   public static void write(java.nio.file.Path file, String text) throws IOException {
-    Files.write(file, KrlText.encode(text));
+    Files.write(file, KrlEncoding.encode(text));
   }
 
   /**

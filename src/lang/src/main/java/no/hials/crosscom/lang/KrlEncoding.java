@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
  * Decodes and encodes KRL files. They do not name their encoding: a controller writes Windows-1252,
  * some editors UTF-8 (docs/reference/krl-language.md#files).
  */
-public final class KrlText {
+public final class KrlEncoding {
   private static final Charset WINDOWS = Charset.forName("windows-1252");
   private static final char UNDEFINED = '\uFFFD';
   private static final int LAST_BYTE = 0xFF;
@@ -19,7 +19,7 @@ public final class KrlText {
   /** A byte order mark of UTF-8 that was read as another encoding. */
   private static final String WRONG_MARK = "\u00EF\u00BB\u00BF";
 
-  private KrlText() {}
+  private KrlEncoding() {}
 
   /**
    * Decodes the contents of a file: as UTF-8 if all of it is valid UTF-8, otherwise as

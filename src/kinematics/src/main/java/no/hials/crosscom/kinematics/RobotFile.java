@@ -43,6 +43,10 @@ final class RobotFile {
     } catch (IllegalArgumentException e) {
       throw new IOException(file + ": expected a properties file, found " + e.getMessage(), e);
     }
+    return of(file, properties);
+  }
+
+  static RobotFile of(String file, Properties properties) throws IOException {
     RobotFile robot = new RobotFile(file, properties);
     for (String key : new TreeSet<>(properties.stringPropertyNames())) {
       if (!KEYS.contains(key)) {

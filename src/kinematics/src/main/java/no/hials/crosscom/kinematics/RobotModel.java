@@ -105,6 +105,23 @@ public final class RobotModel {
   }
 
   /**
+   * Returns a robot by its name. Its accelerations and home are assumed
+   * (docs/reference/robots.md#sources).
+   *
+   * @param name such as "KR 210 R2700-2", in any case, with or without blanks
+   * @throws IllegalArgumentException if the name is not one of {@link #names}; the message has the
+   *     nearest ones
+   */
+  public static RobotModel named(String name) {
+    return RobotTable.named(name);
+  }
+
+  /** Returns the names of the robots that {@link #named} knows. */
+  public static List<String> names() {
+    return RobotTable.names();
+  }
+
+  /**
    * Reads a model from a file.
    *
    * @param file a properties file in UTF-8

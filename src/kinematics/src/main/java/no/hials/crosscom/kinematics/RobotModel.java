@@ -12,17 +12,22 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Function;
 import no.hials.crosscom.kinematics.UnreachableException.Reason;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A six-axis robot: its geometry, limits, speeds and home position, and its forward and inverse
  * kinematics. Immutable and thread-safe.
  *
- * <p>The robot is data: {@link #load(Path)} reads another robot from a file in the format of {@code
+ * <p>The robot is data: {@link #named} finds one of many robots, {@link #fromMachineData} reads
+ * that of a controller, and {@link #load(Path)} reads a file in the format of {@code
  * kr6r900sixx.properties}, which is next to this class and explains its keys. The flange is in
  * {@code $ROBROOT} coordinates; lengths are in mm and angles in degrees. An axis index is 0 for A1
  * to 5 for A6.
@@ -146,6 +151,31 @@ public final class RobotModel {
     return RobotFile.read(reader, nameForErrors).toModel();
   }
 
+  /**
+   * Returns the robot that machine data describe (docs/reference/robots.md#machine-data). Its home
+   * is XHOME, else {@code $AXIS_HOME[1]}, else assumed, as are accelerations without {@code
+   * $RAISE_TIME}.
+   *
+   * @param variables returns the value of a variable such as {@code $LENGTH_A}, {@code $TX3P3},
+   *     {@code $SOFTN_END[1]} or {@code $TRAFONAME[]}, or empty
+   * @throws MachineDataException if a value is missing or the arm is of another kind, such as a
+   *     palletizer; the message has the variable, and the expected and actual value
+   */
+  public static RobotModel fromMachineData(Function<String, Optional<KrlValue>> variables)
+      throws MachineDataException {
+    return MachineData.toModel(variables);
+  }
+
+  /**
+   * Returns this robot's machine data, from which {@link #fromMachineData} creates it again.
+   * Without the lengths of a robot whose axes have other offsets than a KUKA's.
+   *
+   * @return the values by variable, such as {@code $LENGTH_A} or {@code $SOFTN_END[1]}
+   */
+  public Map<String, KrlValue> machineData() {
+    return MachineData.of(this, arm);
+  }
+
   /** Returns the name of the robot, such as "KR 6 R900 sixx". */
   public String name() {
     return name;
@@ -194,6 +224,10 @@ public final class RobotModel {
    */
   public double maxAcceleration(int axis) {
     return maxAcceleration.get(axis);
+  }
+
+  RobotModel withHome(Axis position) {
+    return new RobotModel(name, arm, minimum, maximum, maxSpeed, maxAcceleration, position);
   }
 
   /**

@@ -61,7 +61,7 @@ public final class MockServer implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(MockServer.class);
 
   private final MockServerConfig config;
-  private final VariableTable variables = VariableTable.krc4();
+  private final VariableTable variables;
   private final FileTree files;
   private final FaultScript faults = new FaultScript();
   private final RequestLog requests;
@@ -80,6 +80,7 @@ public final class MockServer implements AutoCloseable {
 
   private MockServer(MockServerConfig config) throws IOException {
     this.config = config;
+    variables = VariableTable.krc4(config.robot());
     requests = new RequestLog(config.recordedRequests(), config.recordedBytes());
     files = config.files().orElseGet(FileTree::inMemory);
     C3ProxyVariables bridge = new C3ProxyVariables(config, this::address);

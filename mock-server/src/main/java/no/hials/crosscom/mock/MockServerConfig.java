@@ -520,7 +520,10 @@ public final class MockServerConfig {
       return this;
     }
 
-    /** Sets the robot that the controller moves. The default is a KR 6 R900 sixx. */
+    /**
+     * Sets the robot that the controller moves, such as {@code RobotModel.named("KR 210 R2700-2")},
+     * and its machine data in the variables. The default is a KR 6 R900 sixx.
+     */
     public Builder robot(RobotModel value) {
       options.robot = Objects.requireNonNull(value, "robot");
       return this;

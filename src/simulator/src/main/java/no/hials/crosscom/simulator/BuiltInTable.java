@@ -3,6 +3,10 @@ package no.hials.crosscom.simulator;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
@@ -29,6 +33,13 @@ final class BuiltInTable {
           new Range("$VEL_EXTAX", 1, 100),
           new Range("$ACC_EXTAX", 1, 100));
 
+  /** The variables that have their positions from the lists until a controller is created. */
+  private static final List<String> AXES_AT_HOME =
+      List.of("$AXIS_ACT", "$AXIS_ACT_MEAS", "$AXIS_FOR", "$AXIS_BACK", "$AXIS_RET");
+
+  private static final List<String> FLANGE_AT_HOME =
+      List.of("$POS_ACT", "$POS_ACT_MES", "$POS_FOR", "$POS_BACK", "$POS_RET");
+
   /** Never changed, only copied. */
   static final VariableTable KRC4 = krc4();
 
@@ -40,6 +51,37 @@ final class BuiltInTable {
       table.scope().guard(range.name(), (path, value) -> check(range, value));
     }
     return table;
+  }
+
+  static VariableTable of(RobotModel robot) {
+    VariableTable table = KRC4.copy();
+    // the lists in the jar have its machine data, as they are on a real controller
+    if (!robot.equals(RobotModel.kr6r900sixx())) {
+      Map<String, KrlValue> data = robot.machineData();
+      data.forEach(table::set);
+      KrlValue home = Objects.requireNonNull(data.get("XHOME"));
+      AXES_AT_HOME.forEach(name -> table.set(name, home));
+      KrlValue flange = flange(robot);
+      FLANGE_AT_HOME.forEach(name -> table.set(name, flange));
+    }
+    return table;
+  }
+
+  /** Returns the flange of a robot at home as an E6POS. */
+  private static KrlValue flange(RobotModel robot) {
+    Frame frame = robot.forward(robot.home());
+    return KrlValue.parse(
+        String.format(
+            Locale.ROOT,
+            "{X %s,Y %s,Z %s,A %s,B %s,C %s,S %d,T %d}",
+            frame.x(),
+            frame.y(),
+            frame.z(),
+            frame.a(),
+            frame.b(),
+            frame.c(),
+            robot.status(robot.home()),
+            robot.turn(robot.home())));
   }
 
   /** Returns a table of some data lists in the jar. */

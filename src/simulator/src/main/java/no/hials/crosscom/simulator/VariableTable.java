@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.KrlError;
@@ -58,6 +59,18 @@ public final class VariableTable {
    */
   public static VariableTable krc4() {
     return BuiltInTable.KRC4.copy();
+  }
+
+  /**
+   * Creates the table of {@link #krc4} with the machine data of another robot, at its home position
+   * (docs/reference/robots.md#machine-data). Other values, such as loads and the speeds of T1, stay
+   * those of the KR 6 R900 sixx.
+   *
+   * @param robot the robot
+   * @return a new table
+   */
+  public static VariableTable krc4(RobotModel robot) {
+    return BuiltInTable.of(robot);
   }
 
   /**

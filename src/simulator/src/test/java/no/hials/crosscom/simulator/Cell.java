@@ -24,6 +24,12 @@ final class Cell implements AutoCloseable {
     controller.place(START);
   }
 
+  /** Creates a cell of another controller, in mode AUT. */
+  Cell(Controller controller) {
+    this.controller = controller;
+    controller.setMode(OperatingMode.AUT);
+  }
+
   /** Waits for something that must come; the build's time limit ends it otherwise. */
   static void await(BooleanSupplier condition) {
     while (!condition.getAsBoolean()) {

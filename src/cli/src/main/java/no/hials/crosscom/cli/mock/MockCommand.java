@@ -20,6 +20,7 @@ import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.cli.base.Terminal;
+import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.mock.FaultRule;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
@@ -36,8 +37,8 @@ import picocli.CommandLine.Option;
 @Command(
     name = "mock",
     description = {
-      "Simulates a controller with KUKAVARPROXY or C3 Bridge (KR 6 R900 sixx, KR C4) until"
-          + " Ctrl-C, with variables, programs, files and a robot.",
+      "Simulates a controller with KUKAVARPROXY or C3 Bridge (KR C4, KR 6 R900 sixx or another"
+          + " robot) until Ctrl-C, with variables, programs and files.",
       "The first line of stdout ends with a colon and the port."
     },
     footer = {
@@ -119,6 +120,15 @@ public final class MockCommand extends ConsoleCommand {
   private String codePage = "1252";
 
   @Option(
+      names = "--robot",
+      paramLabel = "NAME",
+      description = "The robot, such as \"KR 210 R2700-2\". Default: \"KR 6 R900 sixx\".")
+  private @Nullable String robot;
+
+  @Option(names = "--robots", description = "Print the names for --robot, and end.")
+  private boolean listRobots;
+
+  @Option(
       names = "--files",
       paramLabel = "FOLDER",
       description =
@@ -185,6 +195,10 @@ public final class MockCommand extends ConsoleCommand {
 
   @Override
   public ExitCode run() throws IOException {
+    if (listRobots) {
+      RobotModel.names().forEach(console()::print);
+      return ExitCode.DONE;
+    }
     if (host != null && host.isBlank()) {
       throw wrongUsage("--host must not be blank");
     }
@@ -196,6 +210,8 @@ public final class MockCommand extends ConsoleCommand {
             mistake -> {
               throw wrongUsage(mistake);
             });
+    RobotModel model =
+        robot == null ? RobotModel.kr6r900sixx() : argument("--robot", robot, RobotModel::named);
     int page = argument("--code-page", codePage, MockCommand::codePage);
     Latency times = argument("--latency", latency, text -> Latency.parse(text, seed));
     List<FaultRule> rules = new ArrayList<>();
@@ -209,7 +225,8 @@ public final class MockCommand extends ConsoleCommand {
             Robots.listen(
                 address,
                 port,
-                with().andThen(cfg -> cfg.clock(speed).latency(times).codePage(page)))) {
+                with()
+                    .andThen(cfg -> cfg.clock(speed).latency(times).codePage(page).robot(model)))) {
       rules.forEach(server::faults);
       List<String> lines = setup.apply(server.controller());
       if (serverType == ServerType.C3_BRIDGE) {

@@ -117,6 +117,26 @@ class MockCommandTest {
         .contains("codePage must be a code page of Windows such as 1252, 1251 or 936, is 7");
   }
 
+  // robot
+
+  @Test
+  void movesTheRobotThatIsAskedFor() throws Exception {
+    try (RunningMock mock = new RunningMock("--no-discovery", "--robot", "kr210 r2700-2")) {
+      assertThat(mock.read("$MODEL_NAME[]")).isEqualTo("\"#KR210R2700_2 C4 FLR\"");
+      assertThat(mock.read("$POS_ACT.X")).isEqualTo("1765.00");
+    }
+  }
+
+  @Test
+  void listsTheNamesOfTheRobotsAndTheNearestOfAnUnknownOne() {
+    assertThat(Cli.run("mock", "--robots").lines())
+        .hasSize(45)
+        .contains("KR 6 R900 sixx", "KR 210 R2700-2");
+    Cli.run("mock", "--port", "0", "--robot", "KR 210 R2700")
+        .fails(2)
+        .contains("no robot is named KR 210 R2700, the nearest names are KR 210 R2700-2, ");
+  }
+
   // faults and times
 
   @Test

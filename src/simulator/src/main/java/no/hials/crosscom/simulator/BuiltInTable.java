@@ -50,6 +50,7 @@ final class BuiltInTable {
     for (Range range : RANGES) {
       table.scope().guard(range.name(), (path, value) -> check(range, value));
     }
+    table.forgetRobotData();
     return table;
   }
 

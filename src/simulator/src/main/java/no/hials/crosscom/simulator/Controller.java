@@ -19,6 +19,7 @@ import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.internal.core.ControllerCore;
 import no.hials.crosscom.simulator.internal.core.Pacemaker;
+import no.hials.crosscom.simulator.internal.core.RobotData;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -61,9 +62,10 @@ public final class Controller implements AutoCloseable {
   /**
    * Creates a controller. Its time starts now.
    *
-   * @param variables its variables
+   * @param variables its variables, such as {@link VariableTable#krc4(RobotModel)} of the model
    * @param clock the pace of its time
-   * @param model the robot that it moves
+   * @param model the robot that it moves, unless machine data of another were loaded into the
+   *     variables
    * @param threadName the name of its thread; a stepped clock needs none
    */
   public Controller(
@@ -75,6 +77,7 @@ public final class Controller implements AutoCloseable {
             ? BEGIN
             : LocalDateTime.now(ZoneId.systemDefault());
     core = new ControllerCore(variables.scope(), model, begin);
+    core.loaded(new RobotData(variables.robotData(), variables.robotData()));
     loader = new ModuleLoader(core, variables);
     robot = new ProgramControl(core, Interpreter.ROBOT);
     submit = new ProgramControl(core, Interpreter.SUBMIT);
@@ -148,6 +151,11 @@ public final class Controller implements AutoCloseable {
    * controller: its declarations are global. Any other list belongs to the module of the same name,
    * in either order of loading; the module's variables then have their initial values. A module
    * replaces an older one; a selected program keeps the old module until it is selected again.
+   *
+   * <p>A list of the controller that sets {@code $TRAFONAME} has the machine data of a robot, which
+   * replaces the present one. A robot that has not moved yet then stands at {@code XHOME} of a
+   * loaded list, else at {@code $AXIS_HOME[1]}. If the machine data describe another kind of robot,
+   * such as a palletizer, a message says why, and the present one stays.
    *
    * @param fileName the file's name, for messages
    * @param text its contents

@@ -19,6 +19,8 @@ import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.simulator.internal.core.ControllerCore;
+import no.hials.crosscom.simulator.internal.core.RobotData;
+import no.hials.crosscom.simulator.internal.data.DataLists;
 import org.jspecify.annotations.Nullable;
 
 /** Loads data lists and programs into the controller. Thread-safe. */
@@ -175,6 +177,7 @@ final class ModuleLoader {
       throws KrlFileException {
     // of a module's list this publishes the global declarations, and reports the errors
     variables.load(fileName, parsed);
+    core.loaded(new RobotData(DataLists.set(list, RobotData.SIGNS), variables.robotData()));
     if (!list.name().startsWith("$")) {
       core.withLibrary(
           library -> {

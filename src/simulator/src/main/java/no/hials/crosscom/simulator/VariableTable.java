@@ -22,6 +22,7 @@ import no.hials.crosscom.lang.VariableNote;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.internal.core.RobotData;
 import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.data.DataListWriter;
 import no.hials.crosscom.simulator.internal.data.DataLists;
@@ -47,6 +48,9 @@ public final class VariableTable {
 
   /** The notes of the variables, by their names in upper case; replaced, never changed. */
   private volatile Map<String, VariableNote> notes = Map.of();
+
+  /** The variables of {@link RobotData#SIGNS} that were loaded; replaced, never changed. */
+  private volatile Set<String> robotData = Set.of();
 
   private VariableTable() {}
 
@@ -91,6 +95,7 @@ public final class VariableTable {
     VariableTable copy = new VariableTable();
     copy.scope.copyFrom(scope);
     copy.notes = notes;
+    copy.robotData = robotData;
     return copy;
   }
 
@@ -141,6 +146,9 @@ public final class VariableTable {
     Map<String, VariableNote> all = new HashMap<>(notes);
     all.putAll(DataLists.notes(list));
     notes = Map.copyOf(all);
+    Set<String> signs = DataLists.set(list, RobotData.SIGNS);
+    signs.addAll(robotData);
+    robotData = Set.copyOf(signs);
     return true;
   }
 
@@ -420,6 +428,16 @@ public final class VariableTable {
    */
   public KrlValue readValue(String name) throws RefusedException {
     return scope.read(VariablePath.parse(name));
+  }
+
+  /** Returns which variables of {@link RobotData#SIGNS} were loaded from a data list. */
+  Set<String> robotData() {
+    return robotData;
+  }
+
+  /** Forgets that data of a robot were loaded: a robot model describes it. */
+  void forgetRobotData() {
+    robotData = Set.of();
   }
 
   /** Returns the scope of the global variables. */

@@ -78,4 +78,145 @@ final class RobotTest {
       assertThat(controller.axes().a1() - before).isEqualTo(116.8 * 0.12, within(0.001));
     }
   }
+
+  // machine data in data lists
+
+  private static final String MACHINE =
+      """
+      DEFDAT $MACHINE PUBLIC
+      CHAR $TRAFONAME[32]
+      $TRAFONAME[]="#KR210R2700_2 C4 FLR"
+      DECL FRAME $TIRORO={X 0.0,Y 0.0,Z 645.0,A 0.0,B 0.0,C 0.0}
+      REAL $LENGTH_A=330.0
+      REAL $LENGTH_B=1150.0
+      DECL FRAME $TX3P3={X 1220.0,Y 0.0,Z 115.0,A 0.0,B 90.0,C 0.0}
+      DECL FRAME $TFLWP={X 0.0,Y 0.0,Z 215.0,A 0.0,B 0.0,C 0.0}
+      REAL $SOFTN_END[12]
+      $SOFTN_END[1]=-185.0
+      $SOFTN_END[2]=-140.0
+      $SOFTN_END[3]=-120.0
+      $SOFTN_END[4]=-350.0
+      $SOFTN_END[5]=-125.0
+      $SOFTN_END[6]=-350.0
+      REAL $SOFTP_END[12]
+      $SOFTP_END[1]=185.0
+      $SOFTP_END[2]=-5.0
+      $SOFTP_END[3]=168.0
+      $SOFTP_END[4]=350.0
+      $SOFTP_END[5]=125.0
+      $SOFTP_END[6]=350.0
+      REAL $VEL_AXIS_MA[12]=5000.0
+      DECL FRA $RAT_MOT_AX[12]={N 300,D 1}
+      $RAT_MOT_AX[1]={N -1798,D 7}
+      DECL E6AXIS $AXIS_HOME[5]
+      $AXIS_HOME[1]={A1 10.0,A2 -100.0,A3 110.0,A4 0.0,A5 30.0,A6 0.0}
+      ENDDAT
+      """;
+
+  private static final String CONFIG =
+      """
+      DEFDAT $CONFIG PUBLIC
+      DECL E6AXIS XHOME={A1 20.0,A2 -80.0,A3 80.0,A4 0.0,A5 40.0,A6 0.0,E1 0.0}
+      ENDDAT
+      """;
+
+  private static final Axis AXIS_HOME = Axis.of(10, -100, 110, 0, 30, 0);
+  private static final Axis XHOME = Axis.of(20, -80, 80, 0, 40, 0);
+
+  @Test
+  void theRobotOfLoadedMachineDataReplacesTheDefault() throws Exception {
+    try (Cell cell = new Cell(Cell.stepped(VariableTable.krc4()))) {
+      cell.controller.load("$machine.dat", MACHINE);
+
+      assertThat(cell.controller.model().name()).isEqualTo("#KR210R2700_2 C4 FLR");
+      assertThat(cell.controller.model().maxSpeed(0)).isEqualTo(116.796, within(0.001));
+      assertThat(cell.controller.axes()).isEqualTo(AXIS_HOME);
+      assertThat(cell.component("$POS_ACT", "X"))
+          .isEqualTo(KR210.forward(AXIS_HOME).x(), within(0.001));
+      cell.run("PTP {A1 180}");
+      assertThat(cell.get("$AXIS_ACT.A1")).isEqualTo("180.000");
+      assertThat(cell.controller.messages()).isEmpty();
+    }
+  }
+
+  @Test
+  void theRobotStartsAtXhomeWhateverIsLoadedFirst() throws Exception {
+    try (Controller one = Cell.stepped(VariableTable.krc4());
+        Controller other = Cell.stepped(VariableTable.krc4())) {
+      one.load("$config.dat", CONFIG);
+      one.load("$machine.dat", MACHINE);
+      other.load("$machine.dat", MACHINE);
+      other.load("$config.dat", CONFIG);
+
+      assertThat(one.axes()).isEqualTo(XHOME);
+      assertThat(other.axes()).isEqualTo(XHOME);
+    }
+  }
+
+  @Test
+  void machineDataInTheTableCountMoreThanTheModel() throws Exception {
+    VariableTable table = VariableTable.krc4();
+    table.load("$machine.dat", MACHINE);
+    table.load("$config.dat", CONFIG);
+    try (Controller controller = Cell.stepped(table.copy())) {
+      assertThat(controller.model().name()).isEqualTo("#KR210R2700_2 C4 FLR");
+      assertThat(controller.axes()).isEqualTo(XHOME);
+    }
+  }
+
+  @Test
+  void aSavedStateHasTheRobotAndItsPosition() throws Exception {
+    String state;
+    try (Cell cell = new Cell(Cell.stepped(VariableTable.krc4()))) {
+      cell.controller.load("$machine.dat", MACHINE);
+      cell.run("PTP {A1 180,A2 -70}");
+      state = cell.controller.variables().toDataList("$STATE");
+    }
+    try (Controller controller = Cell.stepped(VariableTable.krc4())) {
+      controller.load("$state.dat", state);
+      assertThat(controller.model().maxSpeed(0)).isEqualTo(116.796, within(0.001));
+    }
+    VariableTable table = VariableTable.krc4();
+    table.load("$state.dat", state);
+    try (Controller controller = Cell.stepped(table)) {
+      assertThat(controller.axes()).isEqualTo(AXIS_HOME.with(0, 180).with(1, -70));
+    }
+  }
+
+  @Test
+  void aRobotThatHasMovedStaysWhereItIs() throws Exception {
+    try (Cell cell = new Cell()) {
+      cell.controller.load("$machine.dat", MACHINE);
+      cell.controller.load("$config.dat", CONFIG);
+
+      assertThat(cell.controller.axes()).isEqualTo(Cell.START);
+      assertThat(cell.controller.model().maximum(0)).isEqualTo(185);
+    }
+  }
+
+  @Test
+  void anArmOfAnotherKindLeavesTheRobotAndAMessage() throws Exception {
+    try (Cell cell = new Cell()) {
+      cell.controller.load(
+          "$machine.dat",
+          MACHINE.replace(
+              "ENDDAT", "DECL DHART $DH_5={DHART_A 265.0,DHART_D 0.0,DHART_ALPHA -90.0}\nENDDAT"));
+
+      assertThat(cell.message())
+          .isEqualTo(
+              "9108 the robot stays a KR 6 R900 sixx, its new data are not used:"
+                  + " $DH_5.DHART_A: expected 0, found 265");
+      assertThat(cell.controller.model().maxSpeed(0)).isEqualTo(360);
+      cell.start("PTP {A1 10}");
+    }
+  }
+
+  @Test
+  void theMachineDataOfTheControllerAreNotThoseOfARobot() throws Exception {
+    try (Controller controller = Cell.stepped(VariableTable.krc4())) {
+      controller.load("$machine.dat", "DEFDAT $MACHINE PUBLIC\nINT $RED_T1=9\nENDDAT\n");
+
+      assertThat(controller.model().maxSpeed(3)).isEqualTo(381);
+    }
+  }
 }

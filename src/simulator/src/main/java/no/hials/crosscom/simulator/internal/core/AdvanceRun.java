@@ -82,7 +82,7 @@ final class AdvanceRun {
   private record Aside(SuspendedPlan plan, Map<Long, MotionOrder> orders) {}
 
   private final SystemVariableAccess access;
-  private final RobotModel robot;
+  private RobotModel robot;
   private final MotionResolver resolver;
   private final Triggers triggers;
   private final Listener listener;
@@ -154,6 +154,15 @@ final class AdvanceRun {
       }
     }
     return true;
+  }
+
+  /** Replaces the robot by another one, which stands at the same axes. */
+  void robot(RobotModel another) {
+    robot = another;
+    model = another;
+    resolver.robot(another);
+    readLimits();
+    place(interpolator.axes());
   }
 
   // requests of a program

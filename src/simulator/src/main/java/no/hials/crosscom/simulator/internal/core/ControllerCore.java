@@ -61,6 +61,7 @@ public final class ControllerCore {
   private final Timers timers;
   private final AdvanceRun motions;
   private final SystemVariables variables;
+  private final RobotChanger robots;
   private volatile long time;
   private volatile boolean closed;
 
@@ -88,6 +89,7 @@ public final class ControllerCore {
     manual = new ManualMotion(robot, motions, panel);
     speed = new SpeedReduction(access, motions, panel, manual);
     variables = new SystemVariables(globals, access, model, robot, submit, state());
+    robots = new RobotChanger(access, motions, variables, panel);
     publish();
     variables.bind(() -> time, begin);
   }
@@ -120,6 +122,17 @@ public final class ControllerCore {
       publish();
     } finally {
       lock.unlock();
+    }
+  }
+
+  /**
+   * Replaces the robot after its machine data were loaded, and puts one that has not moved yet at
+   * its home position. If they describe no robot that can be simulated, a message says why, and the
+   * robot stays.
+   */
+  public void loaded(RobotData data) {
+    if (data.isMachineData() || data.isHome()) {
+      change(() -> robots.loaded(data, robot.state() == ProgramState.ACTIVE));
     }
   }
 

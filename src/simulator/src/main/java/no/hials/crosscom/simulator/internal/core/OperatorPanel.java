@@ -24,6 +24,9 @@ final class OperatorPanel {
   /** The simulation itself has failed. */
   static final int FAILED = 9107;
 
+  /** The machine data describe no robot that can be simulated. */
+  static final int OTHER_ROBOT = 9108;
+
   private static final int KEPT_MESSAGES = 1000;
 
   /** The override after a change to T2 (docs/reference/system-variables.md#override-and-speed). */

@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator.internal.core;
 
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
@@ -56,6 +57,11 @@ final class SystemVariableAccess {
     } catch (RefusedException e) {
       return null;
     }
+  }
+
+  /** Returns the value of a variable; empty if it does not exist or has no value. */
+  Optional<KrlValue> value(String name) {
+    return Optional.ofNullable(read(name));
   }
 
   double number(String name, double otherwise) {

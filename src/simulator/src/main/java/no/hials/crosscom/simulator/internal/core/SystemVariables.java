@@ -101,7 +101,7 @@ final class SystemVariables {
 
   private final Scope globals;
   private final SystemVariableAccess access;
-  private final RobotModel robot;
+  private volatile RobotModel robot;
   private final KrlInterpreter robotInterpreter;
   private final KrlInterpreter submitInterpreter;
 
@@ -296,6 +296,10 @@ final class SystemVariables {
   }
 
   // called by the core
+
+  void robot(RobotModel another) {
+    robot = another;
+  }
 
   void started(Axis from, Axis to, Frame inBase, Frame withTool) {
     origin = from;

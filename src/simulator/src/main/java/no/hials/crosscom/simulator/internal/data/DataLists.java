@@ -7,10 +7,12 @@ import java.nio.file.NoSuchFileException;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.KrlEncoding;
@@ -108,6 +110,22 @@ public final class DataLists {
       }
     }
     return notes;
+  }
+
+  /** Returns which of some variables, in upper case, a list of the controller itself sets. */
+  public static Set<String> set(DataList list, Set<String> variables) {
+    Set<String> found = new HashSet<>();
+    if (DataListLoader.isSystem(list)) {
+      for (Declaration declaration : list.declarations()) {
+        if (declaration instanceof Declaration.Variables group) {
+          group.variables().forEach(variable -> found.add(Scope.key(variable.name())));
+        } else if (declaration instanceof Declaration.InitialValue value) {
+          found.add(Scope.key(value.target().name()));
+        }
+      }
+    }
+    found.retainAll(variables);
+    return found;
   }
 
   /**

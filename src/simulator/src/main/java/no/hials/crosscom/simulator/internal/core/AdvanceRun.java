@@ -12,7 +12,9 @@ import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.KrlExecutionException;
+import no.hials.crosscom.simulator.internal.motion.ExternalAxes;
 import no.hials.crosscom.simulator.internal.motion.Interpolator;
+import no.hials.crosscom.simulator.internal.motion.Joints;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem;
@@ -46,11 +48,11 @@ final class AdvanceRun {
     /** Called when the robot cannot move as the program says. */
     void failed(int number, String text);
 
-    /** Called when a motion starts, with its base (in the robot's root) and tool. */
-    void started(Axis from, Axis to, Frame base, Frame tool);
+    /** Called when a motion starts, with its base in the world and its tool. */
+    void started(Joints from, Joints to, Frame base, Frame tool);
 
     /** Called when the robot leaves its path for an interrupt. */
-    void leftPath(Axis axes);
+    void leftPath(Joints axes);
   }
 
   /** A step that waits until the robot stands, in the order of the requests. */
@@ -67,7 +69,7 @@ final class AdvanceRun {
 
   private static final Step FORGET =
       run -> {
-        run.resolver.startAt(run.interpolator.axes());
+        run.resolver.startAt(run.interpolator.joints());
         return true;
       };
 
@@ -86,7 +88,9 @@ final class AdvanceRun {
   private final MotionResolver resolver;
   private final Triggers triggers;
   private final Listener listener;
+  private final ExternalAxesData externalAxes;
   private RobotModel model;
+  private ExternalAxes external = ExternalAxes.NONE;
   private Interpolator interpolator;
 
   /** The statements of motions that were handed over and have not ended, by the motion's number. */
@@ -107,9 +111,10 @@ final class AdvanceRun {
     this.triggers = triggers;
     this.listener = listener;
     model = robot;
-    Axis start = access.position("$AXIS_ACT", robot.home());
+    Joints start = access.joints("$AXIS_ACT", robot.home());
+    externalAxes = new ExternalAxesData(access);
     resolver = new MotionResolver(access, robot, start);
-    interpolator = new Interpolator(robot, start);
+    interpolator = new Interpolator(robot, ExternalAxes.NONE, start);
     readLimits();
   }
 
@@ -133,18 +138,19 @@ final class AdvanceRun {
       low = low.with(i, access.number("$SOFTN_END[" + (i + 1) + "]", robot.minimum(i)));
       high = high.with(i, access.number("$SOFTP_END[" + (i + 1) + "]", robot.maximum(i)));
     }
-    if (isOf(model, low, high)) {
+    ExternalAxes axes = externalAxes.read();
+    if (isOf(model, low, high) && axes.equals(external)) {
       return;
     }
+    external = axes;
     try {
       model = robot.withLimits(low, high);
     } catch (IllegalArgumentException e) {
       // a minimum above its maximum, perhaps because a client is about to change both
       log.debug("the software limits stay as they were: {}", e.getMessage());
-      return;
     }
     resolver.robot(model);
-    interpolator.robot(model);
+    interpolator.robot(model, external);
   }
 
   private static boolean isOf(RobotModel model, Axis low, Axis high) {
@@ -162,7 +168,7 @@ final class AdvanceRun {
     model = another;
     resolver.robot(another);
     readLimits();
-    place(interpolator.axes());
+    place(interpolator.joints());
   }
 
   // requests of a program
@@ -180,7 +186,7 @@ final class AdvanceRun {
     MotionCommand planned;
     try {
       planned = resolver.plan(order);
-      interpolator.add(planned);
+      interpolator.add(planned, resolver.externalTarget(order));
     } catch (MotionRefusedException e) {
       throw new KrlExecutionException(e.problem().number(), e.problem().message());
     } catch (IllegalArgumentException e) {
@@ -270,8 +276,8 @@ final class AdvanceRun {
   }
 
   /** Puts the robot at a position immediately. */
-  void place(Axis axes) {
-    interpolator = new Interpolator(model, axes);
+  void place(Joints axes) {
+    interpolator = new Interpolator(model, external, axes);
     discardAll();
     listener.started(axes, axes, resolver.base(), resolver.tool());
   }
@@ -295,8 +301,8 @@ final class AdvanceRun {
   private void putAside() {
     aside.push(new Aside(interpolator.suspend(), orders));
     orders = new HashMap<>();
-    listener.leftPath(interpolator.axes());
-    resolver.startAt(interpolator.axes());
+    listener.leftPath(interpolator.joints());
+    resolver.startAt(interpolator.joints());
   }
 
   private boolean begin(MotionOrder order) {
@@ -354,7 +360,7 @@ final class AdvanceRun {
     following.forEach(next -> waiting.addFirst(new Begin(next)));
     orders.clear();
     triggers.retain(kept());
-    resolver.startAt(interpolator.axes());
+    resolver.startAt(interpolator.joints());
     listener.failed(problem.number(), where + problem.message());
   }
 }

@@ -23,6 +23,7 @@ import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.Message;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.motion.Interpolator;
+import no.hials.crosscom.simulator.internal.motion.Joints;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import no.hials.crosscom.simulator.internal.program.ProgramLibrary;
 import no.hials.crosscom.simulator.internal.program.TriggerOrder;
@@ -288,7 +289,7 @@ public final class ControllerCore {
                     + " must be within its software limits, would be "
                     + axes.get(outside.get(0)));
           }
-          motions.place(axes);
+          motions.place(new Joints(axes, motions.interpolator().joints().external()));
         });
   }
 
@@ -440,8 +441,9 @@ public final class ControllerCore {
   private SystemVariables.State state() {
     Interpolator motion = motions.interpolator();
     return new SystemVariables.State(
-        motion.axes(),
+        motion.joints(),
         motion.axisVelocity(),
+        motion.externalVelocity(),
         motion.pathVelocity(),
         motion.standing(),
         motion.planned(),
@@ -465,12 +467,12 @@ public final class ControllerCore {
     }
 
     @Override
-    public void started(Axis from, Axis to, Frame base, Frame tool) {
+    public void started(Joints from, Joints to, Frame base, Frame tool) {
       variables.started(from, to, base, tool);
     }
 
     @Override
-    public void leftPath(Axis axes) {
+    public void leftPath(Joints axes) {
       variables.leftPath(axes);
     }
   }

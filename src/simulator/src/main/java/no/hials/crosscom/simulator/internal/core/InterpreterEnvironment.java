@@ -2,14 +2,13 @@ package no.hials.crosscom.simulator.internal.core;
 
 import java.util.Optional;
 import java.util.function.LongSupplier;
-import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.Axis;
-import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.KrlExecutionException;
+import no.hials.crosscom.simulator.internal.motion.Joints;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
 import no.hials.crosscom.simulator.internal.program.ProgramEnvironment;
 
@@ -99,20 +98,29 @@ final class InterpreterEnvironment implements ProgramEnvironment {
 
   @Override
   public Optional<KrlStruct> forward(KrlStruct axes) {
-    Axis position = PositionValues.toAxes(axes, motions.interpolator().axes());
-    MotionResolver resolver = motions.resolver();
-    Frame flange = motions.model().forward(position);
-    Frame tcp = Frames.product(Frames.inverse(resolver.base()), flange, resolver.tool());
+    Joints joints = near(axes);
     return Optional.of(
         PositionValues.e6Pos(
-            tcp, motions.model().status(position), motions.model().turn(position)));
+            motions.resolver().tcpInBase(joints),
+            motions.model().status(joints.robot()),
+            motions.model().turn(joints.robot()),
+            joints.external()));
+  }
+
+  /** Returns an axis position; missing components are those of the robot. */
+  private Joints near(KrlStruct axes) {
+    Joints now = motions.interpolator().joints();
+    return new Joints(
+        PositionValues.toAxes(axes, now.robot()), PositionValues.toExternal(axes, now.external()));
   }
 
   @Override
   public Optional<KrlStruct> inverse(KrlStruct position, KrlStruct start) {
     try {
-      Axis near = PositionValues.toAxes(start, motions.interpolator().axes());
-      return Optional.of(PositionValues.e6Axis(motions.resolver().inverse(position, near)));
+      Joints near = near(start);
+      Axis external = PositionValues.toExternal(position, near.external());
+      Axis axes = motions.resolver().inverse(position, near, external);
+      return Optional.of(PositionValues.e6Axis(new Joints(axes, external)));
     } catch (UnreachableException e) {
       return Optional.empty();
     }

@@ -13,6 +13,8 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone;
 import no.hials.crosscom.simulator.internal.motion.AxisRates;
+import no.hials.crosscom.simulator.internal.motion.ExternalTarget;
+import no.hials.crosscom.simulator.internal.motion.Joints;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Circular;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Linear;
@@ -44,15 +46,17 @@ final class MotionResolver {
   private static final double LEAST_RATE = 0.001;
 
   private final SystemVariableAccess access;
+  private final ExternalAxesData externalAxes;
   private RobotModel robot;
 
   /** The end of the last planned motion. */
-  private Axis last;
+  private Joints last;
 
   private long planned;
 
-  MotionResolver(SystemVariableAccess access, RobotModel robot, Axis start) {
+  MotionResolver(SystemVariableAccess access, RobotModel robot, Joints start) {
     this.access = access;
+    this.externalAxes = new ExternalAxesData(access);
     this.robot = robot;
     this.last = start;
   }
@@ -63,16 +67,36 @@ final class MotionResolver {
   }
 
   /** Sets the start position of the next motion. */
-  void startAt(Axis axes) {
+  void startAt(Joints axes) {
     last = axes;
   }
 
+  /** Returns the base in the world. */
   Frame base() {
-    return Frames.product(Frames.inverse(access.frame("$ROBROOT")), access.frame("$BASE"));
+    return access.frame("$BASE");
+  }
+
+  /** Returns the base in the robot's root. */
+  private Frame baseInRoot(Axis external) {
+    return Frames.product(Frames.inverse(externalAxes.root(external)), base());
   }
 
   Frame tool() {
     return access.frame("$TOOL");
+  }
+
+  /** Returns the end of the external axes; those that are not there stay at 0. */
+  ExternalTarget externalTarget(MotionOrder order) {
+    int count = externalAxes.read().limits().size();
+    Axis from = last.external();
+    Axis to =
+        order.kind().relative()
+            ? from.plus(PositionValues.toExternal(order.target(), Axis.ZERO))
+            : PositionValues.toExternal(order.target(), from);
+    for (int i = count; i < Axis.COUNT; i++) {
+      to = to.with(i, from.get(i));
+    }
+    return new ExternalTarget(to, externalAxes.rates());
   }
 
   MotionCommand plan(MotionOrder order) throws KrlExecutionException {
@@ -94,13 +118,14 @@ final class MotionResolver {
   private MotionCommand pointToPoint(MotionOrder order) throws KrlExecutionException {
     KrlStruct target = order.target();
     Axis axes;
-    if (PositionValues.isAxes(target)) {
+    // with external axes only, the robot keeps its axes in PTP, and its TCP in LIN (assumed)
+    if (PositionValues.isAxes(target) || PositionValues.isExternal(target)) {
       axes =
           order.kind().relative()
-              ? last.plus(PositionValues.toAxes(target, Axis.ZERO))
-              : PositionValues.toAxes(target, last);
+              ? last.robot().plus(PositionValues.toAxes(target, Axis.ZERO))
+              : PositionValues.toAxes(target, last.robot());
     } else {
-      axes = inverse(order, frame(order, target));
+      axes = inverse(order);
     }
     return new PointToPoint(
         planned, axes, axisRates(), tool(), axisApproximation(order.approximations()));
@@ -111,12 +136,15 @@ final class MotionResolver {
    * increment, the arm keeps its configuration (docs/reference/kinematics.md#status-and-turn; for
    * PTP_REL assumed).
    */
-  private Axis inverse(MotionOrder order, Frame tcp) throws KrlExecutionException {
+  private Axis inverse(MotionOrder order) throws KrlExecutionException {
+    KrlStruct target = order.target();
+    Axis external = externalTarget(order).axes();
     try {
       if (order.kind().relative()) {
-        return robot.inverse(Frames.product(tcp, Frames.inverse(tool())), last);
+        Frame tcp = Frames.product(baseInRoot(external), inBase(order, target));
+        return robot.inverse(Frames.product(tcp, Frames.inverse(tool())), last.robot());
       }
-      return inverse(order.target(), last);
+      return inverse(target, last, external);
     } catch (UnreachableException e) {
       throw new KrlExecutionException(
           MotionProblem.WORK_ENVELOPE, Objects.requireNonNull(e.getMessage()));
@@ -140,55 +168,74 @@ final class MotionResolver {
   }
 
   /**
-   * Returns the TCP's frame in {@code $ROBROOT}. An increment is along the axes of {@code $BASE},
-   * and its angles turn the TCP about these axes. With {@code #TOOL} it is along those of the tool
-   * (both assumed).
+   * Returns the TCP's frame in the robot's root at the start of the motion. An increment is along
+   * the axes of {@code $BASE}, and its angles turn the TCP about these axes. With {@code #TOOL} it
+   * is along those of the tool (both assumed).
    */
   private Frame frame(MotionOrder order, KrlStruct target) throws KrlExecutionException {
-    if (PositionValues.isAxes(target)) {
-      if (order.kind().relative()) {
-        throw new KrlExecutionException(
-            KrlExecutionException.WRONG_TYPE,
-            order.kind() + " needs a Cartesian increment, was given axes");
-      }
-      return Frames.product(robot.forward(PositionValues.toAxes(target, last)), tool());
+    if (!PositionValues.isAxes(target)) {
+      return Frames.product(baseInRoot(last.external()), inBase(order, target));
     }
-    Frame base = base();
-    Frame from = Frames.product(Frames.inverse(base), robot.forward(last), tool());
+    if (order.kind().relative()) {
+      throw new KrlExecutionException(
+          KrlExecutionException.WRONG_TYPE,
+          order.kind() + " needs a Cartesian increment, was given axes");
+    }
+    Axis external = externalTarget(order).axes();
+    Frame tcp = Frames.product(robot.forward(PositionValues.toAxes(target, last.robot())), tool());
+    return external.equals(last.external())
+        ? tcp
+        : Frames.product(
+            Frames.inverse(externalAxes.root(last.external())), externalAxes.root(external), tcp);
+  }
+
+  /** Returns a Cartesian target in the base. */
+  private Frame inBase(MotionOrder order, KrlStruct target) {
+    Frame from = tcpInBase(last);
     if (!order.kind().relative()) {
-      return Frames.product(base, PositionValues.toFrame(target, from));
+      return PositionValues.toFrame(target, from);
     }
     Frame increment = PositionValues.toFrame(target, Frame.IDENTITY);
     if ("TOOL".equals(order.coordinates())) {
-      return Frames.product(base, from, increment);
+      return Frames.product(from, increment);
     }
     Frame turn = new Frame(0, 0, 0, increment.a(), increment.b(), increment.c());
     Frame turned = Frames.product(turn, new Frame(0, 0, 0, from.a(), from.b(), from.c()));
+    return new Frame(
+        from.x() + increment.x(),
+        from.y() + increment.y(),
+        from.z() + increment.z(),
+        turned.a(),
+        turned.b(),
+        turned.c());
+  }
+
+  /** Returns the TCP in the base. */
+  Frame tcpInBase(Joints joints) {
     return Frames.product(
-        base,
-        new Frame(
-            from.x() + increment.x(),
-            from.y() + increment.y(),
-            from.z() + increment.z(),
-            turned.a(),
-            turned.b(),
-            turned.c()));
+        Frames.inverse(baseInRoot(joints.external())), robot.forward(joints.robot()), tool());
   }
 
   /**
    * Returns the axes that bring the tool to a position: with its Status and Turn, or else near
    * other axes.
+   *
+   * @param near the axes from which missing components come
+   * @param external the external axes at the position
    */
-  Axis inverse(KrlStruct position, Axis near) throws UnreachableException {
-    Frame from = Frames.product(Frames.inverse(base()), robot.forward(near), tool());
+  Axis inverse(KrlStruct position, Joints near, Axis external) throws UnreachableException {
     Frame flange =
-        Frames.product(base(), PositionValues.toFrame(position, from), Frames.inverse(tool()));
+        Frames.product(
+            baseInRoot(external),
+            PositionValues.toFrame(position, tcpInBase(near)),
+            Frames.inverse(tool()));
     OptionalDouble status = PositionValues.number(position, "S");
     OptionalDouble turn = PositionValues.number(position, "T");
     if (status.isEmpty()) {
-      return robot.inverse(flange, near);
+      return robot.inverse(flange, near.robot());
     }
-    return robot.inverse(flange, (int) status.getAsDouble(), (int) turn.orElse(robot.turn(near)));
+    return robot.inverse(
+        flange, (int) status.getAsDouble(), (int) turn.orElse(robot.turn(near.robot())));
   }
 
   // rates
@@ -198,7 +245,7 @@ final class MotionResolver {
         percent(access.axes("$VEL_AXIS", 100)), percent(access.axes("$ACC_AXIS", 100)));
   }
 
-  private static Axis percent(Axis axes) {
+  static Axis percent(Axis axes) {
     Axis result = axes;
     for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       result = result.with(i, Math.max(LEAST_PERCENT, Math.min(100, axes.get(i))));

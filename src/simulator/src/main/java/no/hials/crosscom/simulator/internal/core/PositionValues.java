@@ -11,12 +11,14 @@ import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.internal.motion.Joints;
 
 /** Converts frames and axis positions to KRL values and back. */
 final class PositionValues {
   private static final String[] FRAME = {"X", "Y", "Z", "A", "B", "C"};
   private static final String[] EXTERNAL = {"E1", "E2", "E3", "E4", "E5", "E6"};
   private static final Pattern AXIS = Pattern.compile("A[1-6]", Pattern.CASE_INSENSITIVE);
+  private static final Pattern EXTERNAL_AXIS = Pattern.compile("E[1-6]", Pattern.CASE_INSENSITIVE);
 
   /** The number of elements in the controller's arrays of axes. */
   static final int AXES = 12;
@@ -37,9 +39,9 @@ final class PositionValues {
     }
   }
 
-  private static void addExternal(List<KrlStruct.Field> fields) {
-    for (String name : EXTERNAL) {
-      fields.add(real(name, 0));
+  private static void addExternal(List<KrlStruct.Field> fields, Axis external) {
+    for (int i = 0; i < EXTERNAL.length; i++) {
+      fields.add(real(EXTERNAL[i], external.get(i)));
     }
   }
 
@@ -49,21 +51,21 @@ final class PositionValues {
     return new KrlStruct("FRAME", fields);
   }
 
-  static KrlStruct e6Pos(Frame frame, int status, int turn) {
+  static KrlStruct e6Pos(Frame frame, int status, int turn, Axis external) {
     List<KrlStruct.Field> fields = new ArrayList<>();
     addFrame(fields, frame);
     fields.add(new KrlStruct.Field("S", new KrlInt(status)));
     fields.add(new KrlStruct.Field("T", new KrlInt(turn)));
-    addExternal(fields);
+    addExternal(fields, external);
     return new KrlStruct("E6POS", fields);
   }
 
-  static KrlStruct e6Axis(Axis axes) {
+  static KrlStruct e6Axis(Joints joints) {
     List<KrlStruct.Field> fields = new ArrayList<>();
     for (int i = 0; i < ROBOT_AXES; i++) {
-      fields.add(real("A" + (i + 1), axes.get(i)));
+      fields.add(real("A" + (i + 1), joints.robot().get(i)));
     }
-    addExternal(fields);
+    addExternal(fields, joints.external());
     return new KrlStruct("E6AXIS", fields);
   }
 
@@ -108,9 +110,18 @@ final class PositionValues {
 
   /** Converts an aggregate to an axis position; missing fields come from another position. */
   static Axis toAxes(KrlStruct struct, Axis missing) {
+    return axes(struct, "A", missing);
+  }
+
+  /** Converts E1 to E6 of an aggregate; missing fields come from another position. */
+  static Axis toExternal(KrlStruct struct, Axis missing) {
+    return axes(struct, "E", missing);
+  }
+
+  private static Axis axes(KrlStruct struct, String letter, Axis missing) {
     Axis axes = missing;
     for (int i = 0; i < ROBOT_AXES; i++) {
-      OptionalDouble angle = number(struct, "A" + (i + 1));
+      OptionalDouble angle = number(struct, letter + (i + 1));
       if (angle.isPresent()) {
         axes = axes.with(i, angle.getAsDouble());
       }
@@ -121,5 +132,12 @@ final class PositionValues {
   /** Returns whether an aggregate is an axis position rather than a Cartesian one. */
   static boolean isAxes(KrlStruct struct) {
     return struct.fields().stream().anyMatch(field -> AXIS.matcher(field.name()).matches());
+  }
+
+  /** Returns whether an aggregate has external axes only. */
+  static boolean isExternal(KrlStruct struct) {
+    return !struct.fields().isEmpty()
+        && struct.fields().stream()
+            .allMatch(field -> EXTERNAL_AXIS.matcher(field.name()).matches());
   }
 }

@@ -3,8 +3,8 @@ package no.hials.crosscom.simulator.internal.core;
 import java.util.Optional;
 import no.hials.crosscom.kinematics.MachineDataException;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.simulator.Message;
+import no.hials.crosscom.simulator.internal.motion.Joints;
 
 /** Replaces the robot when machine data are loaded, and puts it at its first position. */
 final class RobotChanger {
@@ -14,7 +14,7 @@ final class RobotChanger {
   private final OperatorPanel panel;
 
   /** Where the robot stands until it moves for the first time. */
-  private Axis start;
+  private Joints start;
 
   RobotChanger(
       SystemVariableAccess access,
@@ -25,7 +25,7 @@ final class RobotChanger {
     this.motions = motions;
     this.variables = variables;
     this.panel = panel;
-    start = motions.interpolator().axes();
+    start = motions.interpolator().joints();
   }
 
   /** Uses loaded data; if they cannot be used, a message says why. */
@@ -34,7 +34,7 @@ final class RobotChanger {
       refuse("a program is active");
       return;
     }
-    boolean moved = !motions.interpolator().axes().equals(start);
+    boolean moved = !motions.interpolator().joints().equals(start);
     try {
       if (data.isMachineData()) {
         RobotModel robot = data.robot(access);
@@ -46,7 +46,7 @@ final class RobotChanger {
       return;
     }
     motions.readLimits();
-    Optional<Axis> home = data.home(access, motions.model());
+    Optional<Joints> home = data.home(access, motions.model());
     if (!moved && home.isPresent()) {
       start = home.get();
       motions.place(start);

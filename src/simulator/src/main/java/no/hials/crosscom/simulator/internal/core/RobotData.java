@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.Set;
 import no.hials.crosscom.kinematics.MachineDataException;
 import no.hials.crosscom.kinematics.RobotModel;
-import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.simulator.internal.motion.Joints;
 
 /**
  * The data of a robot in data lists (docs/reference/robots.md#machine-data).
@@ -44,11 +44,12 @@ public record RobotData(Set<String> now, Set<String> all) {
    * Returns where a robot that has not moved stands, within the limits; empty to stay there, as
    * after the state of a controller was loaded.
    */
-  Optional<Axis> home(SystemVariableAccess access, RobotModel robot) {
+  Optional<Joints> home(SystemVariableAccess access, RobotModel robot) {
     if (all.contains(AXIS_ACT)) {
       return Optional.empty();
     }
-    Axis home = isMachineData() ? robot.home() : access.position(XHOME, robot.home());
-    return robot.axesOutsideLimits(home).isEmpty() ? Optional.of(home) : Optional.empty();
+    Joints read = access.joints(all.contains(XHOME) ? XHOME : "$AXIS_HOME[1]", robot.home());
+    Joints home = isMachineData() ? new Joints(robot.home(), read.external()) : read;
+    return robot.axesOutsideLimits(home.robot()).isEmpty() ? Optional.of(home) : Optional.empty();
   }
 }

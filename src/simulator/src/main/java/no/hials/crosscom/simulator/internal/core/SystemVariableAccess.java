@@ -13,6 +13,7 @@ import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
+import no.hials.crosscom.simulator.internal.motion.Joints;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -101,6 +102,15 @@ final class SystemVariableAccess {
     return read(name) instanceof KrlStruct struct
         ? PositionValues.toAxes(struct, otherwise)
         : otherwise;
+  }
+
+  /** Reads the aggregate of an axis position with external axes, which are 0 if missing. */
+  Joints joints(String name, Axis otherwise) {
+    Axis external =
+        read(name) instanceof KrlStruct struct
+            ? PositionValues.toExternal(struct, Axis.ZERO)
+            : Axis.ZERO;
+    return new Joints(position(name, otherwise), external);
   }
 
   /** Writes a value, and returns whether that was possible. */

@@ -25,6 +25,7 @@ import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.internal.data.Scope;
+import no.hials.crosscom.simulator.internal.motion.Joints;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import org.jspecify.annotations.Nullable;
 
@@ -71,8 +72,9 @@ final class SystemVariables {
   /**
    * The state after a cycle.
    *
-   * @param axes degrees
+   * @param axes the axes
    * @param axisVelocity degrees/s
+   * @param externalVelocity % of the highest speeds
    * @param pathVelocity m/s
    * @param standing whether no axis moves
    * @param planned motions that have not started
@@ -83,8 +85,9 @@ final class SystemVariables {
    * @param idle whether all motions have ended
    */
   record State(
-      Axis axes,
+      Joints axes,
       Axis axisVelocity,
+      Axis externalVelocity,
       double pathVelocity,
       boolean standing,
       int planned,
@@ -101,6 +104,7 @@ final class SystemVariables {
 
   private final Scope globals;
   private final SystemVariableAccess access;
+  private final ExternalAxesData externalAxes;
   private volatile RobotModel robot;
   private final KrlInterpreter robotInterpreter;
   private final KrlInterpreter submitInterpreter;
@@ -110,13 +114,13 @@ final class SystemVariables {
   private volatile Pointer submitPointer = NO_POINTER;
 
   /** The end and the start of the current motion, and the position at an interrupt. */
-  private volatile Axis target;
+  private volatile Joints target;
 
-  private volatile Axis origin;
-  private volatile Axis interrupted;
+  private volatile Joints origin;
+  private volatile Joints interrupted;
 
   /** The position where an interrupt has put the motions aside. */
-  private volatile Axis left;
+  private volatile Joints left;
 
   /** The base and the tool of the current motion; null between motions. */
   private volatile @Nullable Frame mainBase;
@@ -134,6 +138,7 @@ final class SystemVariables {
       State state) {
     this.globals = globals;
     this.access = access;
+    this.externalAxes = new ExternalAxesData(access);
     this.robot = robot;
     this.robotInterpreter = robotInterpreter;
     this.submitInterpreter = submitInterpreter;
@@ -186,7 +191,8 @@ final class SystemVariables {
     bind("$POS_FOR", () -> position(target));
     bind("$POS_BACK", () -> position(origin));
     bind("$POS_INT", () -> position(interrupted));
-    bind("$BASE_C", () -> PositionValues.frame(product(access.frame("$ROBROOT"), baseOfMainRun())));
+    bind("$BASE_C", () -> PositionValues.frame(baseOfMainRun()));
+    bind("$ROBROOT_C", () -> PositionValues.frame(externalAxes.root(state.axes().external())));
     bind("$TOOL_C", () -> PositionValues.frame(toolOfMainRun()));
     bind("$POS_RET", () -> position(left));
   }
@@ -208,15 +214,17 @@ final class SystemVariables {
    * In the base and with the tool of the main run
    * (docs/reference/system-variables.md#position-and-motion).
    */
-  private KrlStruct position(Axis axes) {
-    Frame tcp = product(inverse(baseOfMainRun()), robot.forward(axes), toolOfMainRun());
-    return PositionValues.e6Pos(tcp, robot.status(axes), robot.turn(axes));
+  private KrlStruct position(Joints joints) {
+    Axis axes = joints.robot();
+    Frame baseInRoot = product(inverse(externalAxes.root(joints.external())), baseOfMainRun());
+    Frame tcp = product(inverse(baseInRoot), robot.forward(axes), toolOfMainRun());
+    return PositionValues.e6Pos(tcp, robot.status(axes), robot.turn(axes), joints.external());
   }
 
-  /** In the robot's root. Without a motion, the base of the advance run (assumed). */
+  /** Without a motion, the base of the advance run (assumed). */
   private Frame baseOfMainRun() {
     Frame of = mainBase;
-    return of == null ? product(inverse(access.frame("$ROBROOT")), access.frame("$BASE")) : of;
+    return of == null ? access.frame("$BASE") : of;
   }
 
   private Frame toolOfMainRun() {
@@ -226,9 +234,10 @@ final class SystemVariables {
 
   /** In % of the highest speed. */
   private KrlValue axisVelocity() {
-    double[] percent = new double[PositionValues.ROBOT_AXES];
-    for (int i = 0; i < percent.length; i++) {
+    double[] percent = new double[PositionValues.AXES];
+    for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       percent[i] = PERCENT * state.axisVelocity().get(i) / robot.maxSpeed(i);
+      percent[i + PositionValues.ROBOT_AXES] = state.externalVelocity().get(i);
     }
     return PositionValues.axisArray(percent);
   }
@@ -301,14 +310,14 @@ final class SystemVariables {
     robot = another;
   }
 
-  void started(Axis from, Axis to, Frame inBase, Frame withTool) {
+  void started(Joints from, Joints to, Frame inBase, Frame withTool) {
     origin = from;
     target = to;
     mainBase = inBase;
     mainTool = withTool;
   }
 
-  void leftPath(Axis axes) {
+  void leftPath(Joints axes) {
     left = axes;
   }
 
@@ -352,7 +361,7 @@ final class SystemVariables {
     signal("$STOPMESS", newState.stopMessage());
     signal("$ALARM_STOP", !newState.emergency());
     signal("$PERI_RDY", drivesOn());
-    signal("$IN_HOME", atHome(newState.axes()));
+    signal("$IN_HOME", atHome(newState.axes().robot()));
     signal("$T1", newState.mode() == OperatingMode.T1);
     signal("$T2", newState.mode() == OperatingMode.T2);
     signal("$AUT", newState.mode() == OperatingMode.AUT);

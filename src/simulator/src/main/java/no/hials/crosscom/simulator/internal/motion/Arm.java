@@ -30,9 +30,11 @@ final class Arm {
 
   private final RobotModel robot;
   private final RobotModel unlimited;
+  private final ExternalAxes external;
 
-  Arm(RobotModel robot) {
+  Arm(RobotModel robot, ExternalAxes external) {
     this.robot = robot;
+    this.external = external;
     this.unlimited =
         robot.withLimits(
             new Axis(-FAR, -FAR, -FAR, -FAR, -FAR, -FAR), new Axis(FAR, FAR, FAR, FAR, FAR, FAR));
@@ -48,6 +50,22 @@ final class Arm {
 
   Frame forward(Axis axes) {
     return robot.forward(axes);
+  }
+
+  ExternalAxes external() {
+    return external;
+  }
+
+  /** Returns the TCP, seen from the root at E1 = 0. */
+  Frame tcp(Joints joints, Frame tool) {
+    return fromOrigin(tcp(joints.robot(), tool), joints.external());
+  }
+
+  /** Returns a frame in the present root, seen from the root at E1 = 0. */
+  Frame fromOrigin(Frame frame, Axis externalAxes) {
+    return external.rail().equals(Frame.IDENTITY)
+        ? frame
+        : Point.of(frame).plus(external.root(externalAxes)).turnedAs(frame);
   }
 
   Frame tcp(Axis axes, Frame tool) {

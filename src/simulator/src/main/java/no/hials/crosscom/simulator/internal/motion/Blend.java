@@ -132,6 +132,11 @@ final class Blend {
   }
 
   private Frame tcp(PathSegment segment, double time, Frame tool) throws MotionRefusedException {
+    return arm.fromOrigin(tcpInRoot(segment, time, tool), segment.external(time));
+  }
+
+  private Frame tcpInRoot(PathSegment segment, double time, Frame tool)
+      throws MotionRefusedException {
     return segment.path() instanceof JointPath.OfTcp path
             && path.byPose()
             && path.tool().equals(tool)

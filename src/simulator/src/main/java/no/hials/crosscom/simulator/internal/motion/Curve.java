@@ -4,7 +4,7 @@ import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.protocol.value.Frame;
 
 /** The path of the TCP: frames over a parameter that runs evenly from 0 to 1. */
-sealed interface Curve permits Curve.Line, Arc {
+sealed interface Curve permits Curve.Line, Curve.Carried, Arc {
   /** Returns the TCP in {@code $ROBROOT}. */
   Frame at(double parameter);
 
@@ -17,6 +17,30 @@ sealed interface Curve permits Curve.Line, Arc {
   /** Returns whether an angle changes; if not, there is less to compute. */
   static boolean isTurn(Frame start, Frame end) {
     return start.a() != end.a() || start.b() != end.b() || start.c() != end.c();
+  }
+
+  /**
+   * A path at which the robot's root moves evenly.
+   *
+   * @param curve the path, in the root at its start
+   * @param way the way of the root, mm
+   */
+  record Carried(Curve curve, Point way) implements Curve {
+    @Override
+    public Frame at(double parameter) {
+      Frame frame = curve.at(parameter);
+      return Point.of(frame).minus(way.times(parameter)).turnedAs(frame);
+    }
+
+    @Override
+    public double length() {
+      return curve.length();
+    }
+
+    @Override
+    public double angle() {
+      return curve.angle();
+    }
   }
 
   /** A straight line. */

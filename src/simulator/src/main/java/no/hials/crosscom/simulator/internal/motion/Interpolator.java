@@ -54,18 +54,23 @@ public final class Interpolator {
   private Blend way;
   private final List<PathSegment> planned = new ArrayList<>();
   private PathCursor cursor = PathCursor.NOWHERE;
-  private Axis plannedEnd;
-  private Axis last;
-  private Axis now;
+  private Joints plannedEnd;
+  private Joints last;
+  private Joints now;
   private Frame tool = Frame.IDENTITY;
   private Brake brake = Brake.NONE;
   private boolean cancelled;
   private double rate;
   private @Nullable SuspendedPlan returning;
 
+  /** Creates the interpolator of a robot without external axes. */
   public Interpolator(RobotModel robot, Axis start) {
+    this(robot, ExternalAxes.NONE, new Joints(start, Axis.ZERO));
+  }
+
+  public Interpolator(RobotModel robot, ExternalAxes external, Joints start) {
     widest = robot;
-    arm = new Arm(robot);
+    arm = new Arm(robot, external);
     planner = new TrajectoryPlanner(arm);
     blend = new Blend(arm);
     way = blend;
@@ -74,9 +79,9 @@ public final class Interpolator {
     now = start;
   }
 
-  /** Changes the software limits for motions that are added from now on. */
-  public void robot(RobotModel limited) {
-    arm = new Arm(limited);
+  /** Changes the limits for motions that are added from now on. */
+  public void robot(RobotModel limited, ExternalAxes external) {
+    arm = new Arm(limited, external);
     planner = new TrajectoryPlanner(arm);
     blend = new Blend(arm);
     Axis low = limited.home();
@@ -86,7 +91,7 @@ public final class Interpolator {
       high = high.with(axis, Math.max(widest.maximum(axis), limited.maximum(axis)));
     }
     widest = limited.withLimits(low, high);
-    way = new Blend(new Arm(widest));
+    way = new Blend(new Arm(widest, external));
   }
 
   /**
@@ -97,16 +102,25 @@ public final class Interpolator {
    *     circle
    */
   public void add(MotionCommand motion) throws MotionRefusedException {
+    add(motion, ExternalTarget.of(plannedEnd.external()));
+  }
+
+  /**
+   * Adds a motion, as {@link #add(MotionCommand)} does.
+   *
+   * @param external the end of the external axes, which start and end with the robot
+   */
+  public void add(MotionCommand motion, ExternalTarget external) throws MotionRefusedException {
     if (cancelled) {
       throw new IllegalStateException("no motion can be added while the robot brakes to cancel");
     }
-    PathSegment segment = planner.plan(motion, plannedEnd);
+    PathSegment segment = planner.plan(motion, plannedEnd, external);
     PathCursor path = returning == null ? cursor : returning.cursor();
     PathSegment before = planned.isEmpty() ? path.last() : planned.get(planned.size() - 1);
     double overlap = before == null ? 0 : blend.overlap(before, segment);
     boolean late = planned.isEmpty() && path.isBeyond(overlap);
     planned.add(late ? segment : segment.withOverlap(overlap));
-    plannedEnd = segment.path().end();
+    plannedEnd = segment.end();
   }
 
   /** Returns the number of motions that have not started, which {@code $ADVANCE} limits. */
@@ -118,7 +132,7 @@ public final class Interpolator {
    * Returns the end of the planned motions, where the next one will start; of a path that leaves
    * the limits, its last point within them.
    */
-  public Axis plannedEnd() {
+  public Joints plannedEnd() {
     return plannedEnd;
   }
 
@@ -134,17 +148,17 @@ public final class Interpolator {
    * Returns the start of the main run's motion ({@code $AXIS_BACK}); between motions the current
    * axes.
    */
-  public Axis currentStart() {
+  public Joints currentStart() {
     PathSegment segment = currentSegment();
-    return segment == null ? now : segment.path().start();
+    return segment == null ? now : segment.start();
   }
 
   /**
    * Returns the end of the main run's motion ({@code $AXIS_FOR}); between motions the current axes.
    */
-  public Axis currentEnd() {
+  public Joints currentEnd() {
     PathSegment segment = currentSegment();
-    return segment == null ? now : segment.path().end();
+    return segment == null ? now : segment.end();
   }
 
   /** Returns whether nothing is planned and the robot stands at the end of the last motion. */
@@ -259,20 +273,38 @@ public final class Interpolator {
 
   /** Returns the current axes, degrees. */
   public Axis axes() {
+    return now.robot();
+  }
+
+  /** Returns the current axes with the external ones. */
+  public Joints joints() {
     return now;
   }
 
   /** Returns the flange in {@code $ROBROOT}. */
   public Frame flange() {
-    return arm.forward(now);
+    return arm.forward(now.robot());
   }
 
   /** Returns the mean speeds of the axes in the last cycle, degrees/s; 0 if the robot stands. */
   public Axis axisVelocity() {
+    return velocity(now.minus(last).robot());
+  }
+
+  /** Returns the mean speeds of the external axes in the last cycle, in % of their highest. */
+  public Axis externalVelocity() {
+    Axis percent = velocity(now.minus(last).external());
+    for (int i = 0; i < arm.external().count(); i++) {
+      percent = percent.with(i, 100 * percent.get(i) / arm.external().limits().get(i).speed());
+    }
+    return percent;
+  }
+
+  private Axis velocity(Axis way) {
     if (standing()) {
       return Axis.ZERO;
     }
-    double[] speeds = now.minus(last).toArray();
+    double[] speeds = way.toArray();
     for (int axis = 0; axis < speeds.length; axis++) {
       speeds[axis] /= CYCLE;
     }
@@ -301,7 +333,7 @@ public final class Interpolator {
       return path.curve().length()
           * (path.sampler().lastParameter() - segment.profile().position(cursor.time()));
     }
-    return arm.tcp(now, segment.tool()).distance(arm.tcp(segment.path().end(), segment.tool()));
+    return arm.tcp(now, segment.tool()).distance(arm.tcp(segment.end(), segment.tool()));
   }
 
   private @Nullable PathSegment currentSegment() {
@@ -320,7 +352,7 @@ public final class Interpolator {
       double part = rate;
       double horizon;
       PathCursor.Step step;
-      Axis there;
+      Joints there;
       int attempts = 0;
       do {
         horizon = Math.max(SpeedGovernor.SHORTEST, part);
@@ -336,7 +368,7 @@ public final class Interpolator {
       rate = part;
       take(step, there, events);
     } catch (MotionRefusedException e) {
-      events.add(new Faulted(segment.requireMotion(), e.problem(), now));
+      events.add(new Faulted(segment.requireMotion(), e.problem(), now.robot()));
       forget();
     }
   }
@@ -345,11 +377,13 @@ public final class Interpolator {
     return cursor.advance(part * CYCLE, returning == null ? planned : List.of());
   }
 
-  private Axis axes(PathCursor.Step step) throws MotionRefusedException {
-    return step.ended() == null ? way.axes(step.cursor()) : step.ended().path().end();
+  private Joints axes(PathCursor.Step step) throws MotionRefusedException {
+    return step.ended() == null
+        ? new Joints(way.axes(step.cursor()), step.cursor().external())
+        : step.ended().end();
   }
 
-  private void take(PathCursor.Step step, Axis there, List<MotionEvent> events) {
+  private void take(PathCursor.Step step, Joints there, List<MotionEvent> events) {
     last = now;
     now = there;
     cursor = step.cursor();

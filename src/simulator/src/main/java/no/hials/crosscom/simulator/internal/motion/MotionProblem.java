@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import java.io.Serializable;
 import java.util.Locale;
+import no.hials.crosscom.protocol.value.Axis;
 
 /** The reason why the robot cannot make a motion, or the rest of it. */
 public sealed interface MotionProblem extends Serializable {
@@ -25,8 +26,8 @@ public sealed interface MotionProblem extends Serializable {
   /**
    * An axis would exceed its software limit.
    *
-   * @param axis 0 for A1 to 5 for A6
-   * @param limit the limit, degrees
+   * @param axis 0 for A1 to 5 for A6, then E1 to E6
+   * @param limit the limit, degrees, or mm if the axis is linear
    * @param value the angle that the motion needs: on a path the one furthest beyond the limit
    */
   record AxisLimit(int axis, double limit, double value) implements MotionProblem {
@@ -34,10 +35,11 @@ public sealed interface MotionProblem extends Serializable {
     public String message() {
       return String.format(
           Locale.ROOT,
-          "A%d must be %s %.3f degrees, would be %.3f",
-          axis + 1,
+          "%s must be %s %.3f%s, would be %.3f",
+          axis < Axis.COUNT ? "A" + (axis + 1) : "E" + (axis + 1 - Axis.COUNT),
           value > limit ? "at most" : "at least",
           limit,
+          axis < Axis.COUNT ? " degrees" : "",
           value);
     }
 

@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Faulted;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Passed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
@@ -45,6 +46,12 @@ record PathCursor(
   /** Returns the segment after which the planned ones follow. */
   @Nullable PathSegment last() {
     return next == null ? segment : next;
+  }
+
+  /** Returns the external axes; in a blend the sum of both segments. */
+  Axis external() {
+    Axis of = requireSegment().external(time);
+    return next == null ? of : of.plus(next.external(nextTime).minus(next.travel().start()));
   }
 
   /** Returns whether it is too late to blend a new segment into the last one. */

@@ -13,15 +13,17 @@ import org.jspecify.annotations.Nullable;
  * @param profile the position on the path, over time
  * @param problem the reason why it ends before its target, else null
  * @param overlap the time of the blend with the segment before, s; 0 to start from standstill
+ * @param travel the external axes
  */
 record PathSegment(
     @Nullable MotionCommand motion,
     JointPath path,
     Profile profile,
     @Nullable MotionProblem problem,
-    double overlap) {
+    double overlap,
+    Travel travel) {
   PathSegment withOverlap(double seconds) {
-    return new PathSegment(motion, path, profile, problem, seconds);
+    return new PathSegment(motion, path, profile, problem, seconds, travel);
   }
 
   MotionCommand requireMotion() {
@@ -34,6 +36,18 @@ record PathSegment(
 
   Axis at(double time) throws MotionRefusedException {
     return path.at(profile.position(time));
+  }
+
+  Axis external(double time) {
+    return travel.at(profile.position(time));
+  }
+
+  Joints start() {
+    return new Joints(path.start(), travel.start());
+  }
+
+  Joints end() {
+    return new Joints(path.end(), external(duration()));
   }
 
   Axis near(double time) {

@@ -27,8 +27,8 @@ final class SpeedGovernor {
   private final Arm arm;
   private final double cycle;
   private final AccelerationLimits limits;
-  private final Axis last;
-  private final Axis now;
+  private final Joints last;
+  private final Joints now;
   private final @Nullable Frame tcp;
   private final SpeedLimit speedLimit;
   private final double pathStep;
@@ -47,8 +47,8 @@ final class SpeedGovernor {
       Arm arm,
       double cycle,
       AccelerationLimits limits,
-      Axis last,
-      Axis now,
+      Joints last,
+      Joints now,
       SpeedLimit speedLimit) {
     this.speedLimit = speedLimit;
     this.arm = arm;
@@ -76,13 +76,20 @@ final class SpeedGovernor {
    * @param horizon the look ahead, in parts of a cycle
    * @param ahead the axes after the horizon
    */
-  double rate(double wanted, double before, double horizon, Axis ahead) {
+  double rate(double wanted, double before, double horizon, Joints ahead) {
     least = 0;
     most = 1;
+    Axis steps = ahead.robot().minus(now.robot());
+    Axis robotBefore = now.robot().minus(last.robot());
     for (int axis = 0; axis < Arm.AXES; axis++) {
-      double step = (ahead.get(axis) - now.get(axis)) / horizon;
-      most = Math.min(most, fastest(axis) * cycle / Math.abs(step));
-      change(now.get(axis) - last.get(axis), step, limits.axes().get(axis));
+      limit(
+          robotBefore.get(axis), steps.get(axis) / horizon, fastest(axis), limits.axes().get(axis));
+    }
+    Axis externalSteps = ahead.external().minus(now.external());
+    Axis externalBefore = now.external().minus(last.external());
+    for (int i = 0; i < arm.external().count(); i++) {
+      ExternalAxes.Limits of = arm.external().limits().get(i);
+      limit(externalBefore.get(i), externalSteps.get(i) / horizon, of.speed(), of.acceleration());
     }
     PathRates path = limits.path();
     if (path != null && tcp != null) {
@@ -102,9 +109,15 @@ final class SpeedGovernor {
   }
 
   /** Returns the distance of the TCP or the flange, whichever moves further, mm. */
-  private double furthest(Axis ahead) {
+  private double furthest(Joints ahead) {
     double tool = arm.tcp(now, limits.tool()).distance(arm.tcp(ahead, limits.tool()));
-    return Math.max(tool, arm.forward(now).distance(arm.forward(ahead)));
+    Frame flange = arm.tcp(now, Frame.IDENTITY);
+    return Math.max(tool, flange.distance(arm.tcp(ahead, Frame.IDENTITY)));
+  }
+
+  private void limit(double last, double step, double speed, double acceleration) {
+    most = Math.min(most, speed * cycle / Math.abs(step));
+    change(last, step, acceleration);
   }
 
   private void change(double last, double step, double acceleration) {

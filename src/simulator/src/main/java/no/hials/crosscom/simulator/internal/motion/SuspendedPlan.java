@@ -1,7 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.List;
-import no.hials.crosscom.protocol.value.Axis;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,10 +10,10 @@ import org.jspecify.annotations.Nullable;
  * @param before the plan to which the robot was returning when it was interrupted again
  */
 public record SuspendedPlan(
-    Axis axes,
+    Joints axes,
     PathCursor cursor,
     List<PathSegment> planned,
-    Axis plannedEnd,
+    Joints plannedEnd,
     @Nullable SuspendedPlan before) {
   public SuspendedPlan {
     planned = List.copyOf(planned);

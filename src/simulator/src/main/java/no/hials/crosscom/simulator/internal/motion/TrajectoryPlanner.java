@@ -44,76 +44,90 @@ final class TrajectoryPlanner {
   }
 
   /** Plans a motion that starts at the end of the one before. */
-  PathSegment plan(MotionCommand motion, Axis start) throws MotionRefusedException {
+  PathSegment plan(MotionCommand motion, Joints start, ExternalTarget external)
+      throws MotionRefusedException {
+    Optional<AxisLimit> beyond = arm.external().beyondLimit(external.axes());
+    if (beyond.isPresent()) {
+      throw new MotionRefusedException(beyond.get());
+    }
+    Travel travel = Travel.of(arm.external(), start.external(), external);
     if (motion instanceof PointToPoint ptp) {
-      return pointToPoint(ptp, start);
+      return pointToPoint(ptp, start.robot(), travel);
     }
     return motion instanceof Linear linear
-        ? linear(linear, start)
-        : circular((Circular) motion, start);
+        ? linear(linear, start.robot(), travel)
+        : circular((Circular) motion, start.robot(), travel);
   }
 
   /** Plans the return to where the robot left a path. */
-  PathSegment back(Axis start, Axis target, AxisRates rates) {
+  PathSegment back(Joints start, Joints target, AxisRates rates) {
     // the limits may have changed since
-    return segment(null, target, rates, start);
+    ExternalTarget external = ExternalTarget.of(target.external());
+    Travel travel = Travel.of(arm.external(), start.external(), external);
+    return segment(null, target.robot(), rates, start.robot(), travel);
   }
 
-  private PathSegment pointToPoint(PointToPoint motion, Axis start) throws MotionRefusedException {
+  private PathSegment pointToPoint(PointToPoint motion, Axis start, Travel travel)
+      throws MotionRefusedException {
     Optional<AxisLimit> beyond = arm.beyondLimit(motion.target());
     if (beyond.isPresent()) {
       throw new MotionRefusedException(beyond.get());
     }
-    return segment(motion, arm.clamped(motion.target()), motion.rates(), start);
+    return segment(motion, arm.clamped(motion.target()), motion.rates(), start, travel);
   }
 
   private PathSegment segment(
-      @Nullable MotionCommand motion, Axis end, AxisRates rates, Axis start) {
+      @Nullable MotionCommand motion, Axis end, AxisRates rates, Axis start, Travel travel) {
     double[] most = new double[Arm.AXES];
-    double speed = Double.POSITIVE_INFINITY;
-    double acceleration = Double.POSITIVE_INFINITY;
+    double speed = travel.speed();
+    double acceleration = travel.acceleration();
     for (int axis = 0; axis < most.length; axis++) {
       double way = Math.abs(end.get(axis) - start.get(axis));
       most[axis] = arm.maxAcceleration(axis) * rates.acceleration().get(axis) / 100;
       speed = Math.min(speed, arm.maxSpeed(axis) * rates.velocity().get(axis) / 100 / way);
       acceleration = Math.min(acceleration, most[axis] / way);
     }
-    double length = start.largestDifference(end) < NOWHERE ? 0 : 1;
+    double length = start.largestDifference(end) < NOWHERE && travel.isNone() ? 0 : 1;
     JointPath path = new JointPath.OfAxes(start, end, Axis.of(most));
-    return new PathSegment(motion, path, Trapezoid.of(length, speed, acceleration), null, 0);
+    return new PathSegment(
+        motion, path, Trapezoid.of(length, speed, acceleration), null, 0, travel);
   }
 
-  private PathSegment linear(Linear motion, Axis start) {
+  private PathSegment linear(Linear motion, Axis start, Travel travel) {
     Frame from = arm.tcp(start, motion.tool());
     Frame to =
         motion.orientation() == OrientationControl.CONSTANT
             ? Point.of(motion.target()).turnedAs(from)
             : motion.target();
-    return along(motion, new Curve.Line(from, to), motion.rates(), motion.orientation(), start);
+    return along(
+        motion, new Curve.Line(from, to), motion.rates(), motion.orientation(), start, travel);
   }
 
-  private PathSegment circular(Circular motion, Axis start) throws MotionRefusedException {
+  private PathSegment circular(Circular motion, Axis start, Travel travel)
+      throws MotionRefusedException {
     Frame from = arm.tcp(start, motion.tool());
     Frame orientation =
         motion.orientation() == OrientationControl.CONSTANT ? from : motion.target();
     OptionalDouble angle = motion.angle();
     Arc arc = Arc.through(from, motion.auxiliary(), motion.target(), angle, orientation);
-    return along(motion, arc, motion.rates(), motion.orientation(), start);
+    return along(motion, arc, motion.rates(), motion.orientation(), start, travel);
   }
 
   private PathSegment along(
       MotionCommand motion,
-      Curve curve,
+      Curve target,
       PathRates rates,
       OrientationControl orientation,
-      Axis start) {
+      Axis start,
+      Travel travel) {
+    Curve curve = carried(target, travel);
     Frame flangeInTool = inverse(motion.tool());
     Solver solver = solver(curve, motion.tool(), flangeInTool, orientation, start);
     int points = (int) (Math.max(curve.length(), curve.angle()) / POINT_DISTANCE);
     PathSampler sampler =
         PathSampler.of(arm, solver, start, Math.max(FEWEST, Math.min(MOST, points)));
     double length = sampler.problem() == null ? 1 : sampler.lastParameter();
-    if (curve.length() < NOWHERE && curve.angle() < NOWHERE) {
+    if (curve.length() < NOWHERE && curve.angle() < NOWHERE && travel.isNone()) {
       length = 0;
     }
     boolean byPose = solver instanceof Solver.ByPose;
@@ -121,7 +135,13 @@ final class TrajectoryPlanner {
         new JointPath.OfTcp(
             sampler, curve, motion.tool(), flangeInTool, rates, byPose, accelerations);
     return new PathSegment(
-        motion, path, profile(curve, rates, sampler, length), sampler.problem(), 0);
+        motion, path, profile(curve, rates, sampler, length, travel), sampler.problem(), 0, travel);
+  }
+
+  /** Returns a path in the moving root of the robot. */
+  private Curve carried(Curve curve, Travel travel) {
+    Point way = arm.external().root(travel.end().minus(travel.start()));
+    return way.length() == 0 ? curve : new Curve.Carried(curve, way);
   }
 
   private Solver solver(
@@ -139,12 +159,18 @@ final class TrajectoryPlanner {
     }
   }
 
-  private Profile profile(Curve curve, PathRates rates, PathSampler sampler, double length) {
+  private Profile profile(
+      Curve curve, PathRates rates, PathSampler sampler, double length, Travel travel) {
     double speed =
-        Math.min(rates.velocity() * 1000 / curve.length(), rates.turnVelocity() / curve.angle());
+        least(
+            rates.velocity() * 1000 / curve.length(),
+            rates.turnVelocity() / curve.angle(),
+            travel.speed());
     double acceleration =
-        Math.min(
-            rates.acceleration() * 1000 / curve.length(), rates.turnAcceleration() / curve.angle());
+        least(
+            rates.acceleration() * 1000 / curve.length(),
+            rates.turnAcceleration() / curve.angle(),
+            travel.acceleration());
     Profile free = Trapezoid.of(length, speed, acceleration);
     double[] parameters = sampler.parameters();
     if (length == 0 || parameters.length < 3) {
@@ -157,6 +183,10 @@ final class TrajectoryPlanner {
     Arrays.fill(ramps, acceleration);
     boolean slower = limit(parameters, sampler.axes(), speeds, ramps);
     return slower ? SampledProfile.of(parameters, speeds, ramps) : free;
+  }
+
+  private static double least(double one, double two, double three) {
+    return Math.min(one, Math.min(two, three));
   }
 
   /**

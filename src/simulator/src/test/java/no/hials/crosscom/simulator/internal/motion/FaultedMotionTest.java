@@ -38,7 +38,7 @@ class FaultedMotionTest {
     assertStandsOnTheLine(ride, to);
     assertThat(ride.system.flange().x()).isGreaterThan(FROM.x() + 100);
     assertThat(ride.system.planned()).isZero();
-    assertThat(ride.system.plannedEnd()).isEqualTo(ride.system.axes());
+    assertThat(ride.system.plannedEnd().robot()).isEqualTo(ride.system.axes());
   }
 
   @Test

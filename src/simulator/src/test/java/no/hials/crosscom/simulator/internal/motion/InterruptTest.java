@@ -27,9 +27,9 @@ class InterruptTest {
     MotionCommand second = ride.ptp(START);
     SuspendedPlan suspended = interruptAfter(20, ride);
     Axis left = ride.system.axes();
-    assertThat(suspended.axes()).isEqualTo(left);
+    assertThat(suspended.axes().robot()).isEqualTo(left);
     assertThat(ride.system.finished()).isTrue();
-    assertThat(ride.system.plannedEnd()).isEqualTo(left);
+    assertThat(ride.system.plannedEnd().robot()).isEqualTo(left);
 
     MotionCommand aside = ride.ptp(ASIDE);
     ride.toTheEnd();
@@ -38,7 +38,7 @@ class InterruptTest {
     ride.system.resume(suspended, BACK);
     assertThat(ride.system.current()).contains(first);
     assertThat(ride.system.planned()).isEqualTo(1);
-    assertThat(ride.system.plannedEnd()).isEqualTo(START);
+    assertThat(ride.system.plannedEnd().robot()).isEqualTo(START);
     ride.toTheEnd();
 
     assertThat(ride.events)
@@ -117,7 +117,7 @@ class InterruptTest {
     ride.toTheEnd();
 
     assertThat(ride.positions.subList(begin, ride.positions.size()))
-        .contains(inner.axes(), outer.axes());
+        .contains(inner.axes().robot(), outer.axes().robot());
     assertThat(ride.events).contains(new Passed(first));
     assertThat(ride.system.flange().distance(FROM)).isLessThan(1e-6);
   }

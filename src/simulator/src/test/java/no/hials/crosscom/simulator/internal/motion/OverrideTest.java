@@ -205,7 +205,7 @@ class OverrideTest {
         .hasMessage("no motion can be added while the robot brakes to cancel");
     ride.toStanding();
     assertThat(ride.system.finished()).isTrue();
-    assertThat(ride.system.plannedEnd()).isEqualTo(ride.system.axes());
+    assertThat(ride.system.plannedEnd().robot()).isEqualTo(ride.system.axes());
     ride.ptp(HOME);
     ride.toTheEnd();
     assertThat(ride.system.axes()).isEqualTo(HOME);
@@ -219,7 +219,7 @@ class OverrideTest {
     ride.system.cancel();
 
     assertThat(ride.system.finished()).isTrue();
-    assertThat(ride.system.plannedEnd()).isEqualTo(HOME);
+    assertThat(ride.system.plannedEnd().robot()).isEqualTo(HOME);
     assertThat(ride.system.current()).isEmpty();
   }
 

@@ -1,0 +1,341 @@
+package no.hials.crosscom.simulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.kinematics.Frames;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.code.ProgramState;
+import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/**
+ * A linear unit along X of the world, 500 mm above the floor, on which the robot stands, and a
+ * rotary axis that carries nothing.
+ */
+final class ExternalAxesTest {
+  private static final double CYCLE = 0.012;
+  private static final double SPEED = 1000;
+  private static final double ACCELERATION = SPEED / 0.3;
+  private static final String HOME = "PTP {A1 0,A2 -90,A3 90,A4 0,A5 45,A6 0,E1 0,E2 0}";
+
+  private Cell cell;
+
+  /** The positions after a cycle. */
+  private record Sample(double e1, double e2, Frame world, boolean standing) {}
+
+  @BeforeEach
+  void createTheUnit() {
+    VariableTable table = VariableTable.krc4();
+    table.declareEnum("ESYS", "NONE", "ERSYS", "EASYS");
+    table.declareEnum("EAX", "NONE", "E1", "E2");
+    table.declareStruc("EX_KIN", "ESYS ET1; ESYS ET2");
+    table.declareStruc("ET_AX", "EAX TR_A1; EAX TR_A2; EAX TR_A3");
+    table.declare("$EX_KIN", "EX_KIN", "{ET1 #ERSYS,ET2 #NONE}");
+    table.declare("$ET1_AX", "ET_AX", "{TR_A1 #E1,TR_A2 #NONE,TR_A3 #NONE}");
+    // Z of its frame is X of the world, and the robot stands upright
+    table.declare("$ET1_TA1KR", "FRAME", "{X 0,Y 0,Z 500,A 0,B 90,C 0}");
+    table.declare("$ET1_TFLA3", "FRAME", "{X 0,Y 0,Z 0,A 0,B -90,C 0}");
+    table.set("$EX_AX_NUM", "2");
+    axis(table, 7, 1, -500, 3000, 18);
+    axis(table, 8, 3, -90, 90, 180);
+    cell = new Cell(Cell.stepped(table));
+  }
+
+  private static void axis(
+      VariableTable table, int axis, int type, int minimum, int maximum, int ratio) {
+    table.set("$AXIS_TYPE[" + axis + "]", "" + type);
+    table.set("$SOFTN_END[" + axis + "]", minimum + ".0");
+    table.set("$SOFTP_END[" + axis + "]", maximum + ".0");
+    // 1000 mm/s and 100 degrees/s
+    table.set("$VEL_AXIS_MA[" + axis + "]", "3000.0");
+    table.set("$RAT_MOT_AX[" + axis + "]", "{N " + ratio + ",D 1}");
+  }
+
+  @AfterEach
+  void close() {
+    cell.close();
+  }
+
+  /** Runs statements to their end and returns the positions after each cycle. */
+  private List<Sample> sample(String body) throws Exception {
+    cell.start(body);
+    List<Sample> samples = new ArrayList<>();
+    while (cell.controller.robot().state() == ProgramState.ACTIVE) {
+      samples.add(now());
+      cell.cycles(1);
+    }
+    samples.add(now());
+    assertThat(cell.controller.messages()).isEmpty();
+    return samples;
+  }
+
+  private Sample now() {
+    double e1 = cell.component("$AXIS_ACT", "E1");
+    Frame flange = RobotModel.kr6r900sixx().forward(cell.controller.axes());
+    Frame world = Frames.product(new Frame(e1, 0, 500, 0, 0, 0), flange);
+    return new Sample(e1, cell.component("$AXIS_ACT", "E2"), world, cell.controller.standing());
+  }
+
+  private static void assertLimits(List<Sample> samples) {
+    double before = 0;
+    for (int i = 1; i < samples.size(); i++) {
+      double speed = (samples.get(i).e1() - samples.get(i - 1).e1()) / CYCLE;
+      assertThat(Math.abs(speed)).isLessThan(SPEED * 1.001);
+      assertThat(Math.abs(speed - before) / CYCLE).isLessThan(ACCELERATION * 1.03);
+      before = speed;
+    }
+  }
+
+  @Test
+  void externalAxesStartAndEndWithTheRobot() throws Exception {
+    cell.run(HOME);
+    List<Sample> samples = sample("PTP {A1 90,E1 1500,E2 60}");
+
+    assertLimits(samples);
+    Sample end = samples.get(samples.size() - 1);
+    assertThat(end.e1()).isEqualTo(1500);
+    assertThat(end.e2()).isEqualTo(60);
+    assertThat(cell.controller.axes().a1()).isEqualTo(90);
+    for (Sample at : samples) {
+      assertThat(at.e2()).isEqualTo(at.e1() * 60 / 1500, within(1e-3));
+    }
+    // 1.5 s at full speed and 0.3 s for its ramps, which A1 alone would not take
+    assertThat(samples.stream().filter(at -> !at.standing()).count() * CYCLE)
+        .isEqualTo(1.8, within(0.03));
+  }
+
+  @Test
+  void theRootOfTheRobotFollowsTheUnit() throws Exception {
+    cell.run(HOME);
+    double before = cell.component("$POS_ACT", "X");
+    cell.run("PTP {E1 -400}");
+
+    assertThat(cell.get("$ROBROOT_C"))
+        .isEqualTo("{FRAME: X -400.000, Y 0.0, Z 500.000, A 0.0, B 0.0, C 0.0}");
+    assertThat(cell.component("$POS_ACT", "X")).isEqualTo(before - 400, within(1e-3));
+    assertThat(cell.component("$POS_ACT", "Z")).isEqualTo(833.431 + 500, within(1e-3));
+    assertThat(cell.component("$POS_ACT", "E1")).isEqualTo(-400);
+    assertThat(cell.get("$AXIS_FOR.E1")).isEqualTo("-400.000");
+    assertThat(cell.get("$AXIS_BACK.E1")).isEqualTo("0.0");
+  }
+
+  @Test
+  void theSpeedOfExternalAxesIsInPercentOfTheirHighest() throws Exception {
+    cell.run(HOME);
+    cell.start("$VEL_EXTAX[1]=50\nPTP {E1 2000}");
+    cell.cycles(60);
+
+    assertThat(cell.real("$VEL_AXIS_ACT[7]")).isEqualTo(50, within(0.01));
+    // m/s, seen from the world
+    assertThat(cell.real("$VEL_ACT")).isEqualTo(0.5, within(1e-4));
+  }
+
+  @Test
+  void aLineIsStraightInTheWorldWhileTheUnitMoves() throws Exception {
+    cell.run(HOME);
+    Frame from = now().world();
+    List<Sample> samples = sample("$VEL.CP=0.4\nLIN_REL {X 900,Y 200,Z -100,E1 700}");
+
+    assertLimits(samples);
+    for (Sample at : samples) {
+      double part = (at.world().x() - from.x()) / 900;
+      assertThat(at.world().y() - from.y()).isEqualTo(200 * part, within(1e-3));
+      assertThat(at.world().z() - from.z()).isEqualTo(-100 * part, within(1e-3));
+      assertThat(at.e1()).isEqualTo(700 * part, within(2e-3));
+      assertThat(Frames.angle(at.world(), from)).isLessThan(1e-4);
+    }
+    assertThat(samples.get(samples.size() - 1).e1()).isEqualTo(700);
+    Sample one = samples.get(samples.size() / 2);
+    Sample next = samples.get(samples.size() / 2 + 1);
+    assertThat(one.world().distance(next.world()) / CYCLE).isEqualTo(400, within(0.1));
+  }
+
+  @Test
+  void theTcpStaysInTheWorldWhileTheUnitMovesBelowIt() throws Exception {
+    cell.run(HOME);
+    Frame from = now().world();
+    List<Sample> samples = sample("$VEL.CP=0.4\nLIN_REL {E1 -200}");
+
+    assertLimits(samples);
+    assertThat(samples.get(samples.size() - 1).e1()).isEqualTo(-200);
+    assertThat(samples).allSatisfy(at -> assertThat(at.world().distance(from)).isLessThan(1e-3));
+  }
+
+  @Test
+  void aCircleIsRoundInTheWorldWhileTheUnitMoves() throws Exception {
+    cell.run(HOME);
+    Frame from = now().world();
+    List<Sample> samples = sample("CIRC_REL {X 150,Y 150},{X 300,Y 0,E1 250}");
+
+    assertThat(samples.get(samples.size() - 1).e1()).isEqualTo(250);
+    Frame centre = new Frame(from.x() + 150, from.y(), from.z(), 0, 0, 0);
+    assertThat(samples)
+        .allSatisfy(at -> assertThat(at.world().distance(centre)).isEqualTo(150, within(1e-3)));
+  }
+
+  @Test
+  void aBlendIsSmoothInTheWorldWhileTheUnitMoves() throws Exception {
+    cell.run(HOME);
+    List<Sample> samples =
+        sample("$VEL.CP=0.3\n$APO.CDIS=100\nLIN_REL {X 300,E1 300} C_DIS\nLIN_REL {Y 300,E1 100}");
+
+    assertLimits(samples);
+    Sample end = samples.get(samples.size() - 1);
+    assertThat(end.e1()).isEqualTo(400);
+    assertThat(end.world().x() - samples.get(0).world().x()).isEqualTo(300, within(1e-3));
+    assertThat(end.world().y() - samples.get(0).world().y()).isEqualTo(300, within(1e-3));
+    for (int i = 1; i < samples.size(); i++) {
+      assertThat(samples.get(i).world().distance(samples.get(i - 1).world()))
+          .isLessThan(300 * CYCLE * 1.01);
+    }
+  }
+
+  @Test
+  void aCartesianTargetOfPtpIsInTheWorld() throws Exception {
+    cell.run(HOME);
+    cell.run("PTP {X 1500,Y 100,Z 1200,A 180,B 45,C 180,S 2,T 3,E1 1000}");
+
+    Frame world = now().world();
+    assertThat(world.distance(new Frame(1500, 100, 1200, 0, 0, 0))).isLessThan(1e-3);
+    assertThat(cell.component("$POS_ACT", "X")).isEqualTo(1500, within(1e-3));
+  }
+
+  @Test
+  void anExternalAxisThatIsHeldSlowsDownWithinItsAcceleration() throws Exception {
+    cell.run(HOME);
+    cell.start("PTP {E1 2000}");
+    List<Sample> samples = new ArrayList<>();
+    for (int i = 0; i < 150; i++) {
+      if (i == 60) {
+        cell.controller.robot().stop();
+      }
+      samples.add(now());
+      cell.cycles(1);
+    }
+
+    assertLimits(samples);
+    assertThat(cell.controller.standing()).isTrue();
+    assertThat(now().e1()).isBetween(500.0, 1500.0);
+    cell.controller.start();
+    cell.runToTheEnd();
+    assertThat(now().e1()).isEqualTo(2000);
+  }
+
+  @Test
+  void theUnitIsSlowInT1() throws Exception {
+    cell.run(HOME);
+    cell.controller.setMode(OperatingMode.T1);
+    cell.set("$RED_T1", "100");
+    cell.start("PTP {E1 500}");
+    cell.cycles(50);
+
+    // $SPEED_LIMIT_TEACH_MODE
+    assertThat(cell.real("$VEL_ACT")).isEqualTo(0.22, within(1e-3));
+  }
+
+  @Test
+  void theUnitStartsAtXhomeToo() throws Exception {
+    cell.controller.load(
+        "$config.dat",
+        "DEFDAT $CONFIG PUBLIC\nDECL E6AXIS XHOME={A1 5.0,A2 -90.0,A3 90.0,A4 0.0,A5 30.0,A6 0.0,"
+            + "E1 300.0,E2 0.0}\nENDDAT\n");
+
+    assertThat(now().e1()).isEqualTo(300);
+    assertThat(cell.get("$ROBROOT_C.X")).isEqualTo("300.000");
+  }
+
+  @Test
+  void aTargetBeyondALimitIsRefused() throws Exception {
+    cell.run(HOME);
+    cell.start("PTP {E1 3001}");
+    cell.cycles(5);
+
+    assertThat(cell.message())
+        .isEqualTo("9102 test.src:2:1: E1 must be at most 3000.000, would be 3001.000");
+    assertThat(now().e1()).isZero();
+  }
+
+  @Test
+  void anEndlessAxisHasNoLimits() throws Exception {
+    cell.set("$AXIS_TYPE[8]", "5");
+    cell.run("PTP {E2 720}");
+
+    assertThat(now().e2()).isEqualTo(720);
+  }
+
+  @Test
+  void anAxisThatDoesNotExistStaysAtZero() throws Exception {
+    cell.run("PTP {A1 10,E3 100}");
+
+    assertThat(cell.get("$AXIS_ACT.E3")).isEqualTo("0.0");
+  }
+
+  @Test
+  void anotherExternalAxisLeavesTheRootWhereItIs() throws Exception {
+    cell.set("$EX_KIN.ET1", "#EASYS");
+    cell.run("PTP {A1 10,E1 100}");
+
+    assertThat(cell.get("$AXIS_ACT.E1")).isEqualTo("100.000");
+    assertThat(cell.get("$ROBROOT_C.X")).isEqualTo("0.0");
+    assertThat(cell.component("$POS_ACT", "Z")).isEqualTo(890, within(1e-3));
+  }
+
+  @Test
+  void forwardAndInverseKnowTheUnit() throws Exception {
+    cell.run(HOME);
+    cell.startModule(
+        "TEST",
+        """
+        DEF TEST()
+        DECL E6AXIS AX
+        DECL E6POS P
+        INT I
+        AX={A1 10,A2 -90,A3 90,A4 0,A5 45,A6 0,E1 800}
+        P=FORWARD(AX,I)
+        AX=INVERSE(P,AX,I)
+        PTP AX
+        END
+        """);
+    cell.runToTheEnd();
+
+    assertThat(cell.controller.axes().a1()).isEqualTo(10, within(1e-3));
+    assertThat(now().e1()).isEqualTo(800);
+  }
+
+  @Test
+  void aSuspendedMotionGoesBackWithTheExternalAxes() throws Exception {
+    cell.run(HOME);
+    KrlStruct home = (KrlStruct) cell.controller.variables().value("$AXIS_ACT");
+    cell.startModule(
+        "TEST",
+        """
+        DEF TEST()
+        INTERRUPT DECL 4 WHEN $FLAG[1] DO AWAY()
+        INTERRUPT ON 4
+        PTP {E1 2000}
+        END
+        DEF AWAY()
+        BRAKE
+        PTP {A1 20,E1 100}
+        END
+        """);
+    cell.cycles(60);
+    cell.set("$FLAG[1]", "TRUE");
+    List<Sample> samples = new ArrayList<>();
+    while (cell.controller.robot().state() == ProgramState.ACTIVE) {
+      samples.add(now());
+      cell.cycles(1);
+    }
+
+    assertThat(samples).anySatisfy(at -> assertThat(at.e1()).isEqualTo(100, within(1e-6)));
+    assertThat(now().e1()).isEqualTo(2000);
+    assertThat(cell.controller.axes().a1()).isEqualTo(home.get("A1").orElseThrow().asDouble());
+  }
+}

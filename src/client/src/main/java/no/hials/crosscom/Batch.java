@@ -393,7 +393,7 @@ abstract class Batch {
       }
       item.text = item.variable.getStringValue();
       try {
-        exchange.checkAggregate(item.name(), item.text);
+        exchange.checkValue(item.name(), item.text);
       } catch (CrossComValueException e) {
         item.failure = e;
       }

@@ -472,11 +472,12 @@ public final class CrossComClient extends OriginalAccess {
    *     or an aggregate
    * @return the text of the answer, which normally repeats the value; empty if it has none
    * @throws CrossComAccessException if the controller refuses
-   * @throws CrossComValueException if the text is too long to be sent, or on KUKAVARPROXY has a
-   *     character that {@link ClientConfig#charset} lacks
+   * @throws CrossComValueException if the text is too long to be sent, has a line break or NUL
+   *     outside double quotes, or on KUKAVARPROXY has a character that {@link ClientConfig#charset}
+   *     lacks
    * @throws CrossComException if the exchange fails
-   * @throws IllegalArgumentException if the name is blank, or on KUKAVARPROXY has a character that
-   *     {@link ClientConfig#charset} lacks
+   * @throws IllegalArgumentException if the name is blank, has a line break or NUL, or on
+   *     KUKAVARPROXY has a character that {@link ClientConfig#charset} lacks
    */
   public String writeText(String name, String value) throws IOException {
     return variables.write(name, value).text();

@@ -28,6 +28,7 @@ import no.hials.crosscom.protocol.TextResponse;
 import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.protocol.value.KrlText;
 import no.hials.crosscom.protocol.variable.AccessResult;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadMultipleRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
@@ -170,7 +171,7 @@ final class VariableExchange {
   /** Writes a text to a variable, and updates it from the answer. */
   void write(KRLVariable variable, CharSequence value) throws CrossComException {
     String name = variable.getName();
-    check(name, value);
+    checkValue(name, value);
     if (!isPlain(name, value)) {
       takeEcho(variable, writeText(name, value.toString()));
       return;
@@ -603,13 +604,19 @@ final class VariableExchange {
 
   private void check(String name, CharSequence value) throws CrossComValueException {
     VariableName.check(name);
-    checkAggregate(name, value);
+    checkValue(name, value);
   }
 
-  /** Refuses an aggregate that is too long for the controller. */
-  void checkAggregate(String name, CharSequence value) throws CrossComValueException {
+  /** Refuses more than one line, and an aggregate that is too long for the controller. */
+  void checkValue(String name, CharSequence value) throws CrossComValueException {
     if (value == null) { // not by requireNonNull, as its supplier would be an object
       throw new NullPointerException("the value to be written to " + name);
+    }
+    // a KrlText has no texts: it is a number, BOOL or structure of numbers
+    int bad = value instanceof KrlText ? -1 : VariableName.indexOfLineEnd(value, true);
+    if (bad >= 0) {
+      String why = "must be one line, has U+%04X at index %d";
+      throw cannotBeSent(name, value.toString(), why.formatted((int) value.charAt(bad), bad), null);
     }
     int limit = config.maxAggregateLength();
     if (limit > 0 && value.length() > limit && value.toString().stripLeading().startsWith("{")) {

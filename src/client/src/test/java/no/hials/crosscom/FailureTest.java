@@ -437,4 +437,26 @@ class FailureTest extends RobotTest {
     assertThat(defaults.keepAlive()).isEqualTo(Duration.ofSeconds(10));
     assertThat(defaults.reconnect()).isTrue();
   }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"5\n", "5\r\nX", "5\0", "\"a\"\n"})
+  void aValueOfSeveralLinesIsNotSent(String value) {
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.writeText("MYINT", value))
+        .withMessageContaining("must be one line, has U+00")
+        .returns(false, CrossComValueException::isSent);
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(() -> client.checkText("MYINT", value));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> client.readText("MYINT" + value))
+        .withMessageContaining("must not have a line break or NUL, has U+00");
+    assertThat(robot.requestCount()).isZero();
+  }
+
+  @Test
+  void aTextCanHaveALineBreak() throws Exception {
+    client.writeText("MYSTRING[]", "\"a\nb\"");
+
+    assertThat(robot.variables().get("MYSTRING[]")).isEqualTo("\"a\nb\"");
+  }
 }

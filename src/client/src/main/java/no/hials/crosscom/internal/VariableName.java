@@ -1,6 +1,7 @@
 package no.hials.crosscom.internal;
 
 import java.util.Objects;
+import no.hials.crosscom.protocol.value.PrintableText;
 
 /** The rules for the name of a variable. */
 public final class VariableName {
@@ -21,15 +22,43 @@ public final class VariableName {
   }
 
   /**
+   * Returns the index of the first line break or NUL, which no name or value has: a line of KRL
+   * ends there.
+   *
+   * @param hasTexts whether there can be texts in double quotes, which can have any character
+   * @return -1 if there is none
+   */
+  public static int indexOfLineEnd(CharSequence text, boolean hasTexts) {
+    boolean inText = false;
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (c == '"') {
+        inText = hasTexts && !inText;
+      } else if (!inText && (c == '\n' || c == '\r' || c == 0)) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  /**
    * Checks a name.
    *
    * @param name the name
    * @return the name
-   * @throws IllegalArgumentException if the name is blank or too long for a message
+   * @throws IllegalArgumentException if the name is blank, has a line break or NUL, or is too long
+   *     for a message
    */
   public static String check(String name) {
     if (Objects.requireNonNull(name, "name").isBlank()) {
       throw new IllegalArgumentException("a variable's name must not be blank");
+    }
+    int bad = indexOfLineEnd(name, false);
+    if (bad >= 0) {
+      throw new IllegalArgumentException(
+          "a variable's name must not have a line break or NUL, has "
+              + String.format("U+%04X at index %d: ", (int) name.charAt(bad), bad)
+              + PrintableText.shortened(name));
     }
     if (name.length() > MAX_LENGTH) {
       throw new IllegalArgumentException(

@@ -33,6 +33,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Runs the jar as a user does: as a process of its own. */
@@ -151,6 +152,45 @@ class JarIT {
       assertThat(mock.waitFor()).isEqualTo(129);
     } finally {
       mock.destroyForcibly();
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"HUP, 129", "INT, 130", "TERM, 143"})
+  @EnabledOnOs(OS.LINUX)
+  void endsWith128AndTheNumberOfTheSignalWithoutTheAnswer(String signal, int code)
+      throws Exception {
+    server.enqueue(Fault.drop());
+    Process read =
+        Jar.withDefaultSignal(
+                signal, Jar.process(Cli.argsOn(server, "read", "MYINT", "--timeout", "10m")))
+            .redirectOutput(dir.resolve("out").toFile())
+            .start();
+    try {
+      assertThat(server.takeRequest(Duration.ofSeconds(60))).isPresent();
+      Jar.send(signal, read);
+
+      assertThat(read.waitFor()).isEqualTo(code);
+    } finally {
+      read.destroyForcibly();
+    }
+    assertThat(dir.resolve("out")).isEmptyFile();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"INT", "TERM"})
+  @EnabledOnOs(OS.LINUX)
+  void aCommandThatRunsUntilItIsStoppedEndsWithCode0(String signal) throws Exception {
+    Process watch =
+        Jar.withDefaultSignal(signal, Jar.process(Cli.argsOn(server, "watch", "MYINT"))).start();
+    try (BufferedReader out =
+        new BufferedReader(new InputStreamReader(watch.getInputStream(), StandardCharsets.UTF_8))) {
+      assertThat(out.readLine()).isNotNull();
+      Jar.send(signal, watch);
+
+      assertThat(watch.waitFor()).isZero();
+    } finally {
+      watch.destroyForcibly();
     }
   }
 

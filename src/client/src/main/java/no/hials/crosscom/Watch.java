@@ -37,10 +37,12 @@ import org.slf4j.LoggerFactory;
  * program's records block all samplers, periods are missed, because at most one reading waits until
  * its sample is created.
  *
- * <p>A watch ends when it, its client or the runtime is closed; subscribers then get {@code
- * onComplete}. A variable that cannot be read, for example because its name is too long for a
- * request, is a failed {@link Reading} in each sample. Only an unexpected exception ends the watch
- * with {@code onError}.
+ * <p>A watch ends when it, its client or the runtime is closed, or the connection is lost and
+ * {@link ClientConfig#reconnect} is off. After one of these {@code close} methods has returned, no
+ * listener is called with a sample any more; a call under way goes on. Subscribers still get the
+ * samples that wait, as they request them, and then {@code onComplete}; iterators return them. A
+ * variable that cannot be read, for example because its name is too long for a request, is a failed
+ * {@link Reading} in each sample. Only an unexpected exception ends the watch with {@code onError}.
  */
 public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
@@ -69,6 +71,9 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
 
   /** When the next reading starts, by {@link System#nanoTime}; used by one thread at a time. */
   private long next;
+
+  /** Whether listeners get no more samples. */
+  private volatile boolean listenersDone;
 
   /** Whether a reading waits until its sample is created. */
   private volatile boolean waiting;
@@ -122,6 +127,9 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     CompletableFuture<Void> unused =
         publisher.consume(
             sample -> {
+              if (listenersDone) {
+                return;
+              }
               try {
                 listener.accept(sample);
               } catch (RuntimeException | Error e) {
@@ -286,7 +294,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
       waiting = true;
       sampling.execute(() -> sample(items, duration));
       if (lost) {
-        close();
+        stop();
       }
       endReading();
     }
@@ -322,9 +330,18 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     return closed;
   }
 
-  /** Ends the watch after the current reading, and completes the subscribers. */
+  /**
+   * Ends the watch after the current reading. No listener is called with later or waiting samples;
+   * subscribers and iterators get the waiting ones before the end.
+   */
   @Override
   public void close() {
+    listenersDone = true;
+    stop();
+  }
+
+  /** Ends the watch after the current reading, whose sample is for listeners too. */
+  private void stop() {
     synchronized (this) {
       closed = true;
       if (reading) {

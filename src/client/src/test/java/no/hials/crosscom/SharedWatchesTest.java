@@ -32,6 +32,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Watches many robots in the threads of one runtime. */
 class SharedWatchesTest extends RobotTest {
@@ -176,6 +177,47 @@ class SharedWatchesTest extends RobotTest {
         iterator.next();
       }
       release.countDown();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void noListenerGetsAWaitingSampleAfterTheWatchOrItsClientIsClosed(boolean closesClient)
+      throws Exception {
+    CountDownLatch called = new CountDownLatch(1);
+    CountDownLatch release = new CountDownLatch(1);
+    AtomicInteger calls = new AtomicInteger();
+    try (ClientRuntime one = ClientRuntime.create(cfg -> cfg.listenerThreads(1));
+        CrossComClient other = client(cfg -> cfg.runtime(one));
+        CrossComClient its = client(cfg -> cfg.runtime(one))) {
+      Watch watch =
+          its.watch(
+              PERIOD,
+              sample -> {
+                calls.incrementAndGet();
+                called.countDown();
+                try {
+                  release.await();
+                } catch (InterruptedException e) {
+                  Thread.currentThread().interrupt();
+                }
+              },
+              "$OV_PRO");
+      called.await();
+      Iterator<Sample> iterator = watch.iterator();
+      for (int i = 0; i < 5; i++) {
+        iterator.next(); // waits for the listener too
+      }
+      if (closesClient) {
+        its.close();
+      } else {
+        watch.close();
+      }
+      release.countDown();
+      other.watch(PERIOD, samples::add, "$OV_PRO");
+      next(); // so the only thread has done what waited
+
+      assertThat(calls).hasValue(1);
     }
   }
 

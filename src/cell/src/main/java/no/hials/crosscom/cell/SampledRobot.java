@@ -30,9 +30,8 @@ public final class SampledRobot implements Closeable {
 
   private @Nullable Watch watch;
   private boolean enough;
-  private long lastNumber;
   private @Nullable Instant latest;
-  private long endNumber = Long.MAX_VALUE;
+  private boolean ended;
   private long samples;
   private @Nullable Instant firstTime;
   private @Nullable Instant lastTime;
@@ -96,8 +95,8 @@ public final class SampledRobot implements Closeable {
   // the watch
 
   void start(WatchConfig config) throws IOException {
-    Watch started = controller.client().watch(config, sample -> sampling.add(to -> came(sample)));
-    started.subscribe(new End());
+    Watch started = controller.client().watch(config);
+    started.subscribe(new Samples());
     watch = started;
   }
 
@@ -106,13 +105,8 @@ public final class SampledRobot implements Closeable {
     sampling.hold(this, event.time(), listener -> listener.connectionChanged(this, event));
   }
 
-  /**
-   * Reports the end of the watch and its last sample: the listener, which is not notified of the
-   * end, may lag.
-   */
-  private final class End implements Flow.Subscriber<Sample> {
-    private long last;
-
+  /** Receives the samples and the end of the watch. */
+  private final class Samples implements Flow.Subscriber<Sample> {
     @Override
     public void onSubscribe(Flow.Subscription subscription) {
       subscription.request(Long.MAX_VALUE);
@@ -120,7 +114,7 @@ public final class SampledRobot implements Closeable {
 
     @Override
     public void onNext(Sample sample) {
-      last = sample.number();
+      sampling.add(listener -> came(sample));
     }
 
     @Override
@@ -130,7 +124,7 @@ public final class SampledRobot implements Closeable {
 
     @Override
     public void onComplete() {
-      sampling.add(listener -> endNumber = last);
+      sampling.add(listener -> ended = true);
     }
   }
 
@@ -149,7 +143,7 @@ public final class SampledRobot implements Closeable {
 
   /** Returns whether more samples can arrive. */
   boolean isActive() {
-    return !enough && lastNumber < endNumber;
+    return !enough && !ended;
   }
 
   /** Returns whether later samples are ignored. */
@@ -163,7 +157,6 @@ public final class SampledRobot implements Closeable {
   }
 
   private void came(Sample sample) {
-    lastNumber = sample.number();
     latest = sample.time();
     sampling.hold(this, sample.time(), listener -> sampling.take(this, sample, listener));
   }

@@ -3,6 +3,7 @@ package no.hials.crosscom.cell;
 import java.io.IOException;
 import java.nio.file.NoSuchFileException;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 
 /** Thrown when data cannot be written to stdout or a file. */
 public final class OutputException extends RuntimeException {
@@ -35,7 +36,7 @@ public final class OutputException extends RuntimeException {
         : FileException.reason(cause);
   }
 
-  private OutputException(String message, boolean brokenPipe, Throwable cause) {
+  private OutputException(String message, boolean brokenPipe, @Nullable Throwable cause) {
     super(message, cause);
     this.brokenPipe = brokenPipe;
   }

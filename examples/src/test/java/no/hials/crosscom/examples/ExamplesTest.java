@@ -180,6 +180,15 @@ class ExamplesTest {
   }
 
   @Test
+  void recoverFromARestartWritesOnceTheControllerIsBack() {
+    assertThat(run(() -> RecoverFromARestart.main(new String[0])).lines())
+        .satisfiesExactly(
+            line -> assertThat(line).contains("the outcome is unknown"),
+            line -> assertThat(line).isEqualTo("it was written"),
+            line -> assertThat(line).contains("losses=1, reconnects=1"));
+  }
+
+  @Test
   void checkBeforeMovingRefusesWithoutAProgramAndBeyondALimit() {
     List<String> lines = run(() -> CheckBeforeMoving.main(new String[0])).lines().toList();
 

@@ -93,16 +93,16 @@ final class ExpressionText implements ExpressionVisitor<String> {
   private static String operator(Expression.BinaryOperator operator) {
     return switch (operator) {
       case GEOMETRIC -> ":";
-      case TIMES -> "*";
-      case DIVIDED -> "/";
+      case MULTIPLY -> "*";
+      case DIVIDE -> "/";
       case PLUS -> "+";
       case MINUS -> "-";
       case EQUAL -> "==";
-      case UNEQUAL -> "<>";
+      case NOT_EQUAL -> "<>";
       case LESS -> "<";
-      case AT_MOST -> "<=";
+      case LESS_OR_EQUAL -> "<=";
       case GREATER -> ">";
-      case AT_LEAST -> ">=";
+      case GREATER_OR_EQUAL -> ">=";
       case B_AND, B_EXOR, B_OR, AND, EXOR, OR -> " " + operator + " ";
     };
   }

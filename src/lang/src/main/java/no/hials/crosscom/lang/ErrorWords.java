@@ -149,7 +149,7 @@ final class ErrorWords {
       words.add("a value");
       left.removeAll(VALUES);
       left.removeAll(OPERATORS);
-    } else if (left.contains(KrlGrammarParser.TIMES)) {
+    } else if (left.contains(KrlGrammarParser.MULTIPLY)) {
       left.removeAll(OPERATORS);
     }
     if (left.contains(KrlGrammarParser.NAME)) {

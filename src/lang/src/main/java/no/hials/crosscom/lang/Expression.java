@@ -196,9 +196,9 @@ public sealed interface Expression {
     /** {@code :}, the geometric operator: combines two frames. */
     GEOMETRIC,
     /** {@code *}. */
-    TIMES,
+    MULTIPLY,
     /** {@code /}. */
-    DIVIDED,
+    DIVIDE,
     /** {@code +}. */
     PLUS,
     /** {@code -}. */
@@ -206,15 +206,15 @@ public sealed interface Expression {
     /** {@code ==}. */
     EQUAL,
     /** {@code <>}. */
-    UNEQUAL,
+    NOT_EQUAL,
     /** {@code <}. */
     LESS,
     /** {@code <=}. */
-    AT_MOST,
+    LESS_OR_EQUAL,
     /** {@code >}. */
     GREATER,
     /** {@code >=}. */
-    AT_LEAST,
+    GREATER_OR_EQUAL,
     /** {@code B_AND}. */
     B_AND,
     /** {@code B_EXOR}. */

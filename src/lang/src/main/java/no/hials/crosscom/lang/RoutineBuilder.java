@@ -174,6 +174,7 @@ final class RoutineBuilder {
     return !open.isEmpty() && innermost().isSpline();
   }
 
+  /** Checks the place of a statement in its routine; most kinds may be anywhere. */
   private void check(Statement statement) {
     if (statement instanceof Statement.Exit && open.stream().noneMatch(Block::isLoop)) {
       // an unknown line may be the mistyped start of the loop

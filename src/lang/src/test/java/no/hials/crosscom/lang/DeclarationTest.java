@@ -70,7 +70,7 @@ class DeclarationTest {
       value = {
         "INT I=5                  | Variables(false, false, INT, [Declarator(I, [], 5)], )",
         "INT I=-2*N+1,J           | Variables(false, false, INT, [Declarator(I, [], (((MINUS 2)"
-            + " TIMES N) PLUS 1)), Declarator(J, [], -)], )",
+            + " MULTIPLY N) PLUS 1)), Declarator(J, [], -)], )",
         "INT MASK='B0101'         | Variables(false, false, INT, [Declarator(MASK, [], 5)], )",
         "DECL MODE_OP M=#T1       | Variables(false, false, MODE_OP, [Declarator(M, [], #T1)], )",
         "CONST INT N=5            | Variables(false, true, INT, [Declarator(N, [], 5)], )",

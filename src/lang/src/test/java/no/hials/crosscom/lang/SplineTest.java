@@ -81,7 +81,7 @@ class SplineTest {
                 + "SplineMotion(SPL, -, XP1, -, [], false, -), TimeBlock(START, -),"
                 + " SplineMotion(SLIN, -, XP2, -,"
                 + " [AssignmentStatement($ORI_TYPE, #CONSTANT)], false, -),"
-                + " TimeBlock(PART, (2 TIMES N)),"
+                + " TimeBlock(PART, (2 MULTIPLY N)),"
                 + " Trigger(true, 5, true, (MINUS 10), AssignmentStatement($OUT[1], true), -),"
                 + " SplineMotion(SCIRC, XP3, XP4, 90, [], false, -), TimeBlock(END, 1.5),"
                 + " ConstantVelocity(false, 10, true),"

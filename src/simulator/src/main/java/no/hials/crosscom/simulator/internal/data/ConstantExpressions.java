@@ -140,7 +140,7 @@ public final class ConstantExpressions {
     KrlValue left = number(binary.left(), evaluate(binary.left(), scope));
     KrlValue right = number(binary.right(), evaluate(binary.right(), scope));
     return switch (binary.operator()) {
-      case PLUS, MINUS, TIMES, DIVIDED -> {
+      case PLUS, MINUS, MULTIPLY, DIVIDE -> {
         try {
           yield Operators.of(binary.operator()).apply(left, right);
         } catch (KrlExecutionException e) {

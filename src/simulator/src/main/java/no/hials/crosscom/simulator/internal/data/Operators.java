@@ -32,14 +32,14 @@ public final class Operators {
       case GEOMETRIC -> FrameArithmetic::product;
       case PLUS -> arithmetic(Long::sum, Double::sum);
       case MINUS -> arithmetic((a, b) -> a - b, (a, b) -> a - b);
-      case TIMES -> arithmetic((a, b) -> a * b, (a, b) -> a * b);
-      case DIVIDED -> Operators::quotient;
+      case MULTIPLY -> arithmetic((a, b) -> a * b, (a, b) -> a * b);
+      case DIVIDE -> Operators::quotient;
       case EQUAL -> (left, right) -> new KrlBool(areEqual(left, right));
-      case UNEQUAL -> (left, right) -> new KrlBool(!areEqual(left, right));
+      case NOT_EQUAL -> (left, right) -> new KrlBool(!areEqual(left, right));
       case LESS -> (left, right) -> new KrlBool(compare(left, right) < 0);
-      case AT_MOST -> (left, right) -> new KrlBool(compare(left, right) <= 0);
+      case LESS_OR_EQUAL -> (left, right) -> new KrlBool(compare(left, right) <= 0);
       case GREATER -> (left, right) -> new KrlBool(compare(left, right) > 0);
-      case AT_LEAST -> (left, right) -> new KrlBool(compare(left, right) >= 0);
+      case GREATER_OR_EQUAL -> (left, right) -> new KrlBool(compare(left, right) >= 0);
       case B_AND -> (left, right) -> new KrlInt(intOf(left) & intOf(right));
       case B_OR -> (left, right) -> new KrlInt(intOf(left) | intOf(right));
       case B_EXOR -> (left, right) -> new KrlInt(intOf(left) ^ intOf(right));
@@ -61,7 +61,7 @@ public final class Operators {
     if (divisor == 0) {
       throw new KrlExecutionException(
           KrlExecutionException.DIVISION_BY_ZERO,
-          "a divisor must not be 0, divided " + left + " by it");
+          "a divisor must not be 0, the dividend is " + left);
     }
     if (left instanceof KrlInt a && right instanceof KrlInt b) {
       return integer((long) a.value() / b.value());
@@ -102,8 +102,8 @@ public final class Operators {
   }
 
   /**
-   * Returns a REAL, rounded to a float. A double holds the sum, product or quotient of two floats
-   * exactly enough for that.
+   * Returns a REAL, rounded to a float. The double of a sum, product or quotient of two floats is
+   * precise enough to be rounded correctly.
    */
   public static KrlReal real(double result) throws KrlExecutionException {
     float rounded = (float) result;

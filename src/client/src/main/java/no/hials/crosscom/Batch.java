@@ -67,7 +67,7 @@ abstract class Batch {
 
     @Nullable CrossComException failure;
 
-    /** Whether an answer with it was too long, and it must not be asked for in another message. */
+    /** Whether an answer that included it was too long, so that it is not requested again. */
     boolean suspect;
 
     /** Whether the answer with nothing else was too long. */

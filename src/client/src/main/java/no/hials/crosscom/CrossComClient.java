@@ -140,7 +140,7 @@ public final class CrossComClient extends OriginalAccess {
     this.pendant = new C3Pendant(channel);
     this.files = new C3Files(channel);
     this.information = new C3Information(channel);
-    // not this client: its views are as good as the client
+    // of the channel, not of this client: programs() and the other views use it without the client
     this.cleanable = DroppedClient.register(channel, config, connection, threads);
   }
 

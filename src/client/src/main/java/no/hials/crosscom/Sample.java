@@ -94,7 +94,7 @@ public record Sample(
     FRESH,
     /** It was read, and is unchanged or within the dead band. */
     REPEATED,
-    /** It could not be read, unlike other variables. */
+    /** This variable could not be read; the others of the sample may have been. */
     FAILED,
     /** It was not read, because the whole reading failed. */
     MISSED

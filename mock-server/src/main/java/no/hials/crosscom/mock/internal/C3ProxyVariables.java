@@ -89,7 +89,8 @@ public final class C3ProxyVariables {
   }
 
   boolean has(MessageType type) {
-    // these two existed before they were correct (docs/reference/c3-messages.md#server-versions)
+    // the first versions had these two, with wrong values
+    // (docs/reference/c3-messages.md#server-versions)
     return type == MessageType.READ_MULTIPLE
         || type == MessageType.WRITE_MULTIPLE
         || supportsCorrectly(type);

@@ -13,7 +13,7 @@ enum Effect {
   /** Any value or an exception. */
   ANY_VALUE;
 
-  /** Returns whether the bytes are a valid answer that does not tell the truth. */
+  /** Returns whether the bytes are a valid answer with a wrong value. */
   boolean lies() {
     return this == MAY_REFUSE || this == ANY_VALUE;
   }

@@ -74,7 +74,7 @@ class ConfirmationIT {
   /** With Enter, and without it: the Enter after the question must not complete the line. */
   @ParameterizedTest
   @ValueSource(strings = {"y\r", "y", "y\ry\ry"})
-  void anAnswerThatWasTypedBeforeTheQuestionIsNone(String keys) throws Exception {
+  void keysTypedBeforeTheQuestionDoNotAnswerIt(String keys) throws Exception {
     CountDownLatch typed = new CountDownLatch(1);
     server.fault(request -> request.name().equals("$MODE_OP"), Fault.hold(typed));
     try (PseudoTerminal terminal =

@@ -56,7 +56,7 @@ public interface MessageChannel {
 
   /**
    * Runs an operation of many exchanges in the client's thread for transfers, one at a time. The
-   * result can be cancelled until the operation commits itself.
+   * result can be cancelled until the operation takes effect.
    */
   <T> CompletableFuture<T> asyncTransfer(CancellableOperation<T> operation);
 

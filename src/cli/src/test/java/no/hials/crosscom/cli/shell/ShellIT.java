@@ -50,7 +50,7 @@ class ShellIT {
   /** With Enter, and without it: the Enter after the question must not complete the line. */
   @ParameterizedTest
   @ValueSource(strings = {"y\r", "y"})
-  void anAnswerThatWasTypedBeforeTheQuestionIsNone(String keys) throws Exception {
+  void keysTypedBeforeTheQuestionDoNotAnswerIt(String keys) throws Exception {
     CountDownLatch asked = new CountDownLatch(1);
     CountDownLatch typed = new CountDownLatch(1);
     try (PseudoTerminal shell = shell(Map.of())) {

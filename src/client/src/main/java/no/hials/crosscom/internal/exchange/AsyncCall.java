@@ -11,10 +11,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * An operation in another thread, and its result.
  *
- * <p>The operation can be cancelled until it commits itself: before its first exchange, or if it
+ * <p>The operation can be cancelled until it is committed: before its first exchange, or if it
  * transfers a file, before the transfer takes effect. If {@link #cancel} returns true, nothing was
- * sent or has effect; if the operation has committed itself, it returns false and the operation
- * goes on.
+ * sent or has effect; if the operation is committed, it returns false and the operation goes on.
  */
 final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
     implements Cancellation {

@@ -88,7 +88,7 @@ public final class Threads {
         });
   }
 
-  /** Queues a transfer of a file, which commits itself. */
+  /** Queues a transfer of a file, which decides itself until when it can be cancelled. */
   public <T> CompletableFuture<T> transfer(CancellableOperation<T> operation) {
     return submit(transfers, operation);
   }

@@ -8,8 +8,8 @@ package no.hials.crosscom.protocol.value;
  * text is a {@link KrlSyntaxException} with the position. A scanner is not thread-safe; {@link
  * #reset} reuses it.
  *
- * <p>The class is longer than others because its methods share one position and one text: a part of
- * it in another class would need an object for the position, and reading must not create objects.
+ * <p>The class is long, because its methods share one position and one text: a part of it in
+ * another class would need an object for the position, and reading must not create objects.
  */
 public final class KrlScanner {
   private static final int NO_CHAR = -1;

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -29,6 +31,7 @@ import org.junit.jupiter.api.Test;
 /** Goes through the rows of the table that the server starts with. */
 class BuiltInTableTest {
   private static final Set<String> BASE_TYPES = Set.of("INT", "REAL", "BOOL");
+  private static final Path TYPES_PAGE = Path.of("..", "..", "docs", "reference", "krl-types.md");
 
   private final VariableTable table = VariableTable.krc4();
 
@@ -149,6 +152,30 @@ class BuiltInTableTest {
         assertThat(enumeration.comment()).as(enumeration.name()).matches("\\([A-Z0-9a-z ]+\\)");
       }
     }
+  }
+
+  @Test
+  void hasTheTypesOfKssThatTheReferenceLists() throws IOException {
+    List<String> listed = new ArrayList<>();
+    for (String line : Files.readAllLines(TYPES_PAGE)) {
+      if (line.startsWith("| STRUC |") || line.startsWith("| ENUM |")) {
+        String[] cells = line.replace(", ", ",").split("\\|");
+        listed.add(
+            String.join(
+                " ", cells[1].strip(), cells[2].strip().replace("`", ""), cells[3].strip()));
+      }
+    }
+    List<String> declared =
+        text("$TYPES.DAT")
+            .lines()
+            .filter(line -> line.endsWith(" ;(KSS)"))
+            .map(line -> line.substring(0, line.indexOf(" ;")))
+            .sorted()
+            .toList();
+
+    assertThat(listed).hasSizeGreaterThan(150).containsExactlyInAnyOrderElementsOf(declared);
+    assertThat(listed)
+        .allSatisfy(row -> assertThat(table.scope().knowsType(row.split(" ")[1])).isTrue());
   }
 
   @Test

@@ -370,7 +370,7 @@ public final class DataListLoader {
     }
     KrlValue evaluated = ConstantExpressions.evaluate(value, module);
     try {
-      return storage.assign(evaluated);
+      return storage.assign(storage.coded(evaluated));
     } catch (RefusedException e) {
       throw refused(value.position(), name, e);
     }

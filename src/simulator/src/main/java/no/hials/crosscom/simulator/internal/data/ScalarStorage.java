@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator.internal.data;
 
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
@@ -46,7 +47,20 @@ final class ScalarStorage extends Storage {
   }
 
   @Override
-  KrlValue rounded(KrlValue newValue) throws RefusedException {
+  KrlValue coded(KrlValue newValue) throws RefusedException {
+    if (type == Type.Base.INT && newValue instanceof KrlString string) {
+      if (string.text().length() == 1) {
+        return new KrlInt(CharacterCodes.codeOf(string.text().charAt(0)));
+      }
+    } else if (type == Type.Base.CHAR && newValue instanceof KrlInt code) {
+      return new KrlString(String.valueOf(CharacterCodes.character(code.value())));
+    }
+    return newValue;
+  }
+
+  @Override
+  KrlValue rounded(KrlValue given) throws RefusedException {
+    KrlValue newValue = coded(given);
     if (type != Type.Base.INT || !(newValue instanceof KrlReal number)) {
       return newValue;
     }

@@ -113,6 +113,14 @@ public abstract sealed class Storage
   }
 
   /**
+   * Returns the value to store if a program or a data list assigns a value to the whole: a CHAR
+   * becomes its code and an INT the character, if the part needs that.
+   */
+  KrlValue coded(KrlValue value) throws RefusedException {
+    return value;
+  }
+
+  /**
    * Returns the characters of a CHAR array, which can be none; empty if it has no value or is not a
    * CHAR array.
    */

@@ -181,8 +181,8 @@ sealed interface Type {
       int depth,
       long bytes)
       implements Type {
-    private static final List<Set<String>> POSITIONS =
-        List.of(Set.of("FRAME", "POS", "E6POS"), Set.of("AXIS", "E6AXIS"));
+    private static final List<Set<String>> ASSIGNABLE =
+        List.of(Set.of("FRAME", "POS", "E6POS"), Set.of("AXIS", "E6AXIS"), Set.of("APO", "CONT"));
 
     @Override
     public List<Type> elements() {
@@ -236,14 +236,15 @@ sealed interface Type {
 
     /**
      * Converts a position of another type: keeps the components that this type has. Assumed,
-     * because programs assign {@code $POS_ACT} to a FRAME.
+     * because programs assign {@code $POS_ACT} to a FRAME. CONT and APO can be assigned to each
+     * other (docs/reference/krl-values.md#fields-of-the-structures).
      */
     KrlStruct ofItsKind(KrlStruct value) {
       String given = value.typeName();
       if (given == null || given.equalsIgnoreCase(name)) {
         return value;
       }
-      for (Set<String> kind : POSITIONS) {
+      for (Set<String> kind : ASSIGNABLE) {
         if (kind.contains(name.toUpperCase(Locale.ROOT))
             && kind.contains(given.toUpperCase(Locale.ROOT))) {
           return new KrlStruct(

@@ -57,6 +57,34 @@ class ExpressionTest {
   }
 
   @ParameterizedTest
+  @CsvSource(
+      quoteCharacter = '`',
+      value = {"\"A\", 65", "C, 120", "\"\u20AC\", 128", "\"\u00FC\", 252", "TEXT[2], 98"})
+  void assignsTheCodeOfACharToAnInt(String expression, String expected) {
+    Rig rig = new Rig().set("TEXT[]", "\"abc\"").execute("I = " + expression);
+
+    assertThat(rig.get("I")).isEqualTo(expected);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"65, A", "128, \u20AC", "252, \u00FC", "129, \u0081", "40+2, *"})
+  void assignsTheCharacterOfACodeToAChar(String expression, String expected) {
+    Rig rig = new Rig().execute("C = " + expression + "\nTEXT[1] = " + expression);
+
+    assertThat(rig.get("C")).isEqualTo("\"" + expected + "\"");
+    assertThat(rig.get("TEXT[1]")).isEqualTo("\"" + expected + "\"");
+  }
+
+  @Test
+  void assignsContAndApoToEachOther() {
+    Rig rig =
+        new Rig().execute("BLEND = ROUNDING\nBLEND.CVEL = 9\nROUNDING = BLEND\nBLEND.CVEL = 8");
+
+    assertThat(rig.get("BLEND")).isEqualTo("{CVEL 8,CPTP 2,CDIS 3.0,CORI 4.0}");
+    assertThat(rig.get("ROUNDING")).isEqualTo("{CVEL 9,CPTP 2,CDIS 3.0,CORI 4.0}");
+  }
+
+  @ParameterizedTest
   @CsvSource({
     "1 == 1.0, TRUE",
     "1 <> 2, TRUE",
@@ -115,6 +143,10 @@ class ExpressionTest {
         "ARR[0] = 1 | 9002 line 2: ARR[0]: an index is 1 to 5, was given [0]",
         "ARR[TRUE] = 1 | 9003 line 2: needs INT, was given TRUE",
         "I = TRUE | 9003 line 2: I: needs INT, was given TRUE",
+        "C = 256 | 9004 line 2: C: the code of a CHAR is 0 to 255, was given 256",
+        "C = -1 | 9004 line 2: C: the code of a CHAR is 0 to 255, was given -1",
+        "I = \"ab\" | 9003 line 2: I: needs INT, was given \"ab\"",
+        "BLEND = {FRAME: CVEL 1} | 9003 line 2: BLEND: needs APO, was given {FRAME: CVEL 1}",
         "B = 1 | 9003 line 2: B: needs BOOL, was given 1",
         "B = 1 AND TRUE | 9003 line 2: needs BOOL, was given 1",
         "B = NOT 1 | 9003 line 2: needs BOOL, was given 1",

@@ -496,7 +496,7 @@ public final class Scope {
    */
   public synchronized OptionalInt wiredElement(String name) {
     SignalWiring signal = wiring(name);
-    return signal == null || signal.array() == null || !signal.isSingle()
+    return signal == null || signal.array() == null || signal.isGroup()
         ? OptionalInt.empty()
         : OptionalInt.of(signal.first());
   }

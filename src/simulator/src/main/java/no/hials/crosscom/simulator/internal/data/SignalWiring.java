@@ -18,8 +18,9 @@ import org.jspecify.annotations.Nullable;
  * @param array {@code $IN}, {@code $OUT} or another array in upper case; null without wiring
  * @param first the first element, the lowest bit (assumed)
  * @param last the last element
+ * @param isGroup whether it is declared with TO, and so an INT
  */
-record SignalWiring(@Nullable String array, int first, int last) {
+record SignalWiring(@Nullable String array, int first, int last, boolean isGroup) {
   static final String RULE =
       "a SIGNAL is $OUT[a], $OUT[a] TO $OUT[b] with at most 32 bits, or FALSE";
 
@@ -34,7 +35,7 @@ record SignalWiring(@Nullable String array, int first, int last) {
     Expression.Variable firstEnd = signal.first();
     Expression.Variable lastEnd = signal.last();
     if (firstEnd == null) {
-      return new SignalWiring(null, 0, 0);
+      return new SignalWiring(null, 0, 0, false);
     }
     VariablePath first = ConstantExpressions.path(firstEnd, scope);
     VariablePath last = lastEnd == null ? first : ConstantExpressions.path(lastEnd, scope);
@@ -42,9 +43,11 @@ record SignalWiring(@Nullable String array, int first, int last) {
       String array = first.first().name();
       int from = first.first().index().number(0);
       int to = last.first().index().number(0);
-      boolean inOrder = lastEnd == null || (to > from && to - from < Integer.SIZE);
+      boolean inOrder = to >= from && to - from < Integer.SIZE;
       if (array.equals(last.first().name()) && from >= 0 && to <= MAX_INDEX && inOrder) {
-        return new SignalWiring(array, from, to);
+        // of one element, TO makes an INT, except that signals of the system stay BOOL (assumed)
+        boolean isGroup = lastEnd != null && (to > from || !signal.name().startsWith("$"));
+        return new SignalWiring(array, from, to, isGroup);
       }
     }
     throw new KrlErrorException(
@@ -56,16 +59,12 @@ record SignalWiring(@Nullable String array, int first, int last) {
     return path.isLast(0) && path.first().index().count() == 1 && !path.first().index().isOpen();
   }
 
-  boolean isSingle() {
-    return first == last;
-  }
-
   /** Returns the value: a BOOL, or an INT of several elements. */
   KrlValue value(Scope scope) throws RefusedException {
     if (array == null) {
       return new KrlBool(false);
     }
-    if (isSingle()) {
+    if (!isGroup) {
       return element(scope, first);
     }
     int bits = 0;
@@ -84,7 +83,7 @@ record SignalWiring(@Nullable String array, int first, int last) {
 
   /** Returns the value of each element, given the value of the signal. */
   List<KrlValue> elements(KrlValue value) throws RefusedException {
-    if (isSingle()) {
+    if (!isGroup) {
       return List.of(value);
     }
     if (!(value instanceof KrlInt number)) {
@@ -109,6 +108,6 @@ record SignalWiring(@Nullable String array, int first, int last) {
       return "FALSE";
     }
     String text = array + "[" + first + "]";
-    return isSingle() ? text : text + " TO " + array + "[" + last + "]";
+    return !isGroup ? text : text + " TO " + array + "[" + last + "]";
   }
 }

@@ -238,6 +238,31 @@ class DataListLoaderTest {
     }
 
     @Test
+    void turnCharactersIntoCodesAndBack() throws RefusedException {
+      assertThat(load("M", "INT I=\"A\"", "CHAR C=66,T[3]", "T[]=\"abc\"", "T[2]=67")).isEmpty();
+      assertThat(printed("I")).isEqualTo("65");
+      assertThat(printed("C")).isEqualTo("\"B\"");
+      assertThat(printed("T[]")).isEqualTo("\"aCc\"");
+    }
+
+    @Test
+    void ofASignalOfOneWireAreThoseOfItsForm() throws RefusedException {
+      assertThat(
+              load(
+                  "$X",
+                  "$OUT[3]=TRUE",
+                  "SIGNAL ONE $OUT[3]",
+                  "SIGNAL GROUP $OUT[3] TO $OUT[3]",
+                  "SIGNAL $SYSTEM $OUT[3] TO $OUT[3]"))
+          .isEmpty();
+      assertThat(printed("ONE")).isEqualTo("TRUE");
+      assertThat(printed("GROUP")).isEqualTo("1");
+      assertThat(printed("$SYSTEM")).isEqualTo("TRUE");
+      globals.write(VariablePath.parse("GROUP"), new KrlInt(0), Scope.Writer.SYSTEM);
+      assertThat(printed("ONE")).isEqualTo("FALSE");
+    }
+
+    @Test
     void areDeclaredAnewEachTime() throws RefusedException {
       assertThat(load("M", "DECL LOAD L={M 1.0,CM {X 2.0}}")).isEmpty();
       assertThat(load("M", "DECL LOAD L={M 3.0}")).isEmpty();

@@ -37,6 +37,11 @@ final class ArrayStorage extends Storage {
   }
 
   @Override
+  Type type() {
+    return elements[0].type();
+  }
+
+  @Override
   long bytes() {
     return elements.length * elements[0].bytes();
   }

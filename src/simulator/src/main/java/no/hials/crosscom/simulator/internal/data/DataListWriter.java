@@ -28,6 +28,7 @@ public final class DataListWriter {
           cases ->
               cases
                   .run(Type.Base.class, (writer, type) -> {}) // every controller has them
+                  .run(Type.Undeclared.class, (writer, type) -> {})
                   .run(Type.Enumeration.class, DataListWriter::declareEnum)
                   .run(Type.Struc.class, DataListWriter::declareStruc));
 
@@ -39,7 +40,8 @@ public final class DataListWriter {
                   .on(ScalarStorage.class, DataListWriter::inlineScalar)
                   .on(TextStorage.class, DataListWriter::inlineScalar)
                   .on(StrucStorage.class, DataListWriter::inlineParts)
-                  .on(ArrayStorage.class, (path, array) -> Optional.empty()));
+                  .on(ArrayStorage.class, (path, array) -> Optional.empty())
+                  .on(UntypedStorage.class, (path, untyped) -> Optional.empty()));
 
   /** The line end of KSS (docs/reference/krl-language.md#files). */
   private static final String LINE_END = "\r\n";
@@ -130,7 +132,7 @@ public final class DataListWriter {
 
   /** Collects a type, after the types of its components. */
   private static void collect(Type type, Map<String, Type> types) {
-    if (type instanceof Type.Base) {
+    if (type instanceof Type.Base || type instanceof Type.Undeclared) {
       return;
     }
     type.elements().forEach(element -> collect(element, types));
@@ -171,6 +173,10 @@ public final class DataListWriter {
   }
 
   private void declareVariable(VariableEntry variable, Storage contents) {
+    if (contents instanceof UntypedStorage untyped) {
+      assign(variable.name(), untyped);
+      return;
+    }
     DeclaredType shape = DeclaredType.of(contents);
     String name = variable.name();
     ArrayStorage array = contents instanceof ArrayStorage elements ? elements : null;
@@ -243,6 +249,16 @@ public final class DataListWriter {
           "a text in a data list has no line break, " + path + " has one");
     }
     return value.printShort();
+  }
+
+  /** Writes an assignment for each value of a variable without a declaration. */
+  private void assign(String path, UntypedStorage untyped) {
+    Map<String, UntypedStorage> parts = untyped.parts();
+    if (parts.isEmpty() && untyped.initialised()) {
+      String name = untyped.characters().isPresent() && !path.endsWith("]") ? path + "[]" : path;
+      line(name + "=" + scalar(path, value(untyped)));
+    }
+    parts.forEach((name, part) -> assign(path + (untyped.isArray() ? "" : ".") + name, part));
   }
 
   /** Writes the elements of the arrays in a structure. */

@@ -107,11 +107,8 @@ record DeclaredType(Type element, List<Integer> dimensions) {
     }
     if (element instanceof TextStorage text) {
       dimensions.add(text.capacity());
-      return new DeclaredType(Type.Base.CHAR, List.copyOf(dimensions));
     }
-    Type type =
-        element instanceof StrucStorage struc ? struc.type() : ((ScalarStorage) element).type();
-    return new DeclaredType(type, List.copyOf(dimensions));
+    return new DeclaredType(element.type(), List.copyOf(dimensions));
   }
 
   /** Returns a variable of this type without a value. */

@@ -18,6 +18,7 @@ final class ScalarStorage extends Storage {
     this.value = value;
   }
 
+  @Override
   Type type() {
     return type;
   }

@@ -244,6 +244,17 @@ public final class Scope {
     systemOutputs = null;
   }
 
+  /**
+   * Declares a variable whose type is not known, such as a system variable that no data list
+   * declares. It has no value, and keeps what is written to it.
+   *
+   * @throws KrlErrorException if there is no room
+   */
+  public synchronized void declareUntyped(String name, Position position) throws KrlErrorException {
+    checkRoom(name, new DeclaredType(Type.Undeclared.UNKNOWN, List.of()), position);
+    put(VariableEntry.variable(name, Access.READ_WRITE, UntypedStorage.EMPTY));
+  }
+
   /** Removes a variable of this scope; returns false if it is not declared here. */
   public synchronized boolean remove(String name) {
     systemOutputs = null;
@@ -450,6 +461,10 @@ public final class Scope {
       return;
     }
     String key = path.first().name();
+    if (contents instanceof UntypedStorage) {
+      putUntyped(variable.with(contents.write(path, value)));
+      return;
+    }
     if (writer == Writer.CLIENT && contents.read(path) instanceof ArrayStorage) {
       // before KSS 8 no array can be set as a whole (docs/reference/krl-values.md#arrays);
       // assumed for later versions
@@ -467,6 +482,16 @@ public final class Scope {
         key,
         variable.with(
             writer == Writer.PROGRAM ? contents.store(path, value) : contents.write(path, value)));
+  }
+
+  /** Stores a variable of unknown type, whose size depends on its value. */
+  private void putUntyped(VariableEntry variable) throws RefusedException {
+    VariableEntry old = find(key(variable.name()));
+    if (isTooMuch(variable.bytes() - old.bytes())) {
+      throw new RefusedException(
+          Refusal.OUT_OF_RANGE, tooLarge(variable.name(), variable.bytes(), maxBytes));
+    }
+    put(variable);
   }
 
   // signals

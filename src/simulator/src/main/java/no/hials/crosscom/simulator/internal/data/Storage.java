@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * write that is refused half-way changes nothing, and tables can share their initial contents.
  */
 public abstract sealed class Storage
-    permits ScalarStorage, TextStorage, StrucStorage, ArrayStorage {
+    permits ScalarStorage, TextStorage, StrucStorage, ArrayStorage, UntypedStorage {
 
   Storage() {}
 
@@ -64,7 +64,13 @@ public abstract sealed class Storage
     return change.apply(component(name));
   }
 
-  /** Returns the bytes that the contents take at most, about; the same for all values. */
+  /** Returns the type of the value, of an array that of an element. */
+  abstract Type type();
+
+  /**
+   * Returns the bytes that the contents take at most, about; the same for all values, if the type
+   * is known.
+   */
   abstract long bytes();
 
   /** Returns the value as a controller prints it. */

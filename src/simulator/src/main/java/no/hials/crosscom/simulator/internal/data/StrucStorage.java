@@ -17,6 +17,7 @@ final class StrucStorage extends Storage {
     this.parts = parts;
   }
 
+  @Override
   Type.Struc type() {
     return type;
   }

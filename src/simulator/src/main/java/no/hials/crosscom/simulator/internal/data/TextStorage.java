@@ -28,6 +28,11 @@ final class TextStorage extends Storage {
   }
 
   @Override
+  Type type() {
+    return Type.Base.CHAR;
+  }
+
+  @Override
   long bytes() {
     return Type.SCALAR_BYTES + capacity;
   }

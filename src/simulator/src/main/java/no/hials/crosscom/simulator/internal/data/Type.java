@@ -69,6 +69,32 @@ sealed interface Type {
         Refusal.WRONG_TYPE, "needs " + type.name() + ", was given " + value.print());
   }
 
+  /** The type of a system variable that no data list declares. */
+  enum Undeclared implements Type {
+    /** Not known. */
+    UNKNOWN;
+
+    @Override
+    public List<Type> elements() {
+      return List.of();
+    }
+
+    @Override
+    public Storage uninitialised() {
+      return UntypedStorage.EMPTY;
+    }
+
+    @Override
+    public long bytes() {
+      return SCALAR_BYTES;
+    }
+
+    @Override
+    public long definitionBytes() {
+      return 0;
+    }
+  }
+
   /** The base types of KRL. */
   enum Base implements Scalar {
     /**

@@ -143,7 +143,20 @@ public final class Controller implements AutoCloseable {
    * @throws KrlFileException if it has errors; then nothing has changed
    */
   public String load(Path file) throws IOException, KrlFileException {
-    return loader.load(file);
+    return loader.load(file, LoadingMode.STRICT).name();
+  }
+
+  /**
+   * Loads a data list or a program, as {@link #load(Path)} does, and reports the problems.
+   *
+   * @param file a {@code .dat}, {@code .src} or {@code .sub} file
+   * @param mode {@code LENIENT} keeps what is understood
+   * @return the results of the file and of its data list; a lenient load refuses only what is no
+   *     KRL or too large
+   * @throws IOException if the file cannot be read
+   */
+  public LoadReport load(Path file, LoadingMode mode) throws IOException {
+    return loader.load(file, mode).report();
   }
 
   /**
@@ -163,7 +176,20 @@ public final class Controller implements AutoCloseable {
    * @throws KrlFileException if it has errors; then nothing has changed
    */
   public String load(String fileName, String text) throws KrlFileException {
-    return loader.load(fileName, text);
+    return loader.load(fileName, text, LoadingMode.STRICT).name();
+  }
+
+  /**
+   * Loads a data list or a program, as {@link #load(String, String)} does, and reports the
+   * problems.
+   *
+   * @param fileName the file's name, for messages
+   * @param text its contents
+   * @param mode {@code LENIENT} keeps what is understood
+   * @return the result; a lenient load refuses only what is no KRL or too large
+   */
+  public LoadReport load(String fileName, String text, LoadingMode mode) {
+    return loader.load(fileName, text, mode).report();
   }
 
   ModuleLoader loader() {

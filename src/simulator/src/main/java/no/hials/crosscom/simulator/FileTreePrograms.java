@@ -214,7 +214,7 @@ final class FileTreePrograms {
         if (loaded.get(key) != old) {
           return List.of(); // loaded from elsewhere meanwhile
         }
-        module.name = loader.take(file, result);
+        module.name = loader.take(file, result, LoadingMode.STRICT).name();
       }
       if (!module.name.startsWith("$")) {
         kept.put(part(module.name, end), (long) content.length);

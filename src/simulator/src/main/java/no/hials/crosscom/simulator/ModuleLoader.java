@@ -1,7 +1,6 @@
 package no.hials.crosscom.simulator;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -10,14 +9,17 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.lang.KrlEncoding;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.SourceFile;
+import no.hials.crosscom.simulator.LoadReport.FileReport;
 import no.hials.crosscom.simulator.internal.core.ControllerCore;
 import no.hials.crosscom.simulator.internal.core.RobotData;
 import no.hials.crosscom.simulator.internal.data.DataLists;
@@ -53,43 +55,90 @@ final class ModuleLoader {
     listener = loaded;
   }
 
-  String load(Path file) throws IOException, KrlFileException {
-    String name = String.valueOf(file.getFileName());
-    String text = text(file);
-    Path list = dataListOf(file);
-    if (list == null) {
-      return load(name, text);
+  /**
+   * A loaded file, and the data list loaded with it.
+   *
+   * @param module the program or data list; null if it was refused
+   * @param report the results of both
+   */
+  record Loaded(@Nullable KrlFile module, LoadReport report) {
+    /** Returns the name of the module. */
+    String name() throws KrlFileException {
+      if (module == null) {
+        throw new KrlFileException(report.problems());
+      }
+      return module.name();
     }
-    String listText = text(list);
-    ParseResult data = parse(String.valueOf(list.getFileName()), listText);
-    KrlFile module = take(name, parse(name, text), data);
-    listener.loaded(module.name(), "dat", listText);
-    tell(module, name, text);
-    return module.name();
   }
 
-  private static String text(Path file) throws IOException, KrlFileException {
-    if (!Files.exists(file)) {
-      throw new NoSuchFileException(file.toString(), null, "there is no such file");
+  /** A file to load. */
+  private record Input(String fileName, String text, ParseResult parsed) {
+    static Input of(String fileName, String text) {
+      List<KrlError> tooLong = tooLong(fileName, text.length());
+      return new Input(
+          fileName,
+          text,
+          tooLong.isEmpty()
+              ? KrlParser.parse(fileName, text)
+              : new ParseResult(Optional.empty(), tooLong));
     }
-    checkLength(String.valueOf(file.getFileName()), Files.size(file));
-    return Files.readString(file, StandardCharsets.ISO_8859_1);
+
+    static Input of(Path file) throws IOException {
+      if (!Files.exists(file)) {
+        throw new NoSuchFileException(file.toString(), null, "there is no such file");
+      }
+      String name = String.valueOf(file.getFileName());
+      List<KrlError> tooLong = tooLong(name, Files.size(file));
+      return tooLong.isEmpty()
+          ? of(name, KrlEncoding.decode(Files.readAllBytes(file)))
+          : new Input(name, "", new ParseResult(Optional.empty(), tooLong));
+    }
+  }
+
+  Loaded load(Path file, LoadingMode mode) throws IOException {
+    Input input = Input.of(file);
+    Path list = dataListOf(file);
+    return load(input, list == null ? null : Input.of(list), mode);
+  }
+
+  Loaded load(String fileName, String text, LoadingMode mode) {
+    return load(Input.of(fileName, text), null, mode);
+  }
+
+  private Loaded load(Input input, @Nullable Input list, LoadingMode mode) {
+    Loaded loaded = take(input, list, mode);
+    if (loaded.module() != null) {
+      if (list != null && list.parsed().file().isPresent()) {
+        listener.loaded(loaded.module().name(), "dat", list.text());
+      }
+      tell(loaded.module(), input.fileName(), input.text());
+    }
+    return loaded;
+  }
+
+  /**
+   * Loads a parsed file as {@link #load(String, String, LoadingMode)} does, without calling the
+   * listener.
+   */
+  Loaded take(String fileName, ParseResult parsed, LoadingMode mode) {
+    return take(new Input(fileName, "", parsed), null, mode);
   }
 
   /** Checks the length of a file before it is parsed, because trees are much larger than texts. */
   static void checkLength(String fileName, long bytes) throws KrlFileException {
-    if (bytes > MAX_LENGTH) {
-      throw new KrlFileException(
-          List.of(
-              new KrlError(
-                  new Position(fileName, 1, 1),
-                  "a file of KRL has at most " + MAX_LENGTH + " bytes, has " + bytes)));
+    List<KrlError> errors = tooLong(fileName, bytes);
+    if (!errors.isEmpty()) {
+      throw new KrlFileException(errors);
     }
   }
 
-  private static ParseResult parse(String fileName, String text) throws KrlFileException {
-    checkLength(fileName, text.length());
-    return KrlParser.parse(fileName, text);
+  private static List<KrlError> tooLong(String fileName, long bytes) {
+    return bytes <= MAX_LENGTH
+        ? List.of()
+        : List.of(
+            new KrlError(
+                new Position(fileName, 1, 1),
+                "a file of KRL has at most " + MAX_LENGTH + " bytes, has " + bytes));
   }
 
   /** Finds the data list of a source file; another case counts only if no other file matches. */
@@ -118,73 +167,87 @@ final class ModuleLoader {
     }
   }
 
-  String load(String fileName, String text) throws KrlFileException {
-    KrlFile file = take(fileName, parse(fileName, text), null);
-    tell(file, fileName, text);
-    return file.name();
-  }
-
-  /** Loads a parsed file as {@link #load(String, String)} does, without calling the listener. */
-  String take(String fileName, ParseResult parsed) throws KrlFileException {
-    return take(fileName, parsed, null).name();
-  }
-
   private void tell(KrlFile file, String fileName, String text) {
     boolean submit = fileName.toLowerCase(Locale.ROOT).endsWith(".sub");
     String ending = submit ? "sub" : "src";
     listener.loaded(file.name(), file instanceof DataList ? "dat" : ending, text);
   }
 
-  private KrlFile take(String fileName, ParseResult parsed, @Nullable ParseResult parsedList)
-      throws KrlFileException {
-    List<KrlError> errors = new ArrayList<>(parsed.errors());
-    if (parsedList != null) {
-      errors.addAll(parsedList.errors());
+  private Loaded take(Input input, @Nullable Input list, LoadingMode mode) {
+    KrlFile file = input.parsed().file().orElse(null);
+    boolean whole =
+        input.parsed().errors().isEmpty() && (list == null || list.parsed().errors().isEmpty());
+    if (file == null || (mode == LoadingMode.STRICT && !whole)) {
+      return refused(input, list);
     }
-    KrlFile file = parsed.file().orElse(null);
-    if (!errors.isEmpty() || file == null) {
-      throw new KrlFileException(errors);
-    }
-    if (file instanceof SourceFile source) {
-      takeSource(source, parsedList);
-    } else {
-      takeData(fileName, (DataList) file, parsed);
-    }
-    return file;
+    return file instanceof SourceFile source
+        ? takeSource(source, input, list, mode)
+        : takeData((DataList) file, input, mode);
   }
 
-  private void takeSource(SourceFile source, @Nullable ParseResult parsedList)
-      throws KrlFileException {
+  private static Loaded refused(Input input, @Nullable Input list) {
+    List<FileReport> files = new ArrayList<>();
+    files.add(FileReport.refused(input.fileName(), input.parsed().errors()));
+    if (list != null) {
+      files.add(FileReport.refused(list.fileName(), list.parsed().errors()));
+    }
+    return new Loaded(null, new LoadReport(files));
+  }
+
+  private Loaded takeSource(
+      SourceFile source, Input input, @Nullable Input list, LoadingMode mode) {
+    List<KrlError> ofList = new ArrayList<>();
+    Optional<DataList> own =
+        list == null
+            ? Optional.empty()
+            : DataLists.dataList(list.fileName(), list.parsed(), mode, ofList);
     List<KrlError> errors =
         core.withLibrary(
             library -> {
-              DataList data = dataLists.get(key(source.name()));
-              if (parsedList != null && parsedList.file().orElse(null) instanceof DataList list) {
-                data = list;
-              }
-              List<KrlError> found = library.put(source, data);
-              if (found.isEmpty() && data != null) {
+              DataList data = own.orElse(dataLists.get(key(source.name())));
+              List<KrlError> found = library.put(source, data, mode);
+              if (data != null && (found.isEmpty() || mode == LoadingMode.LENIENT)) {
                 dataLists.put(key(source.name()), data);
               }
               return found;
             });
-    if (!errors.isEmpty()) {
-      throw new KrlFileException(errors);
+    if (mode == LoadingMode.STRICT && !errors.isEmpty()) {
+      // without a file of its own the list was loaded before
+      FileReport program = FileReport.refused(input.fileName(), list == null ? errors : List.of());
+      return new Loaded(
+          null,
+          new LoadReport(
+              list == null
+                  ? List.of(program)
+                  : List.of(program, FileReport.refused(list.fileName(), errors))));
     }
+    List<FileReport> files = new ArrayList<>();
+    files.add(FileReport.loaded(input.fileName(), DataLists.problems(input.parsed(), mode)));
+    if (list != null) {
+      ofList.addAll(errors);
+      files.add(
+          own.isPresent()
+              ? FileReport.loaded(list.fileName(), DataLists.sorted(ofList))
+              : FileReport.refused(list.fileName(), ofList));
+    }
+    return new Loaded(source, new LoadReport(files));
   }
 
-  private void takeData(String fileName, DataList list, ParseResult parsed)
-      throws KrlFileException {
+  private Loaded takeData(DataList list, Input input, LoadingMode mode) {
     // of a module's list this publishes the global declarations, and reports the errors
-    variables.load(fileName, parsed);
+    LoadReport report = variables.load(input.fileName(), input.parsed(), mode);
+    if (report.anyRefused()) {
+      return new Loaded(null, report);
+    }
     core.loaded(new RobotData(DataLists.set(list, RobotData.SIGNS), variables.robotData()));
     if (!list.name().startsWith("$")) {
       core.withLibrary(
           library -> {
             dataLists.put(key(list.name()), list);
-            return library.put(list);
+            return library.put(list, mode);
           });
     }
+    return new Loaded(list, report);
   }
 
   private static String key(String name) {

@@ -128,19 +128,54 @@ public final class VariableTable {
     load(name, KrlParser.parse(name, text));
   }
 
+  /**
+   * Loads a data list, as {@link #load(Path)} does, and reports its problems.
+   *
+   * @param file the file
+   * @param mode {@code LENIENT} keeps what is understood
+   * @return the warnings, or why it was refused; a lenient load refuses only what is no data list
+   * @throws IOException if it cannot be read
+   */
+  public LoadReport load(Path file, LoadingMode mode) throws IOException {
+    return load(file.toString(), DataLists.parse(file), mode);
+  }
+
+  /**
+   * Loads a data list from its text, as {@link #load(Path, LoadingMode)} does.
+   *
+   * @param name the name in messages
+   * @param text the text
+   * @param mode {@code LENIENT} keeps what is understood
+   * @return the warnings, or why it was refused; a lenient load refuses only what is no data list
+   */
+  public LoadReport load(String name, String text, LoadingMode mode) {
+    return load(name, KrlParser.parse(name, text), mode);
+  }
+
   /** Loads a parsed data list. */
-  void load(String name, ParseResult result) throws KrlFileException {
-    List<KrlError> errors = new ArrayList<>();
-    Optional<DataList> parsed = DataLists.dataList(name, result, errors);
-    boolean loaded = parsed.isPresent() && scope.attempt(() -> take(parsed.get(), errors));
-    if (!loaded) {
-      throw new KrlFileException(DataLists.sorted(errors));
+  private void load(String name, ParseResult result) throws KrlFileException {
+    LoadReport report = load(name, result, LoadingMode.STRICT);
+    if (report.anyRefused()) {
+      throw new KrlFileException(report.problems());
     }
   }
 
-  private boolean take(DataList list, List<KrlError> errors) {
-    DataListLoader.load(list, new Scope(scope), scope, errors::add);
-    if (!errors.isEmpty()) {
+  /** Loads a parsed data list. */
+  LoadReport load(String name, ParseResult result, LoadingMode mode) {
+    List<KrlError> errors = new ArrayList<>();
+    Optional<DataList> parsed = DataLists.dataList(name, result, mode, errors);
+    boolean loaded = parsed.isPresent() && scope.attempt(() -> take(parsed.get(), mode, errors));
+    List<KrlError> problems = DataLists.sorted(errors);
+    return new LoadReport(
+        List.of(
+            loaded
+                ? LoadReport.FileReport.loaded(name, problems)
+                : LoadReport.FileReport.refused(name, problems)));
+  }
+
+  private boolean take(DataList list, LoadingMode mode, List<KrlError> errors) {
+    DataListLoader.load(list, new Scope(scope), scope, mode, errors::add);
+    if (mode == LoadingMode.STRICT && !errors.isEmpty()) {
       return false;
     }
     Map<String, VariableNote> all = new HashMap<>(notes);

@@ -16,6 +16,7 @@ import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.lang.VariableNote;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.RefusedException;
 import org.jspecify.annotations.Nullable;
 
@@ -28,6 +29,10 @@ import org.jspecify.annotations.Nullable;
  * extension: after the declaration of an array whose name starts with {@code $}, one value can
  * stand for every element, {@code BOOL $IN[4096]=FALSE}, because no data list of KSS declares these
  * arrays.
+ *
+ * <p>A lenient load accepts more (docs/reference/simulated-controller.md#loading-files): types in
+ * any order, CHANNEL, and values of system variables that are not declared, which then have an
+ * unknown type. A variable whose initial value is wrong is declared without it.
  *
  * <p>{@code EXT} and {@code EXTFCT} declare nothing here. {@code IMPORT} neither: the imported
  * variable must already be global, under the same name.
@@ -43,14 +48,18 @@ public final class DataListLoader {
                       .run(Declaration.StrucDeclaration.class, DataListLoader::declareStruc)
                       .run(Declaration.EnumDeclaration.class, DataListLoader::declareEnum)
                       .run(Declaration.Signal.class, DataListLoader::declareSignal)
-                      .run(Declaration.Channel.class, DataListLoader::refuseChannel)
+                      .run(Declaration.Channel.class, DataListLoader::checkChannel)
                       .run(Declaration.InitialValue.class, DataListLoader::initialise)
                       .run(Declaration.External.class, DataListLoader::checkExternal));
+
+  /** How often types are gone through, each time for those that need the types before. */
+  private static final int MAX_TYPE_ROUNDS = 64;
 
   private final DataList list;
   private final boolean isSystem;
   private final Scope module;
   private final Scope globals;
+  private final boolean isLenient;
   private final Consumer<KrlError> errors;
 
   /** The scope of each name of this list, also of the wrong declarations. */
@@ -63,8 +72,10 @@ public final class DataListLoader {
 
   private final Set<String> brokenTypes = new HashSet<>();
 
-  private DataListLoader(DataList list, Scope module, Scope globals, Consumer<KrlError> errors) {
+  private DataListLoader(
+      DataList list, Scope module, Scope globals, LoadingMode mode, Consumer<KrlError> errors) {
     this.list = list;
+    this.isLenient = mode == LoadingMode.LENIENT;
     this.isSystem = isSystem(list);
     this.module = isSystem ? globals : module;
     this.globals = globals;
@@ -77,13 +88,51 @@ public final class DataListLoader {
    * @param module gets the variables of the module; a scope in {@code globals}
    * @param globals gets the global variables: all of a system data list, and those that a public
    *     one declares GLOBAL
-   * @param errors gets the errors, in the order of the file; the rest is still declared
+   * @param mode whether the forms that only a lenient load accepts are errors
+   * @param errors gets the errors; the rest is still declared
    */
-  public static void load(DataList list, Scope module, Scope globals, Consumer<KrlError> errors) {
-    DataListLoader loader = new DataListLoader(list, module, globals, errors);
-    for (Declaration declaration : list.declarations()) {
-      loader.tell(() -> DECLARATIONS.run(loader, declaration));
+  public static void load(
+      DataList list, Scope module, Scope globals, LoadingMode mode, Consumer<KrlError> errors) {
+    DataListLoader loader = new DataListLoader(list, module, globals, mode, errors);
+    if (loader.isLenient) {
+      loader.declareTypes();
     }
+    for (Declaration declaration : list.declarations()) {
+      if (!loader.isLenient || !isType(declaration)) {
+        loader.tell(() -> DECLARATIONS.run(loader, declaration));
+      }
+    }
+  }
+
+  /** Declares the types, each after the types of its components. */
+  private void declareTypes() {
+    List<Declaration> left =
+        new ArrayList<>(list.declarations().stream().filter(DataListLoader::isType).toList());
+    for (int i = 0; i < MAX_TYPE_ROUNDS && !left.isEmpty(); i++) {
+      List<Declaration> later = new ArrayList<>();
+      for (Declaration type : left) {
+        if (areComponentsKnown(type)) {
+          tell(() -> DECLARATIONS.run(this, type));
+        } else {
+          later.add(type);
+        }
+      }
+      if (later.size() == left.size()) {
+        break;
+      }
+      left = later;
+    }
+    left.forEach(type -> tell(() -> DECLARATIONS.run(this, type)));
+  }
+
+  private static boolean isType(Declaration declaration) {
+    return declaration instanceof Declaration.StrucDeclaration
+        || declaration instanceof Declaration.EnumDeclaration;
+  }
+
+  private boolean areComponentsKnown(Declaration type) {
+    return !(type instanceof Declaration.StrucDeclaration struc)
+        || struc.components().stream().allMatch(component -> module.knowsType(component.type()));
   }
 
   /** Returns whether a data list is one of the controller itself, such as {@code $CONFIG}. */
@@ -211,10 +260,7 @@ public final class DataListLoader {
     target.checkRoom(source.name(), type, source.position());
     Storage contents = type.uninitialised();
     if (initial != null) {
-      contents =
-          contents instanceof ArrayStorage
-              ? filled(contents, source, initial)
-              : assigned(contents, source.name(), source.position(), initial);
+      contents = withInitial(contents, source, initial);
     }
     VariableEntry old = own(target, source.name());
     if (old != null && old.source() != null) {
@@ -223,6 +269,21 @@ public final class DataListLoader {
     } else {
       Access access = access(old, source.name(), group.constant(), group.comment());
       target.put(VariableEntry.variable(source.name(), access, contents));
+    }
+  }
+
+  private Storage withInitial(Storage contents, Declaration.Declarator source, Expression initial)
+      throws KrlErrorException {
+    try {
+      return contents instanceof ArrayStorage
+          ? filled(contents, source, initial)
+          : assigned(contents, source.name(), source.position(), initial);
+    } catch (KrlErrorException e) {
+      if (!isLenient) {
+        throw e;
+      }
+      errors.accept(e.error());
+      return contents;
     }
   }
 
@@ -336,6 +397,14 @@ public final class DataListLoader {
       owner = globals;
     }
     VariableEntry variable = owner.lookup(key);
+    if (variable == null && isLenient && name.startsWith("$")) {
+      owner.declareUntyped(name, declaration.position());
+      variable = owner.lookup(key);
+      errors.accept(
+          new KrlError(
+              declaration.position(),
+              "the system variable " + name + " is not known; it keeps what is written to it"));
+    }
     if (variable == null) {
       throw new KrlErrorException(declaration.position(), "no variable " + name + " is declared");
     }
@@ -416,7 +485,10 @@ public final class DataListLoader {
 
   // other modules
 
-  private void refuseChannel(Declaration.Channel channel) throws KrlErrorException {
+  private void checkChannel(Declaration.Channel channel) throws KrlErrorException {
+    if (isLenient) {
+      return;
+    }
     throw new KrlErrorException(channel.position(), "CHANNEL is not supported by this simulation");
   }
 

@@ -16,6 +16,7 @@ import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import org.jspecify.annotations.Nullable;
@@ -50,14 +51,15 @@ public final class ProgramLibrary {
    *
    * @param source its routines, parsed without errors
    * @param data its data list, or null
+   * @param mode whether errors of the data list refuse the module
    * @return the errors of the data list; with an error, nothing changes. {@link #check} returns the
    *     errors of the routines
    */
-  public List<KrlError> put(SourceFile source, @Nullable DataList data) {
+  public List<KrlError> put(SourceFile source, @Nullable DataList data, LoadingMode mode) {
     List<KrlError> errors = new ArrayList<>();
     Scope scope = new Scope(globals);
     countBytes(Scope.key(source.name()));
-    boolean done = data == null || globals.attempt(() -> load(data, scope, errors));
+    boolean done = data == null || globals.attempt(() -> load(data, scope, mode, errors));
     if (done) {
       modules.put(Scope.key(source.name()), new KrlModule(source, scope));
       linked = null;
@@ -76,9 +78,9 @@ public final class ProgramLibrary {
     globals.routineBytes(0);
   }
 
-  private boolean load(DataList data, Scope scope, List<KrlError> errors) {
-    DataListLoader.load(data, scope, globals, errors::add);
-    return errors.isEmpty();
+  private boolean load(DataList data, Scope scope, LoadingMode mode, List<KrlError> errors) {
+    DataListLoader.load(data, scope, globals, mode, errors::add);
+    return mode == LoadingMode.LENIENT || errors.isEmpty();
   }
 
   /**
@@ -86,9 +88,9 @@ public final class ProgramLibrary {
    *
    * @return the errors of the data list; with an error, nothing changes
    */
-  public List<KrlError> put(DataList data) {
+  public List<KrlError> put(DataList data, LoadingMode mode) {
     KrlModule module = modules.get(Scope.key(data.name()));
-    return module == null ? List.of() : put(module.source(), data);
+    return module == null ? List.of() : put(module.source(), data, mode);
   }
 
   public boolean remove(String name) {

@@ -13,6 +13,7 @@ import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.RefusedException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Nested;
@@ -42,7 +43,8 @@ class DataListLoaderTest {
         KrlParser.parse("x", "DEFDAT " + head + "\n" + String.join("\n", lines) + "\nENDDAT");
     assertThat(result.errors()).isEmpty();
     List<KrlError> errors = new ArrayList<>();
-    DataListLoader.load((DataList) result.file().orElseThrow(), module, globals, errors::add);
+    DataListLoader.load(
+        (DataList) result.file().orElseThrow(), module, globals, LoadingMode.STRICT, errors::add);
     return errors.stream().map(KrlError::toString).toList();
   }
 
@@ -57,7 +59,7 @@ class DataListLoaderTest {
     }
     DataList list = (DataList) KrlParser.parse("x", text + "ENDDAT").file().orElseThrow();
 
-    DataListLoader.load(list, new Scope(small), small, errors::add);
+    DataListLoader.load(list, new Scope(small), small, LoadingMode.STRICT, errors::add);
 
     assertThat(errors)
         .isNotEmpty()
@@ -78,7 +80,7 @@ class DataListLoaderTest {
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     long before = threads.getCurrentThreadAllocatedBytes();
 
-    DataListLoader.load(list, new Scope(small), small, errors::add);
+    DataListLoader.load(list, new Scope(small), small, LoadingMode.STRICT, errors::add);
 
     // one array of a million elements takes 4 MB or more
     assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(4_000_000);
@@ -431,7 +433,8 @@ class DataListLoaderTest {
     void areLengthsLeftOpen(String line) {
       ParseResult result = KrlParser.parse("x", "DEFDAT M\n" + line + "\nENDDAT");
       List<KrlError> errors = new ArrayList<>(result.errors());
-      DataListLoader.load((DataList) result.file().orElseThrow(), module, globals, errors::add);
+      DataListLoader.load(
+          (DataList) result.file().orElseThrow(), module, globals, LoadingMode.STRICT, errors::add);
       assertThat(errors).isNotEmpty();
     }
   }

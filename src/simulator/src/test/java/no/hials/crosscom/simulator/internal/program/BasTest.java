@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator.internal.program;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import org.junit.jupiter.api.Test;
@@ -50,6 +51,7 @@ class BasTest {
         (DataList) Rig.parse("motion.dat", VARIABLES),
         new Scope(rig.globals),
         rig.globals,
+        LoadingMode.STRICT,
         error -> {
           throw new AssertionError(error.toString());
         });

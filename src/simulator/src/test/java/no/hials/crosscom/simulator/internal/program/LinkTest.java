@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.LoadingMode;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -176,7 +177,7 @@ class LinkTest {
     SourceFile source = (SourceFile) Rig.parse("m.src", "DEF M()\nEND\n");
     DataList data = (DataList) Rig.parse("m.dat", "DEFDAT M\nINT N=TRUE\nENDDAT\n");
 
-    assertThat(rig.library.put(source, data)).hasSize(1);
+    assertThat(rig.library.put(source, data, LoadingMode.STRICT)).hasSize(1);
     assertThat(rig.library.names()).isEmpty();
   }
 

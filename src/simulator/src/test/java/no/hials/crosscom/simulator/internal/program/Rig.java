@@ -15,6 +15,7 @@ import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.data.Scope;
@@ -92,6 +93,7 @@ final class Rig {
         (DataList) parse("test.dat", GLOBALS),
         new Scope(globals),
         globals,
+        LoadingMode.STRICT,
         error -> {
           throw new AssertionError(error.toString());
         });
@@ -118,21 +120,21 @@ final class Rig {
   Rig load(String source, String data) {
     SourceFile file = (SourceFile) parse("test.src", source);
     DataList list = data == null ? null : (DataList) parse("test.dat", data);
-    assertThat(library.put(file, list)).isEmpty();
+    assertThat(library.put(file, list, LoadingMode.STRICT)).isEmpty();
     return this;
   }
 
   /** Loads a module without regard to the errors of the parser. */
   Rig loadLeniently(String source) {
     SourceFile file = (SourceFile) KrlParser.parse("test.src", source).file().orElseThrow();
-    assertThat(library.put(file, null)).isEmpty();
+    assertThat(library.put(file, null, LoadingMode.STRICT)).isEmpty();
     return this;
   }
 
   /** Loads a module and returns its errors, with lines and columns. */
   List<String> errorsOf(String source) {
     SourceFile file = (SourceFile) parse("test.src", source);
-    library.put(file, null);
+    library.put(file, null, LoadingMode.STRICT);
     return library.check(file.name()).stream().map(KrlError::toString).toList();
   }
 

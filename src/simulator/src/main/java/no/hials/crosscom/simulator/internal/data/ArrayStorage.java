@@ -133,6 +133,18 @@ final class ArrayStorage extends Storage {
   }
 
   @Override
+  Storage takeOver(Storage others) {
+    if (!(others instanceof ArrayStorage array) || array.elements.length != elements.length) {
+      return this;
+    }
+    Storage[] changed = new Storage[elements.length];
+    for (int i = 0; i < changed.length; i++) {
+      changed[i] = elements[i].takeOver(array.elements[i]);
+    }
+    return new ArrayStorage(lengths, changed);
+  }
+
+  @Override
   KrlValue rounded(KrlValue value) throws RefusedException {
     if (!(value instanceof KrlArray array)) {
       return elements[0].rounded(value);

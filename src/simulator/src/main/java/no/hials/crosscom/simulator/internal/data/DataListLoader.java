@@ -183,8 +183,27 @@ public final class DataListLoader {
   private void declareEnum(Declaration.EnumDeclaration declaration) throws KrlErrorException {
     checkNewType(declaration.name(), declaration.position());
     Scope target = target(declaration.global(), declaration.position());
-    if (!tell(() -> Declarations.declare(target, declaration))) {
-      brokenTypes.add(Scope.key(declaration.name()));
+    declareType(
+        target,
+        declaration.name(),
+        declaration.position(),
+        () -> Declarations.declare(target, declaration));
+  }
+
+  /** Declares a type; a lenient load tells if an earlier one differs, and replaces it. */
+  private void declareType(Scope target, String name, Position position, Step declare) {
+    Type old = target.ownType(name);
+    if (!tell(declare)) {
+      brokenTypes.add(Scope.key(name));
+      return;
+    }
+    Type type = target.ownType(name);
+    if (isLenient && old != null && type != null && !type.isDeclaredAs(old)) {
+      target.retype(old, type);
+      errors.accept(
+          new KrlError(
+              position,
+              "type " + name + " is known with other parts; this declaration replaces it"));
     }
   }
 
@@ -196,9 +215,15 @@ public final class DataListLoader {
     for (Declaration.Component component : declaration.components()) {
       whole &= tell(() -> components.add(component(target, component)));
     }
-    if (!whole || !tell(() -> Declarations.declare(target, declaration, components))) {
+    if (!whole) {
       brokenTypes.add(Scope.key(declaration.name()));
+      return;
     }
+    declareType(
+        target,
+        declaration.name(),
+        declaration.position(),
+        () -> Declarations.declare(target, declaration, components));
   }
 
   private Type.Component component(Scope target, Declaration.Component component)

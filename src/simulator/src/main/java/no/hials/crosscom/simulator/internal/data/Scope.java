@@ -237,6 +237,24 @@ public final class Scope {
     throw new IllegalArgumentException("type " + name + " is not declared");
   }
 
+  /** Returns a type that is declared here; null if it is not. */
+  synchronized @Nullable Type ownType(String name) {
+    return types.get(key(name));
+  }
+
+  /** Changes the type of the variables of this scope; the parts of both types keep their values. */
+  synchronized void retype(Type old, Type type) {
+    for (VariableEntry variable : variables()) {
+      Storage contents = variable.contents();
+      if (contents != null && variable.source() == null && contents.type().equals(old)) {
+        DeclaredType declared = new DeclaredType(type, DeclaredType.of(contents).dimensions());
+        if (!isTooMuch(declared.bytes() - contents.bytes())) {
+          put(variable.with(declared.uninitialised().takeOver(contents)));
+        }
+      }
+    }
+  }
+
   /** Declares a variable. Replaces a variable of the same name in this scope. */
   synchronized void put(VariableEntry variable) {
     VariableEntry old = variables.put(key(variable.name()), variable);

@@ -41,6 +41,15 @@ public abstract sealed class Storage
    */
   abstract Storage assign(KrlValue value) throws RefusedException;
 
+  /** Returns the contents with those values of others that fit. */
+  Storage takeOver(Storage others) {
+    try {
+      return others.initialised() ? assign(others.value()) : this;
+    } catch (RefusedException e) {
+      return this;
+    }
+  }
+
   /** Returns the part at an index. */
   Storage select(Index index) throws RefusedException {
     if (!index.isNone()) {

@@ -73,6 +73,23 @@ final class StrucStorage extends Storage {
   }
 
   @Override
+  Storage takeOver(Storage others) {
+    Storage result = this;
+    if (others instanceof StrucStorage struc) {
+      for (int i = 0; i < struc.parts.length; i++) {
+        Storage part = struc.parts[i];
+        String name = Scope.key(struc.type.components().get(i).name());
+        try {
+          result = result.changeComponent(name, old -> old.takeOver(part));
+        } catch (RefusedException e) {
+          continue; // this type has no such component
+        }
+      }
+    }
+    return result;
+  }
+
+  @Override
   KrlValue rounded(KrlValue value) throws RefusedException {
     if (!(value instanceof KrlStruct given)) {
       return value;

@@ -29,6 +29,11 @@ sealed interface Type {
   /** The bytes that a value without parts takes, about. */
   long SCALAR_BYTES = 64;
 
+  /** Returns whether another type of the same name has the same parts; upper case is lower case. */
+  default boolean isDeclaredAs(Type other) {
+    return equals(other);
+  }
+
   /** Returns contents of this type without a value. */
   Storage uninitialised();
 
@@ -166,6 +171,12 @@ sealed interface Type {
     }
 
     @Override
+    public boolean isDeclaredAs(Type other) {
+      return other instanceof Enumeration enumeration
+          && constants.keySet().equals(enumeration.constants.keySet());
+    }
+
+    @Override
     public long definitionBytes() {
       return (1 + constants.size()) * Scope.NAME_BYTES;
     }
@@ -189,7 +200,13 @@ sealed interface Type {
    * @param name as declared, without dimensions
    * @param type its type
    */
-  record Component(String name, DeclaredType type) {}
+  record Component(String name, DeclaredType type) {
+    private boolean isDeclaredAs(Component other) {
+      return name.equalsIgnoreCase(other.name)
+          && type.element().name().equalsIgnoreCase(other.type.element().name())
+          && type.dimensions().equals(other.type.dimensions());
+    }
+  }
 
   /**
    * A structure.
@@ -244,6 +261,19 @@ sealed interface Type {
         throw new IllegalArgumentException(Scope.tooLarge("STRUC " + name, bytes));
       }
       return new Struc(name, List.copyOf(components), Map.copyOf(positions), deepest + 1, bytes);
+    }
+
+    @Override
+    public boolean isDeclaredAs(Type other) {
+      if (!(other instanceof Struc struc) || components.size() != struc.components.size()) {
+        return false;
+      }
+      for (int i = 0; i < components.size(); i++) {
+        if (!components.get(i).isDeclaredAs(struc.components.get(i))) {
+          return false;
+        }
+      }
+      return true;
     }
 
     @Override

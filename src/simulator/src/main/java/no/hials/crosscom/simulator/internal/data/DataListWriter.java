@@ -37,7 +37,7 @@ public final class DataListWriter {
           Storage.class,
           cases ->
               cases
-                  .on(ScalarStorage.class, DataListWriter::inlineScalar)
+                  .on(ScalarStorage.class, DataListWriter::inlineCoded)
                   .on(TextStorage.class, DataListWriter::inlineScalar)
                   .on(StrucStorage.class, DataListWriter::inlineParts)
                   .on(ArrayStorage.class, (path, array) -> Optional.empty())
@@ -229,6 +229,17 @@ public final class DataListWriter {
     return text.length() == 0 ? Optional.empty() : Optional.of(text.append('}').toString());
   }
 
+  /** Writes a CHAR that is a line break as its code. */
+  private static Optional<String> inlineCoded(String path, ScalarStorage scalar) {
+    return value(scalar) instanceof KrlString string && hasLineBreak(string)
+        ? Optional.of(Integer.toString(string.text().charAt(0)))
+        : inlineScalar(path, scalar);
+  }
+
+  private static boolean hasLineBreak(KrlString string) {
+    return string.text().chars().anyMatch(c -> c == '\n' || c == '\r');
+  }
+
   private static Optional<String> inlineScalar(String path, Storage storage) {
     return Optional.of(scalar(path, value(storage)));
   }
@@ -243,8 +254,7 @@ public final class DataListWriter {
 
   private static String scalar(String path, KrlValue value) {
     // KrlString excludes double quotes
-    if (value instanceof KrlString string
-        && string.text().chars().anyMatch(c -> c == '\n' || c == '\r')) {
+    if (value instanceof KrlString string && hasLineBreak(string)) {
       throw new IllegalStateException(
           "a text in a data list has no line break, " + path + " has one");
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.KrlExecutionException;
 
 /** Collects instructions. */
 final class CodeBuilder {
@@ -21,6 +22,24 @@ final class CodeBuilder {
 
   void emit(Position position, Instruction operation) {
     steps.add(new CompiledCode.Step(operation, position, statement));
+  }
+
+  /** Returns the number of instructions so far. */
+  int size() {
+    return steps.size();
+  }
+
+  /** Replaces the code of a statement by a fault, which keeps the targets of jumps. */
+  void stop(int begin, Position position, int number, String reason) {
+    Instruction fault =
+        machine -> {
+          throw new KrlExecutionException(number, reason);
+        };
+    if (begin == steps.size()) {
+      emit(position, fault);
+    } else {
+      steps.set(begin, new CompiledCode.Step(fault, position, begin));
+    }
   }
 
   void constant(Position position, KrlValue value) {

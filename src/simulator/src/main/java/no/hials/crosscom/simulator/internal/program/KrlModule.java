@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator.internal.program;
 
 import no.hials.crosscom.lang.SourceFile;
+import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.internal.data.Scope;
 
 /**
@@ -8,8 +9,9 @@ import no.hials.crosscom.simulator.internal.data.Scope;
  *
  * @param source its routines
  * @param scope the variables of its data list
+ * @param mode whether it can be selected with errors; the program stops where it reaches one
  */
-record KrlModule(SourceFile source, Scope scope) {
+record KrlModule(SourceFile source, Scope scope, LoadingMode mode) {
   String name() {
     return source.name();
   }

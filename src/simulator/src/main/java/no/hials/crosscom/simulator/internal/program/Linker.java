@@ -1,13 +1,11 @@
 package no.hials.crosscom.simulator.internal.program;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
@@ -34,8 +32,10 @@ final class Linker {
    * @param main the routine that is selected
    * @param errors the errors
    * @param calledModules the names of the modules it calls, in upper case
+   * @param executable whether it can be executed, up to the first statement with an error
    */
-  record Linked(CompiledRoutine main, List<KrlError> errors, Set<String> calledModules) {}
+  record Linked(
+      CompiledRoutine main, List<KrlError> errors, Set<String> calledModules, boolean executable) {}
 
   /**
    * @param modules by their names in upper case
@@ -50,7 +50,7 @@ final class Linker {
 
   /** Compiles all modules; returns them by their names in upper case. */
   Map<String, Linked> link() {
-    Map<String, List<KrlError>> errors = new HashMap<>();
+    Map<String, LinkErrors> errors = new HashMap<>();
     modules.forEach((key, module) -> errors.put(key, declare(key, module)));
     Map<String, Linked> linked = new HashMap<>();
     errors.forEach(
@@ -63,21 +63,15 @@ final class Linker {
     return linked;
   }
 
-  private static BiConsumer<Position, String> collector(List<KrlError> errors) {
-    return (position, message) -> errors.add(new KrlError(position, message));
-  }
-
-  private List<KrlError> declare(String key, KrlModule module) {
-    List<KrlError> errors = new ArrayList<>();
+  private LinkErrors declare(String key, KrlModule module) {
+    LinkErrors errors = new LinkErrors();
     Map<String, CompiledRoutine> own = new HashMap<>();
     boolean first = true;
     for (Routine routine : module.source().routines()) {
       CompiledRoutine head = head(module, routine);
       if (own.put(Scope.key(routine.name()), head) != null) {
         errors.add(
-            new KrlError(
-                routine.position(),
-                "routine " + routine.name() + " is declared twice in this module"));
+            routine.position(), "routine " + routine.name() + " is declared twice in this module");
       }
       // assumed: the first routine is global without GLOBAL
       if (first || routine.global()) {
@@ -100,42 +94,38 @@ final class Linker {
   }
 
   /** Compiles a module; a failure of the compiler is an error of this module alone. */
-  private Linked compiled(String key, KrlModule module, List<KrlError> errors) {
+  private Linked compiled(String key, KrlModule module, LinkErrors errors) {
     try {
       return compile(key, module, errors);
     } catch (RuntimeException | VirtualMachineError e) {
       Position position = module.source().position();
-      errors.add(new KrlError(position, "the module cannot be compiled: " + e));
+      errors.add(position, "the module cannot be compiled: " + e);
       return new Linked(
-          head(module, module.source().routines().get(0)), List.copyOf(errors), Set.of());
+          head(module, module.source().routines().get(0)), errors.sorted(), Set.of(), false);
     }
   }
 
-  private Linked compile(String key, KrlModule module, List<KrlError> errors) {
+  private Linked compile(String key, KrlModule module, LinkErrors errors) {
     Set<String> called = new TreeSet<>();
     Map<String, CompiledRoutine> own = ownRoutines.getOrDefault(key, Map.of());
     for (Routine routine : module.source().routines()) {
       CompiledRoutine head = own.get(Scope.key(routine.name()));
       if (head != null) {
-        compile(module, routine, head, collector(errors), called);
+        compile(module, routine, head, errors, called);
       }
     }
-    errors.sort(
-        Comparator.comparing((KrlError error) -> error.position().file())
-            .thenComparing(error -> error.position().line())
-            .thenComparing(error -> error.position().column()));
     CompiledRoutine main = own.get(Scope.key(module.name()));
     if (main == null) {
       throw new IllegalStateException("module " + module.name() + " has no routine of its name");
     }
-    return new Linked(main, List.copyOf(errors), called);
+    return new Linked(main, errors.sorted(), called, true);
   }
 
   private void compile(
       KrlModule module,
       Routine routine,
       CompiledRoutine head,
-      BiConsumer<Position, String> errors,
+      LinkErrors errors,
       Set<String> called) {
     SymbolTable symbols = new SymbolTable(module, globals, modules, errors);
     symbols.declare(routine);
@@ -150,7 +140,7 @@ final class Linker {
             called);
     String type = routine.returnType();
     if (!routine.returnDimensions().isEmpty()) {
-      errors.accept(routine.position(), "an array cannot be returned by this simulation");
+      errors.add(routine.position(), "an array cannot be returned by this simulation");
     }
     Storage result = type == null ? null : symbols.result(routine.position(), type);
     CompiledCode code =

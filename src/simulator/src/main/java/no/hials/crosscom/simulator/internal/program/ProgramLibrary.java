@@ -49,9 +49,10 @@ public final class ProgramLibrary {
    * Adds a module and creates its variables. Replaces a module of the same name; a selected program
    * keeps the old one.
    *
-   * @param source its routines, parsed without errors
+   * @param source its routines; parsed without errors if the mode is strict
    * @param data its data list, or null
-   * @param mode whether errors of the data list refuse the module
+   * @param mode whether errors of the data list refuse the module, and those of the routines its
+   *     selection
    * @return the errors of the data list; with an error, nothing changes. {@link #check} returns the
    *     errors of the routines
    */
@@ -61,7 +62,7 @@ public final class ProgramLibrary {
     countBytes(Scope.key(source.name()));
     boolean done = data == null || globals.attempt(() -> load(data, scope, mode, errors));
     if (done) {
-      modules.put(Scope.key(source.name()), new KrlModule(source, scope));
+      modules.put(Scope.key(source.name()), new KrlModule(source, scope, mode));
       linked = null;
     }
     countBytes("");
@@ -138,7 +139,8 @@ public final class ProgramLibrary {
   /**
    * Compiles a module and all modules it calls.
    *
-   * @throws KrlFileException if the module does not exist, or one of them contains an error
+   * @throws KrlFileException if the module does not exist, or one of them contains an error and was
+   *     loaded strictly
    */
   public Program program(String name) throws KrlFileException {
     Linker.Linked module = linked().get(Scope.key(name));
@@ -147,7 +149,12 @@ public final class ProgramLibrary {
     }
     List<KrlError> errors = new ArrayList<>();
     for (String used : used(Scope.key(name))) {
-      errors.addAll(check(used));
+      KrlModule found = modules.get(used);
+      Linker.Linked link = linked().get(used);
+      boolean strict = found == null || found.mode() == LoadingMode.STRICT;
+      if (strict || link == null || !link.executable()) {
+        errors.addAll(check(used));
+      }
     }
     if (!errors.isEmpty()) {
       throw new KrlFileException(errors);

@@ -3,7 +3,6 @@ package no.hials.crosscom.simulator.internal.program;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
@@ -39,7 +38,7 @@ final class RoutineContext {
   private final SymbolTable symbols;
   private final List<Map<String, CompiledRoutine>> routines;
   private final Predicate<String> stopsAdvanceRun;
-  private final BiConsumer<Position, String> errors;
+  private final LinkErrors errors;
   private final Set<String> calledModules;
   private int temporaries;
 
@@ -55,7 +54,7 @@ final class RoutineContext {
       SymbolTable symbols,
       List<Map<String, CompiledRoutine>> routines,
       Predicate<String> stopsAdvanceRun,
-      BiConsumer<Position, String> errors,
+      LinkErrors errors,
       Set<String> calledModules) {
     this.symbols = symbols;
     this.routines = routines;
@@ -69,7 +68,12 @@ final class RoutineContext {
   }
 
   void error(Position position, String message) {
-    errors.accept(position, message);
+    errors.add(position, message);
+  }
+
+  /** See {@link LinkErrors#exchange}. */
+  @Nullable String exchangeError(@Nullable String other) {
+    return errors.exchange(other);
   }
 
   /** Returns a routine with a source; null if it is unknown. */

@@ -137,8 +137,19 @@ final class StatementCompiler {
     goOn = false;
     for (Statement statement : body) {
       code.statement();
-      STATEMENTS.run(this, statement);
+      stopAtError(statement.position(), () -> STATEMENTS.run(this, statement));
       goOn = statement instanceof Statement.Continue;
+    }
+  }
+
+  /** Compiles a statement or a part of it; the program stops there if it has an error. */
+  private void stopAtError(Position position, Runnable compilation) {
+    String around = context.exchangeError(null);
+    int begin = code.size();
+    compilation.run();
+    String error = context.exchangeError(around);
+    if (error != null) {
+      code.stop(begin, position, KrlExecutionException.NOT_ALLOWED, error);
     }
   }
 
@@ -223,7 +234,7 @@ final class StatementCompiler {
   /** Compiles the action of an interrupt or a trigger, which uses the variables of the routine. */
   private CompiledCode detached(Statement.Action action) {
     StatementCompiler compiler = new StatementCompiler(context, false);
-    ACTIONS.run(compiler, action);
+    compiler.stopAtError(action.position(), () -> ACTIONS.run(compiler, action));
     compiler.code.emit(action.position(), KrlVirtualMachine::returnNothing);
     return compiler.code.build();
   }
@@ -375,7 +386,7 @@ final class StatementCompiler {
     body(loop.body(), end);
     code.statement();
     goOn = conditionGoesOn;
-    condition(loop.until().position(), loop.until());
+    stopAtError(loop.until().position(), () -> condition(loop.until().position(), loop.until()));
     code.jumpUnless(loop.until().position(), turn);
     code.mark(end);
   }

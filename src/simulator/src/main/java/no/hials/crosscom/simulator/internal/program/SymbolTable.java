@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
-import java.util.function.BiConsumer;
 import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.Declaration.Declarator;
@@ -65,7 +64,7 @@ final class SymbolTable {
   private final KrlModule module;
   private final Scope globals;
   private final Map<String, KrlModule> modules;
-  private final BiConsumer<Position, String> errors;
+  private final LinkErrors errors;
 
   /** The declarations of the routine, without values. */
   private final Scope own;
@@ -76,11 +75,7 @@ final class SymbolTable {
   private final Map<String, StorageLocation> locations = new HashMap<>();
   private final List<Storage> locals = new ArrayList<>();
 
-  SymbolTable(
-      KrlModule module,
-      Scope globals,
-      Map<String, KrlModule> modules,
-      BiConsumer<Position, String> errors) {
+  SymbolTable(KrlModule module, Scope globals, Map<String, KrlModule> modules, LinkErrors errors) {
     this.module = module;
     this.globals = globals;
     this.modules = modules;
@@ -102,7 +97,7 @@ final class SymbolTable {
   void declare(Routine routine) {
     for (Routine.Parameter parameter : routine.parameters()) {
       if (!parameters.add(Scope.key(parameter.name()))) {
-        errors.accept(parameter.position(), "parameter " + parameter.name() + " is declared twice");
+        errors.add(parameter.position(), "parameter " + parameter.name() + " is declared twice");
       }
     }
     Map<String, Declaration.Variables> ofParameters = new HashMap<>();
@@ -128,7 +123,7 @@ final class SymbolTable {
     try {
       declarations.run(this, declaration);
     } catch (KrlErrorException e) {
-      errors.accept(e.error().position(), e.error().message());
+      errors.add(e.error().position(), e.error().message());
     }
   }
 
@@ -138,14 +133,14 @@ final class SymbolTable {
     String key = Scope.key(parameter.name());
     if (parameter.array() > 1 && !parameter.out()) {
       // assumed: KSS passes no array by value
-      errors.accept(
+      errors.add(
           parameter.position(),
           "an array of several dimensions is passed only as :OUT, " + key + " is :IN");
     }
     StorageLocation location =
         parameter.out() ? new StorageLocation.Parameter(slot) : new StorageLocation.Local(slot);
     if (variables == null) {
-      errors.accept(parameter.position(), "parameter " + parameter.name() + " has no declaration");
+      errors.add(parameter.position(), "parameter " + parameter.name() + " has no declaration");
       declareLocal(new Declarator(parameter.position(), key, List.of(), null), "INT", location);
       return;
     }
@@ -159,7 +154,7 @@ final class SymbolTable {
 
   private void declareVariables(Declaration.Variables variables) {
     if (variables.global() || variables.constant()) {
-      errors.accept(variables.position(), "GLOBAL and CONST are for variables of data lists only");
+      errors.add(variables.position(), "GLOBAL and CONST are for variables of data lists only");
     }
     for (Declarator variable : variables.variables()) {
       if (!parameters.contains(Scope.key(variable.name()))) {
@@ -180,7 +175,7 @@ final class SymbolTable {
   private void checkDimensions(Declarator variable) {
     for (Expression dimension : variable.dimensions()) {
       if (dimension == null) {
-        errors.accept(
+        errors.add(
             variable.position(),
             "only the dimensions of a parameter are open, not those of " + variable.name());
         return;
@@ -191,7 +186,7 @@ final class SymbolTable {
   private void declareLocal(Declarator variable, String type, StorageLocation location) {
     String key = Scope.key(variable.name());
     if (own.contains(key)) {
-      errors.accept(variable.position(), key + " is declared twice");
+      errors.add(variable.position(), key + " is declared twice");
       return;
     }
     try {
@@ -199,7 +194,7 @@ final class SymbolTable {
       locals.add(own.contents(key));
       locations.put(key, location);
     } catch (KrlErrorException e) {
-      errors.accept(e.error().position(), e.error().message());
+      errors.add(e.error().position(), e.error().message());
     } catch (RefusedException e) {
       throw new IllegalStateException(key + " was just declared", e);
     }
@@ -226,8 +221,7 @@ final class SymbolTable {
     String key = Scope.key(external.source().substring(dots + 2));
     KrlModule other = modules.get(Scope.key(from));
     if (other == null || !other.scope().contains(key) || !key.equals(Scope.key(external.name()))) {
-      errors.accept(
-          external.position(), "no module " + from + " with a variable " + external.name());
+      errors.add(external.position(), "no module " + from + " with a variable " + external.name());
       return;
     }
     locations.put(key, new StorageLocation.Shared(other.scope()));
@@ -236,7 +230,7 @@ final class SymbolTable {
   /** Returns a variable for the value of a function; null if the type is unknown. */
   @Nullable Storage result(Position position, String type) {
     if (!own.knowsType(type)) {
-      errors.accept(position, "type " + type + " is not declared");
+      errors.add(position, "type " + type + " is not declared");
       return null;
     }
     return own.uninitialised(type);
@@ -266,7 +260,7 @@ final class SymbolTable {
     String key = Scope.key(variable.name());
     StorageLocation location = find(key);
     if (location == null) {
-      errors.accept(variable.position(), "no variable " + variable.name() + " is declared");
+      errors.add(variable.position(), "no variable " + variable.name() + " is declared");
       return null;
     }
     Scope scope = location instanceof StorageLocation.Shared shared ? shared.scope() : own;
@@ -278,7 +272,7 @@ final class SymbolTable {
         scope.storage(VariablePath.of(variable, index -> 1));
       }
     } catch (RefusedException e) {
-      errors.accept(variable.position(), variable.name() + ": " + e.getMessage());
+      errors.add(variable.position(), variable.name() + ": " + e.getMessage());
       return null;
     }
     return location;
@@ -286,7 +280,7 @@ final class SymbolTable {
 
   private void checkSignal(Expression.Variable variable) {
     if (variable.steps().size() > 1 || variable.steps().get(0).brackets()) {
-      errors.accept(variable.position(), variable.name() + ": a SIGNAL has no parts");
+      errors.add(variable.position(), variable.name() + ": a SIGNAL has no parts");
     }
   }
 

@@ -193,4 +193,79 @@ class LinkTest {
     rig.interpreter.start();
     assertThat(rig.cycle().get("I")).isEqualTo("2");
   }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "NOBODY() | 9010 line 3: no routine NOBODY is known",
+        "I = NOBODY(1) | 9010 line 3: no routine NOBODY is known",
+        "NOBODY = 1 | 9010 line 3: no variable NOBODY is declared",
+        "WAIT FOR NOBODY == 1 | 9010 line 3: no variable NOBODY is declared",
+        "ARR[NOBODY] = 1 | 9010 line 3: no variable NOBODY is declared",
+        "PTP NOBODY | 9010 line 3: no variable NOBODY is declared",
+        "PULSE(NOBODY,TRUE,1) | 9010 line 3: no variable NOBODY is declared",
+        "INTERRUPT DECL 3 WHEN NOBODY DO SUB() | 9010 line 3: no variable NOBODY is declared",
+        "This is not KRL | 9010 line 3: unknown statement This; a type needs DECL before it",
+      })
+  void stopsALenientProgramWhereItReachesAnError(String statement, String fault) {
+    Rig rig = new Rig().loadLeniently("DEF TEST()\nI = 7\n" + statement + "\nI = 8\nEND\n");
+
+    rig.select("TEST").startSelected().cycle();
+
+    assertThat(rig.fault()).isEqualTo(fault);
+    assertThat(rig.get("I")).isEqualTo("7");
+  }
+
+  @Test
+  void runsALenientProgramThatDoesNotReachItsErrors() {
+    Rig rig =
+        new Rig()
+            .loadLeniently(
+                """
+                DEF TEST()
+                INT N
+                DECL NOTYPE X
+                INTERRUPT DECL 3 WHEN B DO NOBODY()
+                IF FALSE THEN
+                  NOBODY(1)
+                ENDIF
+                FOR N=1 TO 3
+                  IF N > 5 THEN
+                    X = 1
+                  ENDIF
+                  I = I + N
+                ENDFOR
+                SWITCH I
+                CASE 1
+                  NOBODY(2)
+                DEFAULT
+                  J = 5
+                ENDSWITCH
+                GOTO ON
+                NOBODY(3)
+                ON:
+                REPEAT
+                  K = 9
+                UNTIL NOBODY
+                END
+                """);
+
+    rig.select("TEST").startSelected().cycle();
+
+    assertThat(rig.fault()).isEqualTo("9010 line 25: no variable NOBODY is declared");
+    assertThat(rig.get("I") + rig.get("J") + rig.get("K")).isEqualTo("659");
+    assertThat(rig.library.check("TEST")).hasSize(7);
+  }
+
+  @Test
+  void refusesAStrictModuleThatALenientOneCalls() {
+    Rig rig = new Rig().loadLeniently("DEF TEST()\nNOBODY()\nSUB()\nEND\n");
+    rig.load("DEF SUB()\nNOBODY()\nEND\n");
+
+    assertThatThrownBy(() -> rig.library.program("TEST"))
+        .isInstanceOf(KrlFileException.class)
+        .hasMessageContaining("test.src:2:1: no routine NOBODY is known");
+  }
 }

@@ -127,7 +127,7 @@ final class Rig {
   /** Loads a module without regard to the errors of the parser. */
   Rig loadLeniently(String source) {
     SourceFile file = (SourceFile) KrlParser.parse("test.src", source).file().orElseThrow();
-    assertThat(library.put(file, null, LoadingMode.STRICT)).isEmpty();
+    assertThat(library.put(file, null, LoadingMode.LENIENT)).isEmpty();
     return this;
   }
 
@@ -158,6 +158,11 @@ final class Rig {
   Rig start(String source) {
     load(source);
     select(((SourceFile) parse("test.src", source)).name());
+    assertThat(interpreter.start()).isTrue();
+    return this;
+  }
+
+  Rig startSelected() {
     assertThat(interpreter.start()).isTrue();
     return this;
   }

@@ -1,0 +1,49 @@
+package no.hials.crosscom.simulator.internal.program;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.Position;
+import org.jspecify.annotations.Nullable;
+
+/** Collects the errors of a module, and tells those of the statement that is being compiled. */
+final class LinkErrors {
+  private final List<KrlError> all = new ArrayList<>();
+
+  /** The first error of the statement; null without one. */
+  private @Nullable String ofStatement;
+
+  void add(Position position, String message) {
+    all.add(new KrlError(position, message));
+    if (ofStatement == null) {
+      ofStatement = message;
+    }
+  }
+
+  /**
+   * Begins or ends a statement.
+   *
+   * @param other the error of the statement around it
+   * @return the first error since the last call; null without one
+   */
+  @Nullable String exchange(@Nullable String other) {
+    String found = ofStatement;
+    ofStatement = other;
+    return found;
+  }
+
+  int count() {
+    return all.size();
+  }
+
+  /** Returns the errors in the order of the file. */
+  List<KrlError> sorted() {
+    return all.stream()
+        .sorted(
+            Comparator.comparing((KrlError error) -> error.position().file())
+                .thenComparing(error -> error.position().line())
+                .thenComparing(error -> error.position().column()))
+        .toList();
+  }
+}

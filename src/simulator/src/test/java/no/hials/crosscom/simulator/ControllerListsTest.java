@@ -351,6 +351,41 @@ class ControllerListsTest {
     }
 
     @Test
+    void keepWhatAProgramWritesAfterOneWarning() throws Exception {
+      String program = "DEF TEST()\n$TORQMON_X[1] = 200\n$TORQMON_X[2] = $TORQMON_X[1]/4\nEND\n";
+      assertThat(cell.controller.load("test.src", program, LoadingMode.LENIENT).problems())
+          .isEmpty();
+      assertThat(cell.controller.check("TEST"))
+          .hasToString(
+              "[test.src:2:1: the system variable $TORQMON_X is not known; it keeps what is"
+                  + " written to it]");
+      cell.controller.robot().select("TEST");
+      cell.controller.robot().start();
+      cell.runToTheEnd();
+      assertThat(cell.get("$TORQMON_X[2]")).isEqualTo("50");
+      cell.controller.load("other.src", "DEF OTHER()\nEND\n", LoadingMode.LENIENT);
+      assertThat(cell.controller.check("TEST")).hasSize(1);
+      assertThat(cell.get("$TORQMON_X[2]")).isEqualTo("50");
+    }
+
+    @Test
+    void stopAProgramThatReadsThemBeforeAWrite() throws Exception {
+      String program = "DEF TEST()\nIF $COLLMON_X THEN\nHALT\nENDIF\nEND\n";
+      cell.controller.load("test.src", program, LoadingMode.LENIENT);
+      cell.controller.robot().select("TEST");
+      cell.controller.robot().start();
+      cell.until(() -> !cell.controller.messages().isEmpty());
+      assertThat(cell.message()).contains("$COLLMON_X: has no value yet");
+    }
+
+    @Test
+    void areErrorsOfAStrictProgram() throws Exception {
+      cell.load("DEF TEST()\n$TORQMON_X = 200\nEND\n");
+      assertThat(cell.controller.check("TEST"))
+          .hasToString("[test.src:2:1: no variable $TORQMON_X is declared]");
+    }
+
+    @Test
     void areErrorsOfAStrictLoad() {
       assertThatThrownBy(() -> cell.controller.load("x.dat", "DEFDAT $X\n$TORQMON_X=1\nENDDAT\n"))
           .hasMessage("x.dat:2:1: no variable $TORQMON_X is declared");

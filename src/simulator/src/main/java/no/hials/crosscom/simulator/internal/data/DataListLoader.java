@@ -425,10 +425,7 @@ public final class DataListLoader {
     if (variable == null && isLenient && name.startsWith("$")) {
       owner.declareUntyped(name, declaration.position());
       variable = owner.lookup(key);
-      errors.accept(
-          new KrlError(
-              declaration.position(),
-              "the system variable " + name + " is not known; it keeps what is written to it"));
+      errors.accept(new KrlError(declaration.position(), Scope.notKnown(name)));
     }
     if (variable == null) {
       throw new KrlErrorException(declaration.position(), "no variable " + name + " is declared");

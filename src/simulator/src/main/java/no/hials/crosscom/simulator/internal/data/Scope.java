@@ -262,6 +262,11 @@ public final class Scope {
     systemOutputs = null;
   }
 
+  /** Returns the warning of a system variable that is not known. */
+  public static String notKnown(String name) {
+    return "the system variable " + name + " is not known; it keeps what is written to it";
+  }
+
   /**
    * Declares a variable whose type is not known, such as a system variable that no data list
    * declares. It has no value, and keeps what is written to it.

@@ -2,7 +2,9 @@ package no.hials.crosscom.simulator.internal.program;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
 import org.jspecify.annotations.Nullable;
@@ -10,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 /** Collects the errors of a module, and tells those of the statement that is being compiled. */
 final class LinkErrors {
   private final List<KrlError> all = new ArrayList<>();
+  private final Set<String> warned = new HashSet<>();
 
   /** The first error of the statement; null without one. */
   private @Nullable String ofStatement;
@@ -18,6 +21,13 @@ final class LinkErrors {
     all.add(new KrlError(position, message));
     if (ofStatement == null) {
       ofStatement = message;
+    }
+  }
+
+  /** Adds an error once, with which the statement can be executed. */
+  void warn(Position position, String message) {
+    if (warned.add(message)) {
+      all.add(new KrlError(position, message));
     }
   }
 

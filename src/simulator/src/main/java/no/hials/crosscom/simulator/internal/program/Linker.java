@@ -21,6 +21,7 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
 final class Linker {
   private final Map<String, KrlModule> modules;
   private final Scope globals;
+  private final Set<String> unknown;
   private final Predicate<String> stopsAdvanceRun;
   private long routineBytes;
   private final Map<String, CompiledRoutine> globalRoutines = new HashMap<>();
@@ -40,11 +41,17 @@ final class Linker {
   /**
    * @param modules by their names in upper case
    * @param globals the variables of the controller
+   * @param unknown gets the system variables that only lenient modules mention, in upper case
    * @param stopsAdvanceRun whether access to a variable of the controller stops the advance run
    */
-  Linker(Map<String, KrlModule> modules, Scope globals, Predicate<String> stopsAdvanceRun) {
+  Linker(
+      Map<String, KrlModule> modules,
+      Scope globals,
+      Set<String> unknown,
+      Predicate<String> stopsAdvanceRun) {
     this.modules = modules;
     this.globals = globals;
+    this.unknown = unknown;
     this.stopsAdvanceRun = stopsAdvanceRun;
   }
 
@@ -127,7 +134,7 @@ final class Linker {
       CompiledRoutine head,
       LinkErrors errors,
       Set<String> called) {
-    SymbolTable symbols = new SymbolTable(module, globals, modules, errors);
+    SymbolTable symbols = new SymbolTable(module, globals, modules, unknown, errors);
     symbols.declare(routine);
     routineBytes += symbols.scope().bytes();
     globals.routineBytes(routineBytes);

@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator.internal.program;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,6 +29,9 @@ public final class ProgramLibrary {
 
   /** By name in upper case. */
   private final Map<String, KrlModule> modules = new TreeMap<>();
+
+  /** The system variables that only programs mention, in upper case. */
+  private final Set<String> unknown = new HashSet<>();
 
   /** The compiled modules; null after a change. */
   private @Nullable Map<String, Linker.Linked> linked;
@@ -130,7 +134,7 @@ public final class ProgramLibrary {
   private Map<String, Linker.Linked> linked() {
     Map<String, Linker.Linked> known = linked;
     if (known == null) {
-      known = new Linker(modules, globals, stopsAdvanceRun).link();
+      known = new Linker(modules, globals, unknown, stopsAdvanceRun).link();
       linked = known;
     }
     return known;

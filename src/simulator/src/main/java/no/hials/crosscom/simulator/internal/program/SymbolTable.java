@@ -15,6 +15,7 @@ import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Routine;
 import no.hials.crosscom.lang.TypeSwitch;
+import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Declarations;
 import no.hials.crosscom.simulator.internal.data.KrlErrorException;
@@ -64,6 +65,7 @@ final class SymbolTable {
   private final KrlModule module;
   private final Scope globals;
   private final Map<String, KrlModule> modules;
+  private final Set<String> unknown;
   private final LinkErrors errors;
 
   /** The declarations of the routine, without values. */
@@ -75,10 +77,20 @@ final class SymbolTable {
   private final Map<String, StorageLocation> locations = new HashMap<>();
   private final List<Storage> locals = new ArrayList<>();
 
-  SymbolTable(KrlModule module, Scope globals, Map<String, KrlModule> modules, LinkErrors errors) {
+  /**
+   * @param modules by their names in upper case
+   * @param unknown the system variables that only programs mention, in upper case
+   */
+  SymbolTable(
+      KrlModule module,
+      Scope globals,
+      Map<String, KrlModule> modules,
+      Set<String> unknown,
+      LinkErrors errors) {
     this.module = module;
     this.globals = globals;
     this.modules = modules;
+    this.unknown = unknown;
     this.errors = errors;
     this.own = new Scope(module.scope());
   }
@@ -258,6 +270,9 @@ final class SymbolTable {
    */
   @Nullable StorageLocation resolve(Expression.Variable variable) {
     String key = Scope.key(variable.name());
+    if (key.startsWith("$") && module.mode() == LoadingMode.LENIENT) {
+      declareUnknown(variable, key);
+    }
     StorageLocation location = find(key);
     if (location == null) {
       errors.add(variable.position(), "no variable " + variable.name() + " is declared");
@@ -276,6 +291,21 @@ final class SymbolTable {
       return null;
     }
     return location;
+  }
+
+  /** Declares a system variable that is not known, so that it keeps what programs write. */
+  private void declareUnknown(Expression.Variable variable, String key) {
+    try {
+      if (!own.knows(key)) {
+        globals.declareUntyped(variable.name(), variable.position());
+        unknown.add(key);
+      }
+      if (unknown.contains(key)) {
+        errors.warn(variable.position(), Scope.notKnown(key));
+      }
+    } catch (KrlErrorException e) {
+      errors.add(e.error().position(), e.error().message());
+    }
   }
 
   private void checkSignal(Expression.Variable variable) {

@@ -1,25 +1,98 @@
 package no.hials.crosscom.simulator.internal.data;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Refusal;
 import no.hials.crosscom.simulator.RefusedException;
+import org.jspecify.annotations.Nullable;
 
 /** An array, except for a CHAR array with one dimension. */
 final class ArrayStorage extends Storage {
+  /** The elements of a block, so that a change of one copies few. */
+  private static final int BLOCK = 256;
+
   private final int[] lengths;
-  private final Storage[] elements;
+  private final int count;
+
+  /** All elements, in blocks; the last index varies fastest. */
+  private final Storage[][] blocks;
 
   /**
+   * Creates an array whose elements are all the same.
+   *
    * @param lengths the length of each dimension, without the length of texts
-   * @param elements all elements; the last index varies fastest
    */
-  ArrayStorage(int[] lengths, Storage[] elements) {
+  ArrayStorage(int[] lengths, Storage element) {
     this.lengths = lengths;
-    this.elements = elements;
+    int product = 1;
+    for (int length : lengths) {
+      product *= length;
+    }
+    count = product;
+    Storage[] full = new Storage[Math.min(count, BLOCK)];
+    Arrays.fill(full, element);
+    // the blocks are never changed, so they can be one
+    blocks = new Storage[(count + BLOCK - 1) / BLOCK][];
+    Arrays.fill(blocks, full);
+  }
+
+  private ArrayStorage(ArrayStorage old, Storage[][] blocks) {
+    lengths = old.lengths;
+    count = old.count;
+    this.blocks = blocks;
+  }
+
+  /** Returns an element by its position among all elements, from 0. */
+  Storage element(int position) {
+    return blocks[position / BLOCK][position % BLOCK];
+  }
+
+  /** Returns the number of all elements. */
+  int count() {
+    return count;
+  }
+
+  /** Returns the new contents of an element, given its position and the old. */
+  @FunctionalInterface
+  private interface ElementChange {
+    Storage apply(int position, Storage old) throws RefusedException;
+  }
+
+  /** Assigns one value; equal elements share one object, because there are thousands of outputs. */
+  private static final class SameValue implements ElementChange {
+    private final KrlValue value;
+    private @Nullable Storage before;
+    private @Nullable Storage after;
+
+    SameValue(KrlValue value) {
+      this.value = value;
+    }
+
+    @Override
+    public Storage apply(int position, Storage old) throws RefusedException {
+      Storage known = after;
+      if (known == null || old != before) {
+        known = old.assign(value);
+        before = old;
+        after = known;
+      }
+      return known;
+    }
+  }
+
+  private Storage changeAll(ElementChange change) throws RefusedException {
+    Storage[][] changed = new Storage[blocks.length][];
+    for (int i = 0; i < count; i++) {
+      if (i % BLOCK == 0) {
+        changed[i / BLOCK] = new Storage[Math.min(count - i, BLOCK)];
+      }
+      changed[i / BLOCK][i % BLOCK] = change.apply(i, element(i));
+    }
+    return new ArrayStorage(this, changed);
   }
 
   /** Returns the length of each dimension, without the length of texts. */
@@ -27,29 +100,24 @@ final class ArrayStorage extends Storage {
     return lengths.clone();
   }
 
-  /** Returns all elements; the last index varies fastest. */
-  List<Storage> elements() {
-    return List.of(elements);
-  }
-
   private boolean hasScalars() {
-    return elements[0] instanceof ScalarStorage;
+    return element(0) instanceof ScalarStorage;
   }
 
   @Override
   Type type() {
-    return elements[0].type();
+    return element(0).type();
   }
 
   @Override
   long bytes() {
-    return elements.length * elements[0].bytes();
+    return count * element(0).bytes();
   }
 
   @Override
   public boolean initialised() {
-    for (Storage element : elements) {
-      if (element.initialised()) {
+    for (int i = 0; i < count; i++) {
+      if (element(i).initialised()) {
         return true;
       }
     }
@@ -57,8 +125,8 @@ final class ArrayStorage extends Storage {
   }
 
   private boolean allInitialised() {
-    for (Storage element : elements) {
-      if (!element.initialised()) {
+    for (int i = 0; i < count; i++) {
+      if (!element(i).initialised()) {
         return false;
       }
     }
@@ -72,10 +140,10 @@ final class ArrayStorage extends Storage {
       throw new RefusedException(
           Refusal.WHOLE_ARRAY, "an array of structures can only be read by element");
     }
-    List<KrlValue> values = new ArrayList<>(elements.length);
-    for (Storage element : elements) {
+    List<KrlValue> values = new ArrayList<>(count);
+    for (int i = 0; i < count; i++) {
       // no sample of a partly initialised array is known: assumed to fail as a scalar does
-      values.add(element.value());
+      values.add(element(i).value());
     }
     return new KrlArray(values);
   }
@@ -89,11 +157,11 @@ final class ArrayStorage extends Storage {
       fields.add(new KrlStruct.Field(name + "[]", value()));
       return;
     }
-    boolean isText = elements[0] instanceof TextStorage;
-    for (int i = 0; i < elements.length; i++) {
-      if (elements[i].initialised()) {
+    boolean isText = element(0) instanceof TextStorage;
+    for (int i = 0; i < count; i++) {
+      if (element(i).initialised()) {
         String field = name + new Index(indicesOf(i), isText);
-        fields.add(new KrlStruct.Field(field, elements[i].value()));
+        fields.add(new KrlStruct.Field(field, element(i).value()));
       }
     }
   }
@@ -112,46 +180,36 @@ final class ArrayStorage extends Storage {
   /** Assigns all elements, or one value to every element. */
   @Override
   Storage assign(KrlValue value) throws RefusedException {
-    Storage[] changed = new Storage[elements.length];
-    if (value instanceof KrlArray array) {
-      if (array.elements().size() != elements.length) {
-        throw new RefusedException(
-            Refusal.OUT_OF_RANGE,
-            "has " + elements.length + " elements, was given " + array.elements().size());
-      }
-      for (int i = 0; i < changed.length; i++) {
-        changed[i] = elements[i].assign(array.elements().get(i));
-      }
-    } else {
-      for (int i = 0; i < changed.length; i++) {
-        // equal elements share one object: there are thousands of outputs
-        changed[i] =
-            i > 0 && elements[i] == elements[i - 1] ? changed[i - 1] : elements[i].assign(value);
-      }
+    if (!(value instanceof KrlArray array)) {
+      return changeAll(new SameValue(value));
     }
-    return new ArrayStorage(lengths, changed);
+    if (array.elements().size() != count) {
+      throw new RefusedException(
+          Refusal.OUT_OF_RANGE, "has " + count + " elements, was given " + array.elements().size());
+    }
+    return changeAll((i, old) -> old.assign(array.elements().get(i)));
   }
 
   @Override
   Storage takeOver(Storage others) {
-    if (!(others instanceof ArrayStorage array) || array.elements.length != elements.length) {
+    if (!(others instanceof ArrayStorage array) || array.count != count) {
       return this;
     }
-    Storage[] changed = new Storage[elements.length];
-    for (int i = 0; i < changed.length; i++) {
-      changed[i] = elements[i].takeOver(array.elements[i]);
+    try {
+      return changeAll((i, old) -> old.takeOver(array.element(i)));
+    } catch (RefusedException e) {
+      throw new IllegalStateException("an element takes what fits", e);
     }
-    return new ArrayStorage(lengths, changed);
   }
 
   @Override
   KrlValue rounded(KrlValue value) throws RefusedException {
     if (!(value instanceof KrlArray array)) {
-      return elements[0].rounded(value);
+      return element(0).rounded(value);
     }
     List<KrlValue> values = new ArrayList<>(array.elements().size());
     for (KrlValue element : array.elements()) {
-      values.add(elements[0].rounded(element));
+      values.add(element(0).rounded(element));
     }
     return new KrlArray(values);
   }
@@ -161,11 +219,11 @@ final class ArrayStorage extends Storage {
     if (isWhole(index)) {
       return this;
     }
-    return elements[offset(index)].select(index.after(lengths.length));
+    return element(offset(index)).select(index.after(lengths.length));
   }
 
   private boolean isWhole(Index index) {
-    return index.isWhole() && lengths.length == 1 && !(elements[0] instanceof TextStorage);
+    return index.isWhole() && lengths.length == 1 && !(element(0) instanceof TextStorage);
   }
 
   private int offset(Index index) throws RefusedException {
@@ -193,12 +251,15 @@ final class ArrayStorage extends Storage {
       return change.apply(this);
     }
     int offset = offset(index);
-    Storage element = elements[offset].change(index.after(lengths.length), change);
-    if (element == elements[offset]) {
+    Storage old = element(offset);
+    Storage element = old.change(index.after(lengths.length), change);
+    if (element == old) {
       return this;
     }
-    Storage[] changed = elements.clone();
-    changed[offset] = element;
-    return new ArrayStorage(lengths, changed);
+    Storage[][] changed = blocks.clone();
+    Storage[] block = changed[offset / BLOCK].clone();
+    block[offset % BLOCK] = element;
+    changed[offset / BLOCK] = block;
+    return new ArrayStorage(this, changed);
   }
 }

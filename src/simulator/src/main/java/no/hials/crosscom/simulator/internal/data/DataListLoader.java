@@ -93,25 +93,37 @@ public final class DataListLoader {
    */
   public static void load(
       DataList list, Scope module, Scope globals, LoadingMode mode, Consumer<KrlError> errors) {
-    DataListLoader loader = new DataListLoader(list, module, globals, mode, errors);
-    if (loader.isLenient) {
-      loader.declareTypes();
-    }
+    new DataListLoader(list, module, globals, mode, errors).load();
+  }
+
+  private void load() {
+    boolean hasAllTypes = false;
+    int index = 0;
     for (Declaration declaration : list.declarations()) {
-      if (!loader.isLenient || !isType(declaration)) {
-        loader.tell(() -> DECLARATIONS.run(loader, declaration));
+      if (isLenient && !hasAllTypes && !areTypesKnown(declaration)) {
+        declareTypes(index);
+        hasAllTypes = true;
       }
+      if (!hasAllTypes || !isType(declaration)) {
+        tell(() -> DECLARATIONS.run(this, declaration));
+      }
+      index++;
     }
   }
 
-  /** Declares the types, each after the types of its components. */
-  private void declareTypes() {
-    List<Declaration> left =
-        new ArrayList<>(list.declarations().stream().filter(DataListLoader::isType).toList());
+  /** Declares all types from a declaration on, each after the types of its components. */
+  private void declareTypes(int first) {
+    List<Declaration> left = new ArrayList<>();
+    int index = 0;
+    for (Declaration declaration : list.declarations()) {
+      if (index++ >= first && isType(declaration)) {
+        left.add(declaration);
+      }
+    }
     for (int i = 0; i < MAX_TYPE_ROUNDS && !left.isEmpty(); i++) {
       List<Declaration> later = new ArrayList<>();
       for (Declaration type : left) {
-        if (areComponentsKnown(type)) {
+        if (areTypesKnown(type)) {
           tell(() -> DECLARATIONS.run(this, type));
         } else {
           later.add(type);
@@ -130,8 +142,11 @@ public final class DataListLoader {
         || declaration instanceof Declaration.EnumDeclaration;
   }
 
-  private boolean areComponentsKnown(Declaration type) {
-    return !(type instanceof Declaration.StrucDeclaration struc)
+  private boolean areTypesKnown(Declaration declaration) {
+    if (declaration instanceof Declaration.Variables group) {
+      return module.knowsType(group.type());
+    }
+    return !(declaration instanceof Declaration.StrucDeclaration struc)
         || struc.components().stream().allMatch(component -> module.knowsType(component.type()));
   }
 

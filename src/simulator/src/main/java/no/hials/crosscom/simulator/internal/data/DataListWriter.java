@@ -289,9 +289,8 @@ public final class DataListWriter {
   }
 
   private void elements(String path, ArrayStorage array, @Nullable String filling) {
-    List<Storage> elements = array.elements();
-    for (int i = 0; i < elements.size(); i++) {
-      Storage element = elements.get(i);
+    for (int i = 0; i < array.count(); i++) {
+      Storage element = array.element(i);
       String name = path + new Index(array.indicesOf(i), element instanceof TextStorage);
       String value = inline(name, element);
       if (value != null && !value.equals(filling)) {
@@ -307,16 +306,15 @@ public final class DataListWriter {
    */
   private static @Nullable String filling(String path, ArrayStorage array) {
     Map<String, Integer> counts = new HashMap<>();
-    List<Storage> elements = array.elements();
-    for (Storage element : elements) {
-      String value = inline(path, element);
+    for (int i = 0; i < array.count(); i++) {
+      String value = inline(path, array.element(i));
       if (value == null) {
         return null;
       }
       counts.merge(value, 1, Integer::sum);
     }
-    boolean mayDiffer = !(elements.get(0) instanceof StrucStorage);
-    int needed = mayDiffer ? elements.size() / 2 + 1 : elements.size();
+    boolean mayDiffer = !(array.element(0) instanceof StrucStorage);
+    int needed = mayDiffer ? array.count() / 2 + 1 : array.count();
     for (Map.Entry<String, Integer> entry : counts.entrySet()) {
       if (entry.getValue() >= needed) {
         return entry.getKey();

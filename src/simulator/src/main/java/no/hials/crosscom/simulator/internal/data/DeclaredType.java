@@ -1,7 +1,6 @@
 package no.hials.crosscom.simulator.internal.data;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import no.hials.crosscom.lang.Declaration;
@@ -103,7 +102,7 @@ record DeclaredType(Type element, List<Integer> dimensions) {
       for (int length : array.lengths()) {
         dimensions.add(length);
       }
-      element = array.elements().get(0);
+      element = array.element(0);
     }
     if (element instanceof TextStorage text) {
       dimensions.add(text.capacity());
@@ -123,14 +122,10 @@ record DeclaredType(Type element, List<Integer> dimensions) {
       return first;
     }
     int[] lengths = new int[depth];
-    int count = 1;
     for (int i = 0; i < depth; i++) {
       lengths[i] = dimensions.get(i);
-      count *= lengths[i];
     }
-    Storage[] elements = new Storage[count];
-    Arrays.fill(elements, first);
-    return new ArrayStorage(lengths, elements);
+    return new ArrayStorage(lengths, first);
   }
 
   /** Prints the dimensions as in a declaration: {@code [16,24]}. */

@@ -2,7 +2,6 @@ package no.hials.crosscom.simulator;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -11,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import no.hials.crosscom.lang.KrlEncoding;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
@@ -209,7 +209,7 @@ final class FileTreePrograms {
       String key, Module module, @Nullable Module old, String end, byte[] content) {
     String file = Objects.requireNonNull(module.items.get(end)).path().name();
     try {
-      ParseResult result = KrlParser.parse(file, new String(content, StandardCharsets.ISO_8859_1));
+      ParseResult result = KrlParser.parse(file, KrlEncoding.decode(content));
       synchronized (this) {
         if (loaded.get(key) != old) {
           return List.of(); // loaded from elsewhere meanwhile
@@ -233,11 +233,10 @@ final class FileTreePrograms {
    *
    * @param ending src, sub or dat
    */
-  synchronized void show(String name, String ending, String text) {
+  synchronized void show(String name, String ending, byte[] content) {
     if (!files.isInMemory() || name.startsWith("$")) {
       return;
     }
-    byte[] content = text.getBytes(StandardCharsets.ISO_8859_1);
     String file = name + "." + ending;
     FileItem item;
     try {

@@ -1,6 +1,8 @@
 package no.hials.crosscom.simulator;
 
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -36,12 +38,12 @@ final class ModuleLoader {
   /** Called after a file was loaded, without a lock of the controller. */
   @FunctionalInterface
   interface LoadListener {
-    void loaded(String module, String extension, String text);
+    void loaded(String module, String extension, byte[] content);
   }
 
   private final ControllerCore core;
   private final VariableTable variables;
-  private volatile LoadListener listener = (module, ending, text) -> {};
+  private volatile LoadListener listener = (module, ending, content) -> {};
 
   /** Data lists of modules, by name in upper case; guarded by the core. */
   private final Map<String, DataList> dataLists = new HashMap<>();
@@ -71,13 +73,23 @@ final class ModuleLoader {
     }
   }
 
-  /** A file to load. */
-  private record Input(String fileName, String text, ParseResult parsed) {
+  /** A file to load: its name, the bytes to show as a file, and its tree. */
+  private record Input(String fileName, byte[] content, ParseResult parsed) {
+    private static final byte[] NOTHING = {};
+
     static Input of(String fileName, String text) {
-      List<KrlError> tooLong = tooLong(fileName, text.length());
+      try {
+        return of(fileName, text, KrlEncoding.encode(text));
+      } catch (CharacterCodingException e) {
+        return of(fileName, text, text.getBytes(StandardCharsets.UTF_8));
+      }
+    }
+
+    private static Input of(String fileName, String text, byte[] content) {
+      List<KrlError> tooLong = tooLong(fileName, content.length);
       return new Input(
           fileName,
-          text,
+          content,
           tooLong.isEmpty()
               ? KrlParser.parse(fileName, text)
               : new ParseResult(Optional.empty(), tooLong));
@@ -89,9 +101,11 @@ final class ModuleLoader {
       }
       String name = String.valueOf(file.getFileName());
       List<KrlError> tooLong = tooLong(name, Files.size(file));
-      return tooLong.isEmpty()
-          ? of(name, KrlEncoding.decode(Files.readAllBytes(file)))
-          : new Input(name, "", new ParseResult(Optional.empty(), tooLong));
+      if (!tooLong.isEmpty()) {
+        return new Input(name, NOTHING, new ParseResult(Optional.empty(), tooLong));
+      }
+      byte[] content = Files.readAllBytes(file);
+      return of(name, KrlEncoding.decode(content), content);
     }
   }
 
@@ -109,9 +123,9 @@ final class ModuleLoader {
     Loaded loaded = take(input, list, mode);
     if (loaded.module() != null) {
       if (list != null && list.parsed().file().isPresent()) {
-        listener.loaded(loaded.module().name(), "dat", list.text());
+        listener.loaded(loaded.module().name(), "dat", list.content());
       }
-      tell(loaded.module(), input.fileName(), input.text());
+      tell(loaded.module(), input.fileName(), input.content());
     }
     return loaded;
   }
@@ -121,7 +135,7 @@ final class ModuleLoader {
    * listener.
    */
   Loaded take(String fileName, ParseResult parsed, LoadingMode mode) {
-    return take(new Input(fileName, "", parsed), null, mode);
+    return take(new Input(fileName, Input.NOTHING, parsed), null, mode);
   }
 
   /** Checks the length of a file before it is parsed, because trees are much larger than texts. */
@@ -167,10 +181,10 @@ final class ModuleLoader {
     }
   }
 
-  private void tell(KrlFile file, String fileName, String text) {
+  private void tell(KrlFile file, String fileName, byte[] content) {
     boolean submit = fileName.toLowerCase(Locale.ROOT).endsWith(".sub");
     String ending = submit ? "sub" : "src";
-    listener.loaded(file.name(), file instanceof DataList ? "dat" : ending, text);
+    listener.loaded(file.name(), file instanceof DataList ? "dat" : ending, content);
   }
 
   private Loaded take(Input input, @Nullable Input list, LoadingMode mode) {

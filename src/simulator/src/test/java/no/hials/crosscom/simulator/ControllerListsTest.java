@@ -140,6 +140,21 @@ class ControllerListsTest {
     }
 
     @Test
+    void ofTheControllerAndOfTheRobotAreLoadedOneAfterTheOther() {
+      String steu =
+          "DEFDAT $MACHINE PUBLIC\nCHAR $V_STEUMADA[32]\n$V_STEUMADA[]=\"V2\"\n"
+              + "INT $NUM_AX=9\nDECL ESYS $ESYS=#EASYS\nENDDAT\n";
+      LoadReport first = cell.controller.load("$machine.dat", steu, LoadingMode.LENIENT);
+      LoadReport second =
+          cell.controller.load("$machine.dat", text("$machine.dat"), LoadingMode.LENIENT);
+
+      assertThat(first.problems()).isEmpty();
+      assertThat(second.problems()).isEmpty();
+      assertThat(cell.get("$NUM_AX")).isEqualTo("6");
+      assertThat(cell.get("$V_STEUMADA[]")).isEqualTo("\"V2\"");
+    }
+
+    @Test
     void leaveARobotThatRunsPrograms() throws Exception {
       for (String name : LISTS) {
         cell.controller.load(list(name), LoadingMode.LENIENT);

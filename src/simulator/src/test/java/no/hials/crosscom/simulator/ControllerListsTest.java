@@ -309,6 +309,20 @@ class ControllerListsTest {
     }
 
     @Test
+    void ofPositionsWithThreeExternalAxesAreKnown() throws Exception {
+      assertThat(
+              warnings(
+                  "$CONFIG",
+                  "DECL E3POS P={X 500.0,Y 0.0,Z 800.0,A 0.0,B 90.0,C 0.0,S 2,T 2,E1 0.0,E3 4.0}",
+                  "DECL E3AXIS Q={A1 0.0,A2 -90.0,A3 90.0,A4 0.0,A5 30.0,A6 0.0,E1 0.0}"))
+          .isEmpty();
+      cell.run("PTP Q\nXHOME = Q\nMYPOS = P");
+      assertThat(cell.get("XHOME.A5")).isEqualTo("30.0000");
+      assertThat(cell.get("MYPOS.E3")).isEqualTo("4.00000");
+      assertThat(cell.get("$AXIS_ACT.A5")).isEqualTo("30.0000");
+    }
+
+    @Test
     void thatContainEachOtherAreWarnings() {
       assertThat(warnings("$CONFIG", "STRUC P Q X", "STRUC Q P X", "INT A=1")).hasSize(2);
       assertThat(cell.get("A")).isEqualTo("1");

@@ -225,7 +225,10 @@ sealed interface Type {
       long bytes)
       implements Type {
     private static final List<Set<String>> ASSIGNABLE =
-        List.of(Set.of("FRAME", "POS", "E6POS"), Set.of("AXIS", "E6AXIS"), Set.of("APO", "CONT"));
+        List.of(
+            Set.of("FRAME", "POS", "E3POS", "E6POS"),
+            Set.of("AXIS", "E3AXIS", "E6AXIS"),
+            Set.of("APO", "CONT"));
 
     @Override
     public List<Type> elements() {

@@ -74,6 +74,7 @@ final class ModuleLoader {
   }
 
   /** A file to load: its name, the bytes to show as a file, and its tree. */
+  @SuppressWarnings("ArrayRecordComponent") // never compared
   private record Input(String fileName, byte[] content, ParseResult parsed) {
     private static final byte[] NOTHING = {};
 

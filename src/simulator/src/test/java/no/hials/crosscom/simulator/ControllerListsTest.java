@@ -89,7 +89,7 @@ class ControllerListsTest {
         List<String> types =
             lines
                 .filter(line -> line.startsWith("| STRUC") || line.startsWith("| ENUM"))
-                .map(line -> line.split("`")[1])
+                .map(line -> line.split("`", -1)[1])
                 .toList();
         assertThat(types)
             .hasSizeGreaterThan(150)
@@ -142,8 +142,14 @@ class ControllerListsTest {
     @Test
     void ofTheControllerAndOfTheRobotAreLoadedOneAfterTheOther() {
       String steu =
-          "DEFDAT $MACHINE PUBLIC\nCHAR $V_STEUMADA[32]\n$V_STEUMADA[]=\"V2\"\n"
-              + "INT $NUM_AX=9\nDECL ESYS $ESYS=#EASYS\nENDDAT\n";
+          """
+          DEFDAT $MACHINE PUBLIC
+          CHAR $V_STEUMADA[32]
+          $V_STEUMADA[]="V2"
+          INT $NUM_AX=9
+          DECL ESYS $ESYS=#EASYS
+          ENDDAT
+          """;
       LoadReport first = cell.controller.load("$machine.dat", steu, LoadingMode.LENIENT);
       LoadReport second =
           cell.controller.load("$machine.dat", text("$machine.dat"), LoadingMode.LENIENT);

@@ -74,19 +74,17 @@ final class StrucStorage extends Storage {
 
   @Override
   Storage takeOver(Storage others) {
-    Storage result = this;
-    if (others instanceof StrucStorage struc) {
-      for (int i = 0; i < struc.parts.length; i++) {
-        Storage part = struc.parts[i];
-        String name = Scope.key(struc.type.components().get(i).name());
-        try {
-          result = result.changeComponent(name, old -> old.takeOver(part));
-        } catch (RefusedException e) {
-          continue; // this type has no such component
-        }
+    if (!(others instanceof StrucStorage struc)) {
+      return this;
+    }
+    Storage[] changed = parts.clone();
+    for (int i = 0; i < struc.parts.length; i++) {
+      Integer own = type.positions().get(Scope.key(struc.type.components().get(i).name()));
+      if (own != null) {
+        changed[own] = parts[own].takeOver(struc.parts[i]);
       }
     }
-    return result;
+    return new StrucStorage(type, changed);
   }
 
   @Override

@@ -30,4 +30,18 @@ public record AxisRates(Axis velocity, Axis acceleration) {
       }
     }
   }
+
+  /** Returns the lower of both rates. */
+  static AxisRates lower(AxisRates one, AxisRates other) {
+    return new AxisRates(
+        lower(one.velocity, other.velocity), lower(one.acceleration, other.acceleration));
+  }
+
+  private static Axis lower(Axis one, Axis other) {
+    double[] six = one.toArray();
+    for (int axis = 0; axis < six.length; axis++) {
+      six[axis] = Math.min(six[axis], other.get(axis));
+    }
+    return Axis.of(six);
+  }
 }

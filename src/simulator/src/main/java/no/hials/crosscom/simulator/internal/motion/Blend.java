@@ -4,6 +4,10 @@ import static no.hials.crosscom.kinematics.Frames.angle;
 import static no.hials.crosscom.kinematics.Frames.inverse;
 import static no.hials.crosscom.kinematics.Frames.product;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
@@ -11,10 +15,12 @@ import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Distance;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Exact;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Orientation;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Speed;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The sum of two segments. The rest of the first and the done part of the next add up: of the TCP
- * if both are paths of the same TCP, else of the axes.
+ * if both are paths of the same TCP, else of the axes. C_DIS and C_SPL add them up along the path,
+ * the others over the time.
  */
 final class Blend {
   /**
@@ -29,10 +35,18 @@ final class Blend {
   /** The number of points at which a blend is checked. */
   private static final int TRIALS = 4;
 
+  /** The part of the length that the orientation counts for where both change. Assumed. */
+  private static final double MM_PER_DEGREE = 0.5;
+
+  /** The least number of intervals in which a corner is checked. */
+  private static final int POINTS = 8;
+
   private final Arm arm;
+  private final PathLengths lengths;
 
   Blend(Arm arm) {
     this.arm = arm;
+    lengths = new PathLengths(arm);
   }
 
   Axis axes(PathCursor at) throws MotionRefusedException {
@@ -45,11 +59,9 @@ final class Blend {
     if (next == null) {
       return segment.at(at.time());
     }
-    if (segment.path() instanceof JointPath.OfTcp from
-        && next.path() instanceof JointPath.OfTcp to
-        && from.byPose()
-        && to.byPose()
-        && from.tool().equals(to.tool())) {
+    if (byPose(segment.path(), next.path())) {
+      JointPath.OfTcp from = (JointPath.OfTcp) segment.path();
+      JointPath.OfTcp to = (JointPath.OfTcp) next.path();
       Frame first = from.curve().at(segment.profile().position(at.time()));
       Frame second = to.curve().at(next.profile().position(at.nextTime()));
       Axis near = sum(segment.near(at.time()), next.near(at.nextTime()), to.start());
@@ -63,7 +75,7 @@ final class Blend {
     return first.plus(second.minus(corner));
   }
 
-  private static Frame sum(Frame first, Frame second, Frame corner) {
+  static Frame sum(Frame first, Frame second, Frame corner) {
     Point position = Point.of(first).plus(Point.of(second).minus(Point.of(corner)));
     Frame turn = product(turn(second), inverse(turn(corner)), turn(first));
     return position.turnedAs(turn);
@@ -71,6 +83,150 @@ final class Blend {
 
   private static Frame turn(Frame frame) {
     return new Frame(0, 0, 0, frame.a(), frame.b(), frame.c());
+  }
+
+  /**
+   * Returns a segment with a curve from the one before: the corner that C_DIS and C_SPL cut. It
+   * leaves the segment before at the distance before its end, and joins the next at the distance
+   * after its start, each at most at half. The rest of the one and the done part of the next add
+   * up: of straight lines to a parabola within their triangle. Empty if it cannot.
+   */
+  Optional<PathSegment> joined(PathSegment before, PathSegment next) {
+    if (before.motion() == null
+        || !(before.motion().approximation() instanceof Distance distance)
+        || before.problem() != null
+        || next.problem() != null
+        || before.duration() == 0
+        || next.duration() == 0
+        || distance.mm() == 0) {
+      return Optional.empty();
+    }
+    try {
+      double leave =
+          Math.max(before.path().earliestLeave(), lengths.fromEnd(before, distance.mm()));
+      double join = Math.min(next.path().latestJoin(), lengths.fromStart(next, distance.mm()));
+      return Optional.of(joined(before, leave, next, join));
+    } catch (MotionRefusedException e) {
+      // the corner may be at a limit
+      return Optional.empty();
+    }
+  }
+
+  private PathSegment joined(PathSegment before, double leave, PathSegment next, double join)
+      throws MotionRefusedException {
+    ArcLength length = length(before, leave, next, join);
+    Curve curve = null;
+    Solver solver;
+    if (byPose(before.path(), next.path())) {
+      JointPath.OfTcp from = (JointPath.OfTcp) before.path();
+      JointPath.OfTcp to = (JointPath.OfTcp) next.path();
+      curve = new Curve.Blended(from.curve(), leave, to.curve(), join, length);
+      solver = new Solver.ByPose(arm, curve, from.flangeInTool());
+    } else {
+      solver = new Solver.ByAxes(part -> sum(before, leave, next, join, length.parameter(part)));
+    }
+    Axis start = before.path().at(leave);
+    PathSampler sampler = PathSampler.of(arm, solver, start, POINTS);
+    if (sampler.problem() != null) {
+      throw new MotionRefusedException(sampler.problem());
+    }
+    // the curve extends the next segment, whose parameter it continues
+    double extent = 2 * join * length.slopeAtEnd();
+    double entry = 2 * (1 - leave) * length.slopeAtStart() / extent;
+    JointPath path =
+        new JointPath.OfJoints(
+            sampler::at, start, sampler.lastAxes(), next.path().accelerations(), leave, join);
+    Corner corner =
+        new Corner(
+            before.withCorner(null, before.limits()),
+            leave,
+            join,
+            join - extent,
+            entry,
+            length,
+            path);
+    PathLimits limits =
+        next.limits()
+            .between(join, 1)
+            .after(limits(before, next, corner, sampler, curve).scaled(extent, join - extent));
+    return next.withCorner(corner, limits);
+  }
+
+  /** Measures the curve: of the TCP, or of the axes if it has no path of the TCP. */
+  private ArcLength length(PathSegment before, double leave, PathSegment next, double join)
+      throws MotionRefusedException {
+    if (byPose(before.path(), next.path())) {
+      Curve from = ((JointPath.OfTcp) before.path()).curve();
+      Curve to = ((JointPath.OfTcp) next.path()).curve();
+      Frame[] points = new Frame[ArcLength.INTERVALS + 1];
+      for (int i = 0; i < points.length; i++) {
+        double part = (double) i / ArcLength.INTERVALS;
+        Axis external = Corner.external(before.travel(), leave, next.travel(), join, part);
+        points[i] = arm.fromOrigin(Curve.Blended.sum(from, leave, to, join, part), external);
+      }
+      return new ArcLength(
+          i -> points[i].distance(points[i + 1]) + MM_PER_DEGREE * angle(points[i], points[i + 1]));
+    }
+    Axis[] points = new Axis[ArcLength.INTERVALS + 1];
+    for (int i = 0; i < points.length; i++) {
+      points[i] = sum(before, leave, next, join, (double) i / ArcLength.INTERVALS);
+    }
+    return new ArcLength(i -> points[i].largestDifference(points[i + 1]));
+  }
+
+  private PathLimits limits(
+      PathSegment before,
+      PathSegment next,
+      Corner corner,
+      PathSampler sampler,
+      @Nullable Curve curve) {
+    double[] parameters = sampler.parameters();
+    AxisRates rates = AxisRates.lower(rates(before), rates(next));
+    PathLimiter limiter =
+        new PathLimiter(arm, rates, parameters, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+    limiter.limitAxes(sampler.axes());
+    List<Axis> external =
+        Arrays.stream(parameters)
+            .mapToObj(part -> corner.external(corner.position(part), next.travel()))
+            .toList();
+    limiter.limitExternalAxes(external);
+    if (curve != null) {
+      List<Frame> frames = new ArrayList<>();
+      for (int i = 0; i < parameters.length; i++) {
+        frames.add(arm.fromOrigin(curve.at(parameters[i]), external.get(i)));
+      }
+      PathRates path = PathRates.lower(pathRates(before), pathRates(next));
+      limiter.limitPath(0, frames, path);
+    }
+    limiter.limitEnds();
+    return limiter.limits();
+  }
+
+  private static AxisRates rates(PathSegment segment) {
+    return segment.motion() instanceof MotionCommand.PointToPoint ptp
+        ? ptp.rates()
+        : AxisRates.of(100, 100);
+  }
+
+  private static PathRates pathRates(PathSegment segment) {
+    return ((JointPath.OfTcp) segment.path()).rates();
+  }
+
+  private static Axis sum(
+      PathSegment before, double leave, PathSegment next, double join, double part)
+      throws MotionRefusedException {
+    return sum(
+        before.path().at(Corner.first(leave, part)),
+        next.path().at(Corner.second(join, part)),
+        next.path().start());
+  }
+
+  private static boolean byPose(JointPath first, JointPath second) {
+    return first instanceof JointPath.OfTcp from
+        && second instanceof JointPath.OfTcp to
+        && from.byPose()
+        && to.byPose()
+        && from.tool().equals(to.tool());
   }
 
   /** Returns the time that a segment can blend with the one before, s; 0 if it cannot. */
@@ -85,7 +241,7 @@ final class Blend {
 
   private double kept(
       ApproximationZone approximation, PathSegment segment, PathSegment next, double longest) {
-    if (approximation instanceof Exact) {
+    if (approximation instanceof Exact || approximation instanceof Distance) {
       return 0;
     }
     if (approximation instanceof Speed speed) {
@@ -118,9 +274,6 @@ final class Blend {
       Frame first = tcp(segment, begin, segment.tool());
       Frame corner = tcp(segment, segment.duration(), segment.tool());
       Frame second = tcp(next, overlap, segment.tool());
-      if (approximation instanceof Distance distance) {
-        return first.distance(corner) <= distance.mm() && second.distance(corner) <= distance.mm();
-      }
       if (approximation instanceof Orientation orientation) {
         return angle(first, corner) <= orientation.degrees()
             && angle(second, corner) <= orientation.degrees();

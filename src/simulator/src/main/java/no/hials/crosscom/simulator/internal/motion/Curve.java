@@ -4,7 +4,7 @@ import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.protocol.value.Frame;
 
 /** The path of the TCP: frames over a parameter that runs evenly from 0 to 1. */
-sealed interface Curve permits Curve.Line, Curve.Carried, Arc {
+sealed interface Curve permits Curve.Line, Curve.Carried, Curve.Blended, Arc {
   /** Returns the TCP in {@code $ROBROOT}. */
   Frame at(double parameter);
 
@@ -40,6 +40,36 @@ sealed interface Curve permits Curve.Line, Curve.Carried, Arc {
     @Override
     public double angle() {
       return curve.angle();
+    }
+  }
+
+  /**
+   * The end of a path and the start of the next, summed up.
+   *
+   * @param leave where the path is left
+   * @param join where the next one is joined
+   * @param lengths from the part of the curve to the part of the sum
+   */
+  record Blended(Curve first, double leave, Curve second, double join, ArcLength lengths)
+      implements Curve {
+    static Frame sum(Curve first, double leave, Curve second, double join, double part) {
+      return Blend.sum(
+          first.at(Corner.first(leave, part)), second.at(Corner.second(join, part)), second.at(0));
+    }
+
+    @Override
+    public Frame at(double parameter) {
+      return sum(first, leave, second, join, lengths.parameter(parameter));
+    }
+
+    @Override
+    public double length() {
+      return lengths.length();
+    }
+
+    @Override
+    public double angle() {
+      return (1 - leave) * first.angle() + join * second.angle();
     }
   }
 

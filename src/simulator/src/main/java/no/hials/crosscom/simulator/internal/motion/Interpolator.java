@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.value.Axis;
@@ -111,16 +112,101 @@ public final class Interpolator {
    * @param external the end of the external axes, which start and end with the robot
    */
   public void add(MotionCommand motion, ExternalTarget external) throws MotionRefusedException {
+    add(motion, external, true);
+  }
+
+  /**
+   * Adds a motion, as {@link #add(MotionCommand)} does.
+   *
+   * @param external the end of the external axes, which start and end with the robot
+   * @param blends whether it can blend with the one before
+   */
+  public void add(MotionCommand motion, ExternalTarget external, boolean blends)
+      throws MotionRefusedException {
     if (cancelled) {
       throw new IllegalStateException("no motion can be added while the robot brakes to cancel");
     }
     PathSegment segment = planner.plan(motion, plannedEnd, external);
-    PathCursor path = returning == null ? cursor : returning.cursor();
-    PathSegment before = planned.isEmpty() ? path.last() : planned.get(planned.size() - 1);
-    double overlap = before == null ? 0 : blend.overlap(before, segment);
-    boolean late = planned.isEmpty() && path.isBeyond(overlap);
-    planned.add(late ? segment : segment.withOverlap(overlap));
+    PathSegment before = lastSegment();
+    if (!blends || before == null || !addJoined(before, segment)) {
+      double overlap = blends && before != null ? blend.overlap(before, segment) : 0;
+      boolean late = planned.isEmpty() && path().isBeyond(overlap);
+      planned.add(late ? segment : segment.withOverlap(overlap));
+    }
     plannedEnd = segment.end();
+  }
+
+  private PathCursor path() {
+    return returning == null ? cursor : returning.cursor();
+  }
+
+  private @Nullable PathSegment lastSegment() {
+    return planned.isEmpty() ? path().last() : planned.get(planned.size() - 1);
+  }
+
+  /**
+   * Adds a segment with a corner in place of the end of the one before, and plans the speeds of all
+   * segments that are passed without a stop again.
+   *
+   * @return false if that is not possible, or too late
+   */
+  private boolean addJoined(PathSegment before, PathSegment segment) {
+    PathSegment joined = blend.joined(before, segment).orElse(null);
+    Corner corner = joined == null ? null : joined.corner();
+    if (joined == null || corner == null) {
+      return false;
+    }
+    List<PathSegment> chain = new ArrayList<>(List.of(before.until(corner.leave()), joined));
+    int first = planned.size() - 1;
+    while (first >= 0 && planned.get(first).corner() != null) {
+      first--;
+      chain.add(0, first < 0 ? Objects.requireNonNull(path().last()) : planned.get(first));
+    }
+    double speed = 0;
+    double time = path().lastTime();
+    if (first < 0) {
+      PathSegment running = chain.get(0);
+      double position = running.profile().position(time);
+      double end = running.limits().parameters()[running.limits().parameters().length - 1];
+      if (position >= end) {
+        return false;
+      }
+      speed = running.profile().speed(time);
+      chain.set(0, running.withCorner(running.corner(), running.limits().between(position, end)));
+    }
+    List<Profile> profiles = Chain.plan(chain, speed).orElse(null);
+    if (profiles == null) {
+      return false;
+    }
+    for (int i = 0; i < chain.size(); i++) {
+      PathSegment planned = chain.get(i).withProfile(profiles.get(i));
+      replace(first + i, planned, time);
+    }
+    return true;
+  }
+
+  /** Replaces a planned segment, or the one that is under way; adds one after the last. */
+  private void replace(int index, PathSegment changed, double time) {
+    if (index == planned.size()) {
+      planned.add(changed);
+    } else if (index >= 0) {
+      planned.set(index, changed);
+    } else {
+      PathSegment running = Objects.requireNonNull(path().last());
+      Profile profile = new Profile.Changed(running.profile(), time, changed.profile());
+      PathCursor there = path().withLast(changed.withProfile(profile));
+      if (returning == null) {
+        cursor = there;
+      } else {
+        returning =
+            new SuspendedPlan(
+                returning.axes(),
+                there,
+                returning.planned(),
+                returning.plannedEnd(),
+                returning.before());
+      }
+    }
   }
 
   /** Returns the number of motions that have not started, which {@code $ADVANCE} limits. */

@@ -6,7 +6,7 @@ import no.hials.crosscom.protocol.value.Frame;
 /**
  * The axes along a motion, over a parameter from 0 to 1 or to the point where the path has to end.
  */
-sealed interface JointPath permits JointPath.OfAxes, JointPath.OfTcp {
+sealed interface JointPath permits JointPath.OfAxes, JointPath.OfJoints, JointPath.OfTcp {
   Axis at(double parameter) throws MotionRefusedException;
 
   /** Returns axes near enough to those at a parameter to start an inverse from. */
@@ -18,6 +18,42 @@ sealed interface JointPath permits JointPath.OfAxes, JointPath.OfTcp {
 
   /** Returns the accelerations for brakes and changes of the override, degrees/s². */
   Axis accelerations();
+
+  /** Returns where a blend into the next motion starts at the earliest: in the last segment. */
+  default double earliestLeave() {
+    return 0.5;
+  }
+
+  /** Returns where a blend from the motion before ends at the latest: in the first segment. */
+  default double latestJoin() {
+    return 0.5;
+  }
+
+  /** The axes over a parameter. */
+  @FunctionalInterface
+  interface Function {
+    Axis at(double parameter) throws MotionRefusedException;
+  }
+
+  /** A curve in the axes. */
+  record OfJoints(
+      Function curve,
+      Axis start,
+      Axis end,
+      Axis accelerations,
+      double earliestLeave,
+      double latestJoin)
+      implements JointPath {
+    @Override
+    public Axis at(double parameter) throws MotionRefusedException {
+      return curve.at(parameter);
+    }
+
+    @Override
+    public Axis near(double parameter) {
+      return parameter < 0.5 ? start : end;
+    }
+  }
 
   /** A straight line in the axes, of a PTP. */
   record OfAxes(Axis start, Axis end, Axis accelerations) implements JointPath {

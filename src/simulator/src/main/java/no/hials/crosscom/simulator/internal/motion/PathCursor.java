@@ -40,7 +40,23 @@ record PathCursor(
 
   /** Returns the segment of the main run: from the middle of a blend, the next one. */
   @Nullable PathSegment current() {
-    return next != null && nextTime >= next.overlap() / 2 ? next : segment;
+    if (next != null && nextTime >= next.overlap() / 2) {
+      return next;
+    }
+    Corner corner = segment == null ? null : segment.corner();
+    return segment != null && corner != null && segment.isBefore(time) ? corner.before() : segment;
+  }
+
+  /** Returns the time in the last segment, s. */
+  double lastTime() {
+    return next == null ? time : nextTime;
+  }
+
+  /** Replaces the last segment by one that is the same up to here. */
+  PathCursor withLast(PathSegment changed) {
+    return next == null
+        ? new PathCursor(changed, time, null, 0)
+        : new PathCursor(segment, time, changed, nextTime);
   }
 
   /** Returns the segment after which the planned ones follow. */
@@ -57,7 +73,7 @@ record PathCursor(
   /** Returns whether it is too late to blend a new segment into the last one. */
   boolean isBeyond(double fromEnd) {
     PathSegment last = last();
-    return last == null || (next == null ? time : nextTime) > last.duration() - fromEnd;
+    return last == null || lastTime() > last.duration() - fromEnd;
   }
 
   /**
@@ -78,8 +94,9 @@ record PathCursor(
       double ahead = at.next == null && follows != null ? follows.overlap() : 0;
       double way = at.segment.duration() - ahead - at.time;
       PathCursor there = at.moved(Math.min(left, way));
-      if (there.current() != at.current()) {
-        events.add(new Passed(at.segment.requireMotion()));
+      PathSegment now = at.current();
+      if (now != null && there.current() != now) {
+        events.add(new Passed(now.requireMotion()));
       }
       at = there;
       if (left < way) {
@@ -90,6 +107,10 @@ record PathCursor(
         at = new PathCursor(at.next, at.nextTime, null, 0);
       } else if (ahead > 0 && follows != null) {
         at = new PathCursor(at.segment, at.time, follows, 0);
+        events.add(new Started(follows.requireMotion()));
+        taken++;
+      } else if (follows != null && follows.corner() != null) {
+        at = at(follows);
         events.add(new Started(follows.requireMotion()));
         taken++;
       } else {

@@ -22,4 +22,13 @@ public record PathRates(
       throw new IllegalArgumentException(what + " must be above 0 and finite, is " + value);
     }
   }
+
+  /** Returns the lower of both rates. */
+  static PathRates lower(PathRates one, PathRates other) {
+    return new PathRates(
+        Math.min(one.velocity, other.velocity),
+        Math.min(one.acceleration, other.acceleration),
+        Math.min(one.turnVelocity, other.turnVelocity),
+        Math.min(one.turnAcceleration, other.turnAcceleration));
+  }
 }

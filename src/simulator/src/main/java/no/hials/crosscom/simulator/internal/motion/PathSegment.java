@@ -10,20 +10,38 @@ import org.jspecify.annotations.Nullable;
  *
  * @param motion the motion; null if the robot returns to a path that it has left
  * @param path the axes along it
+ * @param limits the speeds along it, from where it starts
  * @param profile the position on the path, over time
  * @param problem the reason why it ends before its target, else null
  * @param overlap the time of the blend with the segment before, s; 0 to start from standstill
  * @param travel the external axes
+ * @param corner the curve from the segment before, which the robot passes without a stop; else null
  */
 record PathSegment(
     @Nullable MotionCommand motion,
     JointPath path,
+    PathLimits limits,
     Profile profile,
     @Nullable MotionProblem problem,
     double overlap,
-    Travel travel) {
+    Travel travel,
+    @Nullable Corner corner) {
   PathSegment withOverlap(double seconds) {
-    return new PathSegment(motion, path, profile, problem, seconds, travel);
+    return new PathSegment(motion, path, limits, profile, problem, seconds, travel, corner);
+  }
+
+  PathSegment withProfile(Profile changed) {
+    return new PathSegment(motion, path, limits, changed, problem, overlap, travel, corner);
+  }
+
+  /** Returns the segment with a curve before it, along which other limits hold. */
+  PathSegment withCorner(@Nullable Corner curve, PathLimits changed) {
+    return new PathSegment(motion, path, changed, profile, problem, overlap, travel, curve);
+  }
+
+  /** Returns the segment up to a position. */
+  PathSegment until(double position) {
+    return withCorner(corner, limits.between(limits.parameters()[0], position));
   }
 
   MotionCommand requireMotion() {
@@ -35,11 +53,22 @@ record PathSegment(
   }
 
   Axis at(double time) throws MotionRefusedException {
-    return path.at(profile.position(time));
+    double position = profile.position(time);
+    return corner != null && position < corner.join()
+        ? corner.path().at(corner.part(position))
+        : path.at(position);
   }
 
   Axis external(double time) {
-    return travel.at(profile.position(time));
+    double position = profile.position(time);
+    return corner != null && position < corner.join()
+        ? corner.external(position, travel)
+        : travel.at(position);
+  }
+
+  /** Returns whether the robot has not passed the middle of the curve before the segment. */
+  boolean isBefore(double time) {
+    return corner != null && profile.position(time) < corner.middle();
   }
 
   Joints start() {
@@ -47,7 +76,8 @@ record PathSegment(
   }
 
   Joints end() {
-    return new Joints(path.end(), external(duration()));
+    double last = path instanceof JointPath.OfTcp tcp ? tcp.sampler().lastParameter() : 1;
+    return new Joints(path.end(), travel.at(last));
   }
 
   Axis near(double time) {

@@ -5,7 +5,7 @@ import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 
 /** Computes the axes, inside their limits or not, for a parameter of a path. */
-sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
+sealed interface Solver permits Solver.ByPose, Solver.ByAxes, Solver.ByWrist {
   /**
    * Returns the axes nearest to others.
    *
@@ -18,6 +18,14 @@ sealed interface Solver permits Solver.ByPose, Solver.ByWrist {
     @Override
     public Axis axes(double parameter, Axis near) throws MotionRefusedException {
       return arm.inverse(curve.at(parameter), flangeInTool, near);
+    }
+  }
+
+  /** Follows a curve of the axes. */
+  record ByAxes(JointPath.Function curve) implements Solver {
+    @Override
+    public Axis axes(double parameter, Axis near) throws MotionRefusedException {
+      return curve.at(parameter);
     }
   }
 

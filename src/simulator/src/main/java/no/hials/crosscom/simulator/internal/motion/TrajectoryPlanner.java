@@ -3,7 +3,6 @@ package no.hials.crosscom.simulator.internal.motion;
 import static no.hials.crosscom.kinematics.Frames.inverse;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import no.hials.crosscom.protocol.value.Axis;
@@ -24,9 +23,6 @@ final class TrajectoryPlanner {
 
   /** A motion that is no longer than this, mm or degrees, has no distance. */
   private static final double NOWHERE = 1e-9;
-
-  /** The part of an axis' acceleration that the bends of a path may use, and again its ramps. */
-  private static final double SHARE = 0.5;
 
   private final Arm arm;
   private final Axis accelerations;
@@ -89,8 +85,9 @@ final class TrajectoryPlanner {
     }
     double length = start.largestDifference(end) < NOWHERE && travel.isNone() ? 0 : 1;
     JointPath path = new JointPath.OfAxes(start, end, Axis.of(most));
-    return new PathSegment(
-        motion, path, Trapezoid.of(length, speed, acceleration), null, 0, travel);
+    PathLimits limits = PathLimits.even(1, speed, acceleration);
+    Profile profile = Trapezoid.of(length, speed, acceleration);
+    return new PathSegment(motion, path, limits, profile, null, 0, travel, null);
   }
 
   private PathSegment linear(Linear motion, Axis start, Travel travel) {
@@ -134,8 +131,7 @@ final class TrajectoryPlanner {
     JointPath path =
         new JointPath.OfTcp(
             sampler, curve, motion.tool(), flangeInTool, rates, byPose, accelerations);
-    return new PathSegment(
-        motion, path, profile(curve, rates, sampler, length, travel), sampler.problem(), 0, travel);
+    return profiled(motion, path, curve, rates, sampler, length, travel);
   }
 
   /** Returns a path in the moving root of the robot. */
@@ -159,8 +155,14 @@ final class TrajectoryPlanner {
     }
   }
 
-  private Profile profile(
-      Curve curve, PathRates rates, PathSampler sampler, double length, Travel travel) {
+  private PathSegment profiled(
+      MotionCommand motion,
+      JointPath path,
+      Curve curve,
+      PathRates rates,
+      PathSampler sampler,
+      double length,
+      Travel travel) {
     double speed =
         least(
             rates.velocity() * 1000 / curve.length(),
@@ -174,48 +176,23 @@ final class TrajectoryPlanner {
     Profile free = Trapezoid.of(length, speed, acceleration);
     double[] parameters = sampler.parameters();
     if (length == 0 || parameters.length < 3) {
-      return free;
+      PathLimits limits = PathLimits.even(1, speed, acceleration);
+      return new PathSegment(motion, path, limits, free, sampler.problem(), 0, travel, null);
     }
-    double[] speeds = new double[parameters.length];
-    double[] ramps = new double[parameters.length];
+    PathLimiter limiter =
+        new PathLimiter(arm, AxisRates.of(100, 100), parameters, speed, acceleration);
+    limiter.limitAxes(sampler.axes());
+    PathLimits limits = limiter.limits();
     // a speed that is never reached need not be lowered
-    Arrays.fill(speeds, Math.min(speed, Math.sqrt(length * acceleration)));
-    Arrays.fill(ramps, acceleration);
-    boolean slower = limit(parameters, sampler.axes(), speeds, ramps);
-    return slower ? SampledProfile.of(parameters, speeds, ramps) : free;
+    double reached = Math.min(speed, Math.sqrt(length * acceleration));
+    boolean slower =
+        Arrays.stream(limits.speeds()).anyMatch(most -> most < reached)
+            || Arrays.stream(limits.accelerations()).anyMatch(most -> most < acceleration);
+    Profile profile = slower ? SampledProfile.of(limits) : free;
+    return new PathSegment(motion, path, limits, profile, sampler.problem(), 0, travel, null);
   }
 
   private static double least(double one, double two, double three) {
     return Math.min(one, Math.min(two, three));
-  }
-
-  /**
-   * Lowers speeds and accelerations so that no axis exceeds its own: half of an axis' acceleration
-   * is for the bends of the path, half for the ramps.
-   *
-   * @return whether any was lowered
-   */
-  private boolean limit(double[] parameters, List<Axis> points, double[] speeds, double[] ramps) {
-    boolean lower = false;
-    for (int i = 1; i < parameters.length - 1; i++) {
-      double before = parameters[i] - parameters[i - 1];
-      double after = parameters[i + 1] - parameters[i];
-      Axis in = points.get(i).minus(points.get(i - 1));
-      Axis out = points.get(i + 1).minus(points.get(i));
-      for (int axis = 0; axis < Arm.AXES; axis++) {
-        double rateIn = in.get(axis) / before;
-        double rateOut = out.get(axis) / after;
-        double rate = Math.max(Math.abs(rateIn), Math.abs(rateOut));
-        double bend = Math.abs(rateOut - rateIn) / ((before + after) / 2);
-        double share = SHARE * arm.maxAcceleration(axis);
-        double speed = Math.min(arm.maxSpeed(axis) / rate, Math.sqrt(share / bend));
-        lower |= speed < speeds[i] || share / rate < ramps[i];
-        speeds[i] = Math.min(speeds[i], speed);
-        ramps[i] = Math.min(ramps[i], share / rate);
-      }
-    }
-    ramps[0] = ramps[1];
-    ramps[ramps.length - 1] = ramps[ramps.length - 2];
-    return lower;
   }
 }

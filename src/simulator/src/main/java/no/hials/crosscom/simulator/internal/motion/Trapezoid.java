@@ -41,6 +41,26 @@ record Trapezoid(double length, double speed, double ramp, double duration) impl
   }
 
   @Override
+  public double speed(double time) {
+    double left = duration - time;
+    return left <= 0 || time <= 0 ? 0 : speed * Math.min(1, Math.min(time, left) / ramp);
+  }
+
+  @Override
+  public double time(double position) {
+    double way = Math.max(0, Math.min(length, position));
+    double inRamp = speed * ramp / 2;
+    if (length == 0) {
+      return 0;
+    }
+    if (way < inRamp) {
+      return Math.sqrt(2 * way * ramp / speed);
+    }
+    double left = length - way;
+    return left < inRamp ? duration - Math.sqrt(2 * left * ramp / speed) : way / speed + ramp / 2;
+  }
+
+  @Override
   public double rampUp() {
     return ramp;
   }

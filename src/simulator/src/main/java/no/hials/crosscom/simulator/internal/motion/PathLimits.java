@@ -1,0 +1,89 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+import java.util.Arrays;
+
+/**
+ * The highest speeds and accelerations along a path.
+ *
+ * @param parameters points of the path, ascending
+ * @param speeds the highest speed at each point, in the unit of the path/s
+ * @param accelerations the highest acceleration at each point
+ */
+record PathLimits(double[] parameters, double[] speeds, double[] accelerations) {
+  static PathLimits even(double length, double speed, double acceleration) {
+    return new PathLimits(
+        new double[] {0, length},
+        new double[] {speed, speed},
+        new double[] {acceleration, acceleration});
+  }
+
+  /** Returns the highest acceleration between a point and the next. */
+  double acceleration(int interval) {
+    return Math.min(accelerations[interval], accelerations[interval + 1]);
+  }
+
+  /** Returns the highest speed at one end of an interval that follows from that at the other. */
+  double reached(int interval, double speed) {
+    double distance = parameters[interval + 1] - parameters[interval];
+    return Math.sqrt(speed * speed + 2 * acceleration(interval) * distance);
+  }
+
+  /** Returns the limits of a part of the path. */
+  PathLimits between(double from, double to) {
+    PathLimits begun = with(from);
+    PathLimits both = begun.with(to);
+    int first = Arrays.binarySearch(both.parameters, from);
+    int last = Arrays.binarySearch(both.parameters, to);
+    return new PathLimits(
+        Arrays.copyOfRange(both.parameters, first, last + 1),
+        Arrays.copyOfRange(both.speeds, first, last + 1),
+        Arrays.copyOfRange(both.accelerations, first, last + 1));
+  }
+
+  /** Adds a point, at which the limits of the interval around it hold. */
+  PathLimits with(double parameter) {
+    int found = Arrays.binarySearch(parameters, parameter);
+    if (found >= 0) {
+      return this;
+    }
+    int at = -found - 1;
+    int before = Math.max(0, at - 1);
+    int after = Math.min(parameters.length - 1, at);
+    return new PathLimits(
+        inserted(parameters, at, parameter),
+        inserted(speeds, at, Math.min(speeds[before], speeds[after])),
+        inserted(accelerations, at, Math.min(accelerations[before], accelerations[after])));
+  }
+
+  private static double[] inserted(double[] values, int at, double value) {
+    double[] longer = new double[values.length + 1];
+    System.arraycopy(values, 0, longer, 0, at);
+    longer[at] = value;
+    System.arraycopy(values, at, longer, at + 1, values.length - at);
+    return longer;
+  }
+
+  /** Adds a path before this one, whose points end where this one starts. */
+  PathLimits after(PathLimits first) {
+    int last = first.parameters.length - 1;
+    double[] joined = joined(first.speeds, speeds);
+    joined[last] = Math.min(first.speeds[last], speeds[0]);
+    double[] ramps = joined(first.accelerations, accelerations);
+    ramps[last] = Math.min(first.accelerations[last], accelerations[0]);
+    return new PathLimits(joined(first.parameters, parameters), joined, ramps);
+  }
+
+  private static double[] joined(double[] first, double[] second) {
+    double[] both = Arrays.copyOf(first, first.length + second.length - 1);
+    System.arraycopy(second, 0, both, first.length - 1, second.length);
+    return both;
+  }
+
+  /** Returns the same limits with other parameters: moved by an offset after scaling. */
+  PathLimits scaled(double factor, double offset) {
+    return new PathLimits(
+        Arrays.stream(parameters).map(value -> offset + value * factor).toArray(),
+        Arrays.stream(speeds).map(value -> value * factor).toArray(),
+        Arrays.stream(accelerations).map(value -> value * factor).toArray());
+  }
+}

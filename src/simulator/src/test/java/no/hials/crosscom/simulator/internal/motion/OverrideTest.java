@@ -120,8 +120,9 @@ class OverrideTest {
     }
     ride.cycles(10);
     ride.released = false;
+    double speed = ride.system.pathVelocity();
 
-    assertThat(ride.toStanding()).isLessThanOrEqualTo(8);
+    assertThat(ride.toStanding()).isLessThanOrEqualTo((int) (speed / 2.3 / Interpolator.CYCLE) + 2);
     ride.released = true;
     ride.toTheEnd();
     assertThat(ride.system.flange().distance(moved(FROM, 0, 40, 0))).isLessThan(1e-6);

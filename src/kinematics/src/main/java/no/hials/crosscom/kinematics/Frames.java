@@ -70,4 +70,31 @@ public final class Frames {
   public static double angle(Frame from, Frame to) {
     return Transform.of(from).rotation().inverse().times(Transform.of(to).rotation()).angle();
   }
+
+  /**
+   * Returns the rotation from one orientation to another, about one fixed axis in the shorter
+   * direction.
+   *
+   * @param from a frame
+   * @param to another frame with the same reference
+   * @return the axis in the first frame, its length the angle, 0 to 180 degrees
+   */
+  public static double[] turn(Frame from, Frame to) {
+    Rotation way = Transform.of(from).rotation().inverse().times(Transform.of(to).rotation());
+    Vector axis = way.axis().times(way.angle());
+    return new double[] {axis.x(), axis.y(), axis.z()};
+  }
+
+  /**
+   * Turns a frame about an axis through its origin; {@code turned(from, turn(from, to))} has the
+   * orientation of {@code to}.
+   *
+   * @param frame the frame
+   * @param turn the axis in the frame, its length the angle in degrees
+   */
+  public static Frame turned(Frame frame, double[] turn) {
+    Transform start = Transform.of(frame);
+    Rotation rotation = Rotation.about(new Vector(turn[0], turn[1], turn[2]));
+    return new Transform(start.position(), start.rotation().times(rotation)).toFrame();
+  }
 }

@@ -22,6 +22,20 @@ record Rotation(double w, double x, double y, double z) {
     return new Rotation(Math.cos(half), 0, 0, Math.sin(half));
   }
 
+  /** Returns the rotation about an axis by its length in degrees. */
+  static Rotation about(Vector axis) {
+    double angle = axis.length();
+    double half = Math.toRadians(angle) / 2;
+    double scale = angle == 0 ? 0 : Math.sin(half) / angle;
+    return new Rotation(Math.cos(half), axis.x() * scale, axis.y() * scale, axis.z() * scale);
+  }
+
+  /** Returns the axis in the shorter direction, with the length 1; 0 if it is no rotation. */
+  Vector axis() {
+    double sine = sineOfHalf();
+    return sine == 0 ? new Vector(0, 0, 0) : new Vector(x, y, z).times(Math.copySign(1 / sine, w));
+  }
+
   Rotation times(Rotation right) {
     return new Rotation(
         w * right.w - x * right.x - y * right.y - z * right.z,

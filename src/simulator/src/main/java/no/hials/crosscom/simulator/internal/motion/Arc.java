@@ -61,6 +61,13 @@ record Arc(Frame start, Frame end, Point centre, Point arm, Point square, double
         .turnedAs(Curve.isTurn(start, end) ? Frames.interpolate(start, end, parameter) : start);
   }
 
+  /** Returns the direction of the path. */
+  Point direction(double parameter) {
+    double turned = sweep * parameter;
+    Point tangent = square.times(Math.cos(turned)).minus(arm.times(Math.sin(turned)));
+    return tangent.times(Math.signum(sweep) / arm.length());
+  }
+
   @Override
   public double length() {
     return Math.abs(sweep) * arm.length();

@@ -4,7 +4,7 @@ import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.protocol.value.Frame;
 
 /** The path of the TCP: frames over a parameter that runs evenly from 0 to 1. */
-sealed interface Curve permits Curve.Line, Curve.Carried, Curve.Blended, Arc {
+sealed interface Curve permits Curve.Line, Curve.Carried, Curve.Blended, Arc, SplineCurve {
   /** Returns the TCP in {@code $ROBROOT}. */
   Frame at(double parameter);
 

@@ -10,5 +10,7 @@ public enum OrientationControl {
    * Turns A4 to A6 evenly, each from its angle at the start to that at the target; the others keep
    * the TCP on the path. There is no wrist singularity.
    */
-  JOINT
+  JOINT,
+  /** The orientation of the point does not count. Only in a spline block. */
+  IGNORE
 }

@@ -21,7 +21,7 @@ final class Chain {
   static Optional<List<Profile>> plan(List<PathSegment> segments, double speed) {
     List<double[]> speeds = new ArrayList<>();
     for (PathSegment segment : segments) {
-      speeds.add(segment.limits().speeds().clone());
+      speeds.add(segment.limits().highest(segment.limits().speeds()[0]));
     }
     forward(segments, speeds, speed);
     backward(segments, speeds);

@@ -209,6 +209,13 @@ public final class Interpolator {
     }
   }
 
+  /** Returns the points of the last motion that are the same as the ones before them. */
+  public List<Integer> identicalPoints() {
+    PathSegment last = lastSegment();
+    SplineCurve curve = last == null ? null : SplinePlanner.curve(last.path());
+    return curve == null ? List.of() : curve.identical();
+  }
+
   /** Returns the number of motions that have not started, which {@code $ADVANCE} limits. */
   public int planned() {
     return planned.size();

@@ -96,6 +96,18 @@ sealed interface JointPath permits JointPath.OfAxes, JointPath.OfJoints, JointPa
     }
 
     @Override
+    public double earliestLeave() {
+      return curve instanceof SplineCurve spline && spline.count() > 1
+          ? spline.parameter(spline.count() - 1)
+          : 0.5;
+    }
+
+    @Override
+    public double latestJoin() {
+      return curve instanceof SplineCurve spline ? spline.parameter(1) / 2 : 0.5;
+    }
+
+    @Override
     public Axis start() {
       return sampler.axes().get(0);
     }

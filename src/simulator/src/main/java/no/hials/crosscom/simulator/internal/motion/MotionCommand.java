@@ -1,5 +1,6 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import java.util.List;
 import java.util.OptionalDouble;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
@@ -73,4 +74,59 @@ public sealed interface MotionCommand {
       }
     }
   }
+
+  /** A section of a spline block whose speed is determined otherwise. */
+  sealed interface Section {}
+
+  /**
+   * A section at constant speed ({@code CONST_VEL}).
+   *
+   * @param from where it starts
+   * @param to where it ends
+   */
+  record ConstantSpeed(PathPoint from, PathPoint to) implements Section {}
+
+  /**
+   * A section that takes some time ({@code TIME_BLOCK}).
+   *
+   * @param from the point at which it starts
+   * @param to the point at which it ends
+   * @param seconds the time at 100 % override; more if the robot is not that fast
+   */
+  record Timed(int from, int to, double seconds) implements Section {}
+
+  /**
+   * Moves the TCP through points, as KRL's SPLINE.
+   *
+   * @param segments at least one
+   */
+  record Spline(
+      long id,
+      List<SplineSegment> segments,
+      List<Section> sections,
+      Frame tool,
+      ApproximationZone approximation)
+      implements MotionCommand {}
+
+  /**
+   * A segment of {@link AxisSpline}.
+   *
+   * @param target the end of the axes, degrees
+   * @param rates the speeds of the axes
+   * @param external the end of the external axes
+   */
+  record AxisSegment(Axis target, AxisRates rates, ExternalTarget external) {}
+
+  /**
+   * Moves all axes through points, as KRL's PTP_SPLINE.
+   *
+   * @param segments at least one
+   */
+  record AxisSpline(
+      long id,
+      List<AxisSegment> segments,
+      List<Section> sections,
+      Frame tool,
+      ApproximationZone approximation)
+      implements MotionCommand {}
 }

@@ -62,27 +62,37 @@ final class PathLimiter {
 
   /** Lowers speeds and accelerations so that no axis exceeds its own. */
   void limitAxes(List<Axis> points) {
-    for (int axis = 0; axis < Arm.AXES; axis++) {
-      double speed = arm.maxSpeed(axis) * rates.velocity().get(axis) / 100;
-      double acceleration = arm.maxAcceleration(axis) * rates.acceleration().get(axis) / 100;
-      limitAxis(points, axis, speed, acceleration);
-    }
+    limitAxes(points, 0, parameters.length - 1, rates);
     int last = ramps.length - 1;
     ramps[0] = ramps[Math.min(1, last)];
     ramps[last] = ramps[Math.max(0, last - 1)];
+  }
+
+  /**
+   * Lowers speeds and accelerations from a point to another so that no axis exceeds its own.
+   *
+   * @param part the speeds and accelerations of the axes there
+   */
+  void limitAxes(List<Axis> points, int first, int last, AxisRates part) {
+    for (int axis = 0; axis < Arm.AXES; axis++) {
+      double speed = arm.maxSpeed(axis) * part.velocity().get(axis) / 100;
+      double acceleration = arm.maxAcceleration(axis) * part.acceleration().get(axis) / 100;
+      limitAxis(points, first, last, axis, speed, acceleration);
+    }
   }
 
   /** Lowers speeds and accelerations so that no external axis exceeds its own. */
   void limitExternalAxes(List<Axis> points) {
     for (int axis = 0; axis < arm.external().count(); axis++) {
       ExternalAxes.Limits of = arm.external().limits().get(axis);
-      limitAxis(points, axis, of.speed(), of.acceleration());
+      limitAxis(points, 0, parameters.length - 1, axis, of.speed(), of.acceleration());
     }
   }
 
-  private void limitAxis(List<Axis> points, int axis, double most, double acceleration) {
+  private void limitAxis(
+      List<Axis> points, int first, int last, int axis, double most, double acceleration) {
     double share = SHARE * acceleration;
-    for (int i = 1; i < parameters.length - 1; i++) {
+    for (int i = Math.max(1, first); i <= Math.min(last, parameters.length - 2); i++) {
       double before = parameters[i] - parameters[i - 1];
       double after = parameters[i + 1] - parameters[i];
       double here = points.get(i).get(axis);

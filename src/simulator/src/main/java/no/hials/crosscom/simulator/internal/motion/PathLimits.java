@@ -8,8 +8,13 @@ import java.util.Arrays;
  * @param parameters points of the path, ascending
  * @param speeds the highest speed at each point, in the unit of the path/s
  * @param accelerations the highest acceleration at each point
+ * @param stops the points at which the speed is 0
  */
-record PathLimits(double[] parameters, double[] speeds, double[] accelerations) {
+record PathLimits(double[] parameters, double[] speeds, double[] accelerations, double[] stops) {
+  PathLimits(double[] parameters, double[] speeds, double[] accelerations) {
+    this(parameters, speeds, accelerations, new double[0]);
+  }
+
   static PathLimits even(double length, double speed, double acceleration) {
     return new PathLimits(
         new double[] {0, length},
@@ -37,7 +42,38 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations) 
     return new PathLimits(
         Arrays.copyOfRange(both.parameters, first, last + 1),
         Arrays.copyOfRange(both.speeds, first, last + 1),
-        Arrays.copyOfRange(both.accelerations, first, last + 1));
+        Arrays.copyOfRange(both.accelerations, first, last + 1),
+        Arrays.stream(stops).filter(stop -> stop >= from && stop <= to).toArray());
+  }
+
+  /** Adds a point at which the speed is 0. */
+  PathLimits withStop(double parameter) {
+    PathLimits all = with(parameter);
+    double[] more = Arrays.copyOf(stops, stops.length + 1);
+    more[stops.length] = parameter;
+    return new PathLimits(all.parameters, all.speeds, all.accelerations, more);
+  }
+
+  /** Returns the highest speeds of a profile, which starts at one. */
+  double[] highest(double start) {
+    double[] highest = speeds.clone();
+    for (double stop : stops) {
+      highest[Arrays.binarySearch(parameters, stop)] = 0;
+    }
+    highest[0] = start;
+    return highest;
+  }
+
+  /** Lowers the speed between two points. */
+  PathLimits lowered(double from, double to, double speed) {
+    PathLimits all = with(from).with(to);
+    double[] lower = all.speeds.clone();
+    int first = Arrays.binarySearch(all.parameters, from);
+    int last = Arrays.binarySearch(all.parameters, to);
+    for (int i = first; i <= last; i++) {
+      lower[i] = Math.min(lower[i], speed);
+    }
+    return new PathLimits(all.parameters, lower, all.accelerations, stops);
   }
 
   /** Adds a point, at which the limits of the interval around it hold. */
@@ -52,7 +88,8 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations) 
     return new PathLimits(
         inserted(parameters, at, parameter),
         inserted(speeds, at, Math.min(speeds[before], speeds[after])),
-        inserted(accelerations, at, Math.min(accelerations[before], accelerations[after])));
+        inserted(accelerations, at, Math.min(accelerations[before], accelerations[after])),
+        stops);
   }
 
   private static double[] inserted(double[] values, int at, double value) {
@@ -70,7 +107,9 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations) 
     joined[last] = Math.min(first.speeds[last], speeds[0]);
     double[] ramps = joined(first.accelerations, accelerations);
     ramps[last] = Math.min(first.accelerations[last], accelerations[0]);
-    return new PathLimits(joined(first.parameters, parameters), joined, ramps);
+    double[] allStops = Arrays.copyOf(first.stops, first.stops.length + stops.length);
+    System.arraycopy(stops, 0, allStops, first.stops.length, stops.length);
+    return new PathLimits(joined(first.parameters, parameters), joined, ramps, allStops);
   }
 
   private static double[] joined(double[] first, double[] second) {
@@ -84,6 +123,7 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations) 
     return new PathLimits(
         Arrays.stream(parameters).map(value -> offset + value * factor).toArray(),
         Arrays.stream(speeds).map(value -> value * factor).toArray(),
-        Arrays.stream(accelerations).map(value -> value * factor).toArray());
+        Arrays.stream(accelerations).map(value -> value * factor).toArray(),
+        Arrays.stream(stops).map(value -> offset + value * factor).toArray());
   }
 }

@@ -44,10 +44,21 @@ final class PathSampler {
    * @param fewest the number of points even if the axes hardly turn
    */
   static PathSampler of(Arm arm, Solver solver, Axis start, int fewest) {
+    double[] even = new double[fewest];
+    Arrays.setAll(even, i -> (i + 1.0) / fewest);
+    return of(arm, solver, start, even);
+  }
+
+  /**
+   * Follows a path from the axes at its start.
+   *
+   * @param through points to compute, ascending to 1
+   */
+  static PathSampler of(Arm arm, Solver solver, Axis start, double[] through) {
     PathSampler sampler = new PathSampler(arm, solver);
     sampler.put(0, start);
-    for (int i = 1; i <= fewest && sampler.problem == null; i++) {
-      sampler.problem = sampler.extend((double) i / fewest);
+    for (int i = 0; i < through.length && sampler.problem == null; i++) {
+      sampler.problem = sampler.extend(through[i]);
     }
     if (sampler.problem instanceof AxisLimit limit) {
       sampler.problem = sampler.furthest(limit);

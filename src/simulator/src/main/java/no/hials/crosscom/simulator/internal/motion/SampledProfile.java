@@ -28,8 +28,7 @@ final class SampledProfile implements Profile {
 
   /** Creates the fastest profile from standstill to standstill, at no point above the limits. */
   static SampledProfile of(PathLimits limits) {
-    double[] speeds = limits.speeds().clone();
-    speeds[0] = 0;
+    double[] speeds = limits.highest(0);
     speeds[speeds.length - 1] = 0;
     reach(limits, speeds);
     return through(limits, speeds, 2 * Trapezoid.SHORTEST_RAMP);

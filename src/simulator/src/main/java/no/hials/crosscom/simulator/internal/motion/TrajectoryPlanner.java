@@ -26,12 +26,14 @@ final class TrajectoryPlanner {
 
   private final Arm arm;
   private final Axis accelerations;
+  private final SplinePlanner splines;
 
   TrajectoryPlanner(Arm arm) {
     this.arm = arm;
     double[] six = new double[Arm.AXES];
     Arrays.setAll(six, arm::maxAcceleration);
     this.accelerations = Axis.of(six);
+    this.splines = new SplinePlanner(arm, accelerations);
   }
 
   /** Returns the highest accelerations of the axes, degrees/s². */
@@ -42,6 +44,12 @@ final class TrajectoryPlanner {
   /** Plans a motion that starts at the end of the one before. */
   PathSegment plan(MotionCommand motion, Joints start, ExternalTarget external)
       throws MotionRefusedException {
+    if (motion instanceof MotionCommand.Spline spline) {
+      return splines.plan(spline, start);
+    }
+    if (motion instanceof MotionCommand.AxisSpline spline) {
+      return splines.plan(spline, start);
+    }
     Optional<AxisLimit> beyond = arm.external().beyondLimit(external.axes());
     if (beyond.isPresent()) {
       throw new MotionRefusedException(beyond.get());
@@ -93,18 +101,20 @@ final class TrajectoryPlanner {
   private PathSegment linear(Linear motion, Axis start, Travel travel) {
     Frame from = arm.tcp(start, motion.tool());
     Frame to =
-        motion.orientation() == OrientationControl.CONSTANT
-            ? Point.of(motion.target()).turnedAs(from)
-            : motion.target();
+        keeps(motion.orientation()) ? Point.of(motion.target()).turnedAs(from) : motion.target();
     return along(
         motion, new Curve.Line(from, to), motion.rates(), motion.orientation(), start, travel);
+  }
+
+  /** Returns whether the orientation of the target does not count. */
+  private static boolean keeps(OrientationControl orientation) {
+    return orientation == OrientationControl.CONSTANT || orientation == OrientationControl.IGNORE;
   }
 
   private PathSegment circular(Circular motion, Axis start, Travel travel)
       throws MotionRefusedException {
     Frame from = arm.tcp(start, motion.tool());
-    Frame orientation =
-        motion.orientation() == OrientationControl.CONSTANT ? from : motion.target();
+    Frame orientation = keeps(motion.orientation()) ? from : motion.target();
     OptionalDouble angle = motion.angle();
     Arc arc = Arc.through(from, motion.auxiliary(), motion.target(), angle, orientation);
     return along(motion, arc, motion.rates(), motion.orientation(), start, travel);

@@ -83,7 +83,18 @@ final class Ride {
             new ApproximationZone.Exact()));
   }
 
-  private MotionCommand add(MotionCommand motion) throws MotionRefusedException {
+  /** Adds a block that starts where the planned motions end. */
+  MotionCommand spline(List<SplineSegment> segments, ApproximationZone approximation)
+      throws MotionRefusedException {
+    return add(
+        new MotionCommand.Spline(++lastId, segments, List.of(), Frame.IDENTITY, approximation));
+  }
+
+  long nextId() {
+    return ++lastId;
+  }
+
+  MotionCommand add(MotionCommand motion) throws MotionRefusedException {
     system.add(motion);
     return motion;
   }

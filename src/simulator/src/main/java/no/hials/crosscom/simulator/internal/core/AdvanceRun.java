@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
@@ -21,7 +22,9 @@ import no.hials.crosscom.simulator.internal.motion.MotionProblem;
 import no.hials.crosscom.simulator.internal.motion.MotionRefusedException;
 import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
 import no.hials.crosscom.simulator.internal.motion.SuspendedPlan;
+import no.hials.crosscom.simulator.internal.program.BlockOrder;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -48,6 +51,9 @@ final class AdvanceRun {
     /** Called when the robot cannot move as the program says. */
     void failed(int number, String text);
 
+    /** Called when the user has to know something that does not stop the robot. */
+    void noticed(int number, String text);
+
     /** Called when a motion starts, with its base in the world and its tool. */
     void started(Joints from, Joints to, Frame base, Frame tool);
 
@@ -69,7 +75,7 @@ final class AdvanceRun {
 
   private static final Step FORGET =
       run -> {
-        run.resolver.startAt(run.interpolator.joints());
+        run.restart();
         return true;
       };
 
@@ -83,7 +89,13 @@ final class AdvanceRun {
   /** A plan that an interrupt has put aside, and its statements. */
   private record Aside(SuspendedPlan plan, Map<Long, MotionOrder> orders) {}
 
+  /** The numbers of KSS. */
+  private static final int NOT_APPROXIMABLE = 1442;
+
+  private static final int IDENTICAL_POINTS = 3171;
+
   private final SystemVariableAccess access;
+  private final MotionSettings settings;
   private RobotModel robot;
   private final MotionResolver resolver;
   private final Triggers triggers;
@@ -102,11 +114,15 @@ final class AdvanceRun {
   /** The plans that interrupts have put aside, the latest first. */
   private final Deque<Aside> aside = new ArrayDeque<>();
 
+  /** The motion that was added last, while the robot has not stopped for another reason. */
+  private @Nullable MotionOrder before;
+
   private final Deque<Step> waiting = new ArrayDeque<>();
   private long now;
 
   AdvanceRun(SystemVariableAccess access, RobotModel robot, Triggers triggers, Listener listener) {
     this.access = access;
+    settings = new MotionSettings(access);
     this.robot = robot;
     this.triggers = triggers;
     this.listener = listener;
@@ -185,18 +201,44 @@ final class AdvanceRun {
     readLimits();
     MotionCommand planned;
     try {
-      planned = resolver.plan(order);
-      interpolator.add(planned, resolver.externalTarget(order));
-    } catch (MotionRefusedException e) {
-      throw new KrlExecutionException(e.problem().number(), e.problem().message());
+      planned = settings.with(order.settings(), () -> add(order));
     } catch (IllegalArgumentException e) {
       // numbers that cannot be computed with, such as a target of 1E38 mm
       throw new KrlExecutionException(MotionProblem.BAD_MOTION, String.valueOf(e.getMessage()));
     }
-    resolver.startAt(interpolator.plannedEnd());
     orders.put(planned.id(), order);
-    bases.put(planned.id(), resolver.base());
     triggers.add(planned, order.triggers());
+  }
+
+  private MotionCommand add(MotionOrder order) throws KrlExecutionException {
+    MotionCommand planned = resolver.plan(order);
+    boolean blends = before == null || before.spline() == order.spline();
+    if (before != null && !blends && !before.approximations().isEmpty()) {
+      listener.noticed(
+          NOT_APPROXIMABLE,
+          before.position() + ": a motion and a spline motion cannot be approximated");
+    }
+    try {
+      interpolator.add(planned, resolver.externalTarget(order), blends);
+    } catch (MotionRefusedException e) {
+      throw new KrlExecutionException(e.problem().number(), e.problem().message());
+    }
+    interpolator
+        .identicalPoints()
+        .forEach(
+            point ->
+                listener.noticed(
+                    IDENTICAL_POINTS,
+                    pointPosition(order, point) + ": two points of the block are identical"));
+    before = order;
+    resolver.startAt(interpolator.plannedEnd());
+    bases.put(planned.id(), resolver.base());
+    return planned;
+  }
+
+  private static Position pointPosition(MotionOrder order, int point) {
+    BlockOrder block = order.block();
+    return block == null ? order.position() : block.segments().get(point - 1).position();
   }
 
   int ahead() {
@@ -228,6 +270,7 @@ final class AdvanceRun {
       interpolator.resume(last.plan(), resolver.axisRates());
       orders = last.orders();
     }
+    before = null;
     resolver.startAt(interpolator.plannedEnd());
   }
 
@@ -302,6 +345,12 @@ final class AdvanceRun {
     aside.push(new Aside(interpolator.suspend(), orders));
     orders = new HashMap<>();
     listener.leftPath(interpolator.joints());
+    restart();
+  }
+
+  /** The next motion starts where the robot stands. */
+  private void restart() {
+    before = null;
     resolver.startAt(interpolator.joints());
   }
 
@@ -360,7 +409,7 @@ final class AdvanceRun {
     following.forEach(next -> waiting.addFirst(new Begin(next)));
     orders.clear();
     triggers.retain(kept());
-    resolver.startAt(interpolator.joints());
+    restart();
     listener.failed(problem.number(), where + problem.message());
   }
 }

@@ -467,6 +467,11 @@ public final class ControllerCore {
     }
 
     @Override
+    public void noticed(int number, String text) {
+      panel.show(Message.Kind.NOTIFICATION, number, text);
+    }
+
+    @Override
     public void started(Joints from, Joints to, Frame base, Frame tool) {
       variables.started(from, to, base, tool);
     }

@@ -1,5 +1,6 @@
 package no.hials.crosscom.simulator.internal.core;
 
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.kinematics.UnreachableException;
@@ -7,6 +8,7 @@ import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.motion.Joints;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
@@ -28,6 +30,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
   private final Timers timers;
   private final AdvanceRun motions;
   private final FaultListener listener;
+  private final MotionSettings settings;
 
   InterpreterEnvironment(
       Interpreter interpreter,
@@ -42,6 +45,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
     this.timers = timers;
     this.motions = motions;
     this.listener = listener;
+    this.settings = new MotionSettings(access);
   }
 
   @Override
@@ -67,6 +71,16 @@ final class InterpreterEnvironment implements ProgramEnvironment {
   @Override
   public void move(MotionOrder order) throws KrlExecutionException {
     motions.move(order);
+  }
+
+  @Override
+  public Map<String, KrlValue> settings() {
+    return settings.read();
+  }
+
+  @Override
+  public void restore(Map<String, KrlValue> values) {
+    settings.write(values);
   }
 
   @Override

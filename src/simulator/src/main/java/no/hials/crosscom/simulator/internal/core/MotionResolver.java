@@ -47,6 +47,7 @@ final class MotionResolver {
 
   private final SystemVariableAccess access;
   private final ExternalAxesData externalAxes;
+  private final BlockResolver blocks;
   private RobotModel robot;
 
   /** The end of the last planned motion. */
@@ -59,6 +60,7 @@ final class MotionResolver {
     this.externalAxes = new ExternalAxesData(access);
     this.robot = robot;
     this.last = start;
+    this.blocks = new BlockResolver(access, this);
   }
 
   /** Replaces the robot by the same with other software limits. */
@@ -77,7 +79,7 @@ final class MotionResolver {
   }
 
   /** Returns the base in the robot's root. */
-  private Frame baseInRoot(Axis external) {
+  Frame baseInRoot(Axis external) {
     return Frames.product(Frames.inverse(externalAxes.root(external)), base());
   }
 
@@ -87,8 +89,16 @@ final class MotionResolver {
 
   /** Returns the end of the external axes; those that are not there stay at 0. */
   ExternalTarget externalTarget(MotionOrder order) {
+    return externalTarget(order, last.external());
+  }
+
+  /**
+   * Returns the end of the external axes.
+   *
+   * @param from their positions at the start of the motion
+   */
+  ExternalTarget externalTarget(MotionOrder order, Axis from) {
     int count = externalAxes.read().limits().size();
-    Axis from = last.external();
     Axis to =
         order.kind().relative()
             ? from.plus(PositionValues.toExternal(order.target(), Axis.ZERO))
@@ -101,6 +111,9 @@ final class MotionResolver {
 
   MotionCommand plan(MotionOrder order) throws KrlExecutionException {
     planned++;
+    if (order.block() != null) {
+      return blocks.plan(planned, order, order.block(), last);
+    }
     return switch (order.kind()) {
       case PTP, PTP_REL -> pointToPoint(order);
       case LIN, LIN_REL ->
@@ -116,19 +129,35 @@ final class MotionResolver {
   }
 
   private MotionCommand pointToPoint(MotionOrder order) throws KrlExecutionException {
+    return new PointToPoint(planned, axesOf(order), axisRates(), tool(), axisApproximation(order));
+  }
+
+  /** Returns the axes at the end of a PTP motion. */
+  private Axis axesOf(MotionOrder order) throws KrlExecutionException {
     KrlStruct target = order.target();
-    Axis axes;
     // with external axes only, the robot keeps its axes in PTP, and its TCP in LIN (assumed)
-    if (PositionValues.isAxes(target) || PositionValues.isExternal(target)) {
-      axes =
-          order.kind().relative()
-              ? last.robot().plus(PositionValues.toAxes(target, Axis.ZERO))
-              : PositionValues.toAxes(target, last.robot());
-    } else {
-      axes = inverse(order);
+    if (!PositionValues.isAxes(target) && !PositionValues.isExternal(target)) {
+      return inverse(order);
     }
-    return new PointToPoint(
-        planned, axes, axisRates(), tool(), axisApproximation(order.approximations()));
+    return order.kind().relative()
+        ? last.robot().plus(PositionValues.toAxes(target, Axis.ZERO))
+        : PositionValues.toAxes(target, last.robot());
+  }
+
+  /** Returns the axes at the end of a PTP motion that starts elsewhere. */
+  Axis axesOf(MotionOrder order, Joints start) throws KrlExecutionException {
+    Joints before = last;
+    last = start;
+    try {
+      return axesOf(order);
+    } finally {
+      last = before;
+    }
+  }
+
+  /** Returns the TCP in the robot's root at given axes. */
+  Frame tcp(Axis axes) {
+    return Frames.product(robot.forward(axes), tool());
   }
 
   /**
@@ -191,7 +220,15 @@ final class MotionResolver {
 
   /** Returns a Cartesian target in the base. */
   private Frame inBase(MotionOrder order, KrlStruct target) {
-    Frame from = tcpInBase(last);
+    return inBase(order, target, tcpInBase(last));
+  }
+
+  /**
+   * Returns a Cartesian target in the base.
+   *
+   * @param from the TCP in the base at the start of the motion
+   */
+  static Frame inBase(MotionOrder order, KrlStruct target, Frame from) {
     if (!order.kind().relative()) {
       return PositionValues.toFrame(target, from);
     }
@@ -253,7 +290,7 @@ final class MotionResolver {
     return result;
   }
 
-  private PathRates pathRates() {
+  PathRates pathRates() {
     return new PathRates(
         rate("$VEL.CP", DEFAULT_VELOCITY, "$VEL_MA.CP"),
         rate("$ACC.CP", DEFAULT_ACCELERATION, "$ACC_MA.CP"),
@@ -266,21 +303,25 @@ final class MotionResolver {
     return Math.max(LEAST_RATE, value);
   }
 
-  private OrientationControl orientation() {
+  OrientationControl orientation() {
     return switch (access.constant("$ORI_TYPE", "VAR")) {
       case "CONSTANT" -> OrientationControl.CONSTANT;
       case "JOINT" -> OrientationControl.JOINT;
+      case "IGNORE" -> OrientationControl.IGNORE;
       default -> OrientationControl.VAR;
     };
   }
 
-  private ApproximationZone axisApproximation(Set<Statement.Approximation> asked) {
-    return asked.isEmpty()
+  private ApproximationZone axisApproximation(MotionOrder order) {
+    if (order.spline()) {
+      return pathApproximation(order.approximations());
+    }
+    return order.approximations().isEmpty()
         ? new ApproximationZone.Exact()
         : new ApproximationZone.AxisDistance(within(access.number("$APO.CPTP", 0), 100));
   }
 
-  private ApproximationZone pathApproximation(Set<Statement.Approximation> asked) {
+  ApproximationZone pathApproximation(Set<Statement.Approximation> asked) {
     if (asked.contains(Statement.Approximation.C_VEL)) {
       return new ApproximationZone.Speed(within(access.number("$APO.CVEL", 100), 100));
     }

@@ -152,6 +152,15 @@ public final class KrlInterpreter {
     machine.fire(trigger.interruption());
   }
 
+  /**
+   * Returns whether the robot has to stop.
+   *
+   * @param stop a stop of a motion of this interpreter
+   */
+  public boolean isTrue(StopOrder stop) throws KrlExecutionException {
+    return !machine.ended() && machine.condition(stop.condition(), stop.owner());
+  }
+
   /** Returns the value of {@code $PRO_STATE}. */
   public ProgramState state() {
     return state;

@@ -34,6 +34,13 @@ final class KrlVirtualMachine {
   private final ProgramEnvironment environment;
   private final Interrupts interrupts = new Interrupts();
   private final List<TriggerOrder> nextTriggers = new ArrayList<>();
+  private final List<StopOrder> nextStops = new ArrayList<>();
+
+  /** The spline motion or block that is being evaluated, else null. */
+  private @Nullable SplineBuilder spline;
+
+  private int triggersBefore;
+  private int stopsBefore;
 
   /** Values, references and contents of variables; null for an omitted argument. */
   private @Nullable Object[] stack = new Object[FIRST_STACK_LENGTH];
@@ -59,6 +66,8 @@ final class KrlVirtualMachine {
   void clear() {
     interrupts.clear();
     nextTriggers.clear();
+    nextStops.clear();
+    abandonSpline();
     Arrays.fill(stack, null);
     height = 0;
     calls = 0;
@@ -123,6 +132,12 @@ final class KrlVirtualMachine {
 
   /** Goes back to the start of the statement that failed. */
   private void recover() {
+    if (spline != null) {
+      // the statement is executed again
+      nextTriggers.subList(triggersBefore, nextTriggers.size()).clear();
+      nextStops.subList(stopsBefore, nextStops.size()).clear();
+      abandonSpline();
+    }
     CallFrame frame = frame();
     if (faultPosition == null) {
       faultPosition = frame.executed();
@@ -405,6 +420,8 @@ final class KrlVirtualMachine {
       leave(top);
     }
     nextTriggers.clear();
+    nextStops.clear();
+    abandonSpline();
     environment.discardMotion(holds);
   }
 
@@ -471,7 +488,45 @@ final class KrlVirtualMachine {
   List<TriggerOrder> takeTriggers() {
     List<TriggerOrder> triggers = List.copyOf(nextTriggers);
     nextTriggers.clear();
+    triggersBefore = 0;
     return triggers;
+  }
+
+  void stop(StopOrder stop) throws KrlExecutionException {
+    requireRobot("STOP WHEN");
+    nextStops.add(stop);
+  }
+
+  /** Removes and returns the stops of the next motion. */
+  List<StopOrder> takeStops() {
+    List<StopOrder> stops = List.copyOf(nextStops);
+    nextStops.clear();
+    stopsBefore = 0;
+    return stops;
+  }
+
+  /** Begins to evaluate a spline motion or block. */
+  void beginSpline() {
+    abandonSpline();
+    spline = new SplineBuilder(environment);
+    triggersBefore = nextTriggers.size();
+    stopsBefore = nextStops.size();
+  }
+
+  SplineBuilder spline() {
+    return Objects.requireNonNull(spline);
+  }
+
+  /** Ends the evaluation; the settings of the program hold again. */
+  void endSpline() {
+    abandonSpline();
+  }
+
+  private void abandonSpline() {
+    if (spline != null) {
+      spline.restore();
+      spline = null;
+    }
   }
 
   String module() {

@@ -1,15 +1,19 @@
 package no.hials.crosscom.simulator.internal.program;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.Set;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Statement;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.data.Operators;
+import no.hials.crosscom.simulator.internal.motion.PathPoint;
 import org.jspecify.annotations.Nullable;
 
 /** Compiles motions and their triggers. */
@@ -19,20 +23,58 @@ final class MotionCompiler {
   /** The priority that lets the controller choose one for the subprogram of a trigger (assumed). */
   private static final KrlInt AUTOMATIC = new KrlInt(-1);
 
-  private final CodeBuilder code;
-  private final ExpressionCompiler expressions;
+  /** The number of KSS for a trigger of the old kind in a spline block. */
+  private static final int NO_DISTANCE = 2363;
 
-  MotionCompiler(CodeBuilder code, ExpressionCompiler expressions) {
-    this.code = code;
-    this.expressions = expressions;
+  private static final TypeSwitch<MotionCompiler, Statement.SplineElement, Void, RuntimeException>
+      ELEMENTS =
+          TypeSwitch.create(
+              Statement.SplineElement.class,
+              cases ->
+                  cases
+                      .run(Statement.SplineMotion.class, MotionCompiler::segment)
+                      .run(Statement.Trigger.class, (c, it) -> c.trigger(it, true))
+                      .run(Statement.TimeBlock.class, MotionCompiler::time)
+                      .run(Statement.ConstantVelocity.class, MotionCompiler::constantVelocity)
+                      .run(Statement.StopOnPath.class, (c, it) -> c.stop(it, true)));
+
+  /** What the compiler of the statements around does. */
+  interface Statements {
+    /** Compiles an assignment without the stop of the advance run. */
+    void assign(Statement.AssignmentStatement assignment);
+
+    /** Compiles the action of a trigger. */
+    CompiledCode detached(Statement.Action action);
+
+    /** Compiles a condition that is evaluated later. */
+    CompiledCode condition(Expression condition);
   }
 
-  /**
-   * Compiles a trigger of the next motion.
-   *
-   * @param action its action
-   */
-  void trigger(Statement.Trigger trigger, CompiledCode action) {
+  private final CodeBuilder code;
+  private final ExpressionCompiler expressions;
+  private final Statements statements;
+
+  MotionCompiler(CodeBuilder code, ExpressionCompiler expressions, Statements statements) {
+    this.code = code;
+    this.expressions = expressions;
+    this.statements = statements;
+  }
+
+  /** Compiles a trigger of the next motion. */
+  void trigger(Statement.Trigger trigger) {
+    trigger(trigger, false);
+  }
+
+  private void trigger(Statement.Trigger trigger, boolean inBlock) {
+    if (inBlock && !trigger.onPath()) {
+      code.emit(
+          trigger.position(),
+          machine -> {
+            throw new KrlExecutionException(
+                NO_DISTANCE, "TRIGGER WHEN DISTANCE is not allowed in a spline block");
+          });
+    }
+    CompiledCode action = statements.detached(trigger.action());
     boolean calls = trigger.action() instanceof Statement.CallStatement;
     expressions.compile(trigger.distance());
     optional(trigger.position(), trigger.delay(), ZERO);
@@ -45,8 +87,179 @@ final class MotionCompiler {
           double delay = machine.popNumber();
           double distance = machine.popNumber();
           Interruption interruption = new Interruption(priority, machine.frame(), action, true);
-          machine.trigger(TriggerOrder.of(trigger.onPath(), distance, delay, interruption));
+          int point = point(machine, trigger.onStart(), inBlock);
+          machine.trigger(TriggerOrder.of(trigger.onPath(), distance, delay, interruption, point));
         });
+  }
+
+  private static int point(KrlVirtualMachine machine, boolean onStart, boolean inBlock) {
+    if (inBlock) {
+      return machine.spline().at(onStart, 0).point();
+    }
+    return onStart ? 0 : PathPoint.LAST;
+  }
+
+  /** Compiles a stop on the path of the next motion. */
+  void stop(Statement.StopOnPath stop) {
+    stop(stop, false);
+  }
+
+  private void stop(Statement.StopOnPath stop, boolean inBlock) {
+    CompiledCode condition = statements.condition(stop.condition());
+    expressions.compile(stop.distance());
+    code.emit(
+        stop.position(),
+        machine -> {
+          double mm = machine.popNumber();
+          PathPoint at = new PathPoint(point(machine, stop.onStart(), inBlock), mm);
+          machine.stop(new StopOrder(at, condition, machine.frame()));
+        });
+  }
+
+  private void time(Statement.TimeBlock time) {
+    optional(time.position(), time.value(), ZERO);
+    code.emit(time.position(), machine -> machine.spline().add(time.part(), machine.popNumber()));
+  }
+
+  private void constantVelocity(Statement.ConstantVelocity line) {
+    expressions.compile(line.distance());
+    code.emit(
+        line.position(),
+        machine -> {
+          PathPoint at = machine.spline().at(line.onStart(), machine.popNumber());
+          machine.spline().addConstantVelocity(line.end(), at);
+        });
+  }
+
+  /** Compiles a single spline motion. The caller has compiled the stop of the advance run. */
+  void spline(Statement.SplineMotion motion) {
+    Position position = motion.position();
+    code.emit(position, KrlVirtualMachine::awaitAdvance);
+    code.emit(position, KrlVirtualMachine::beginSpline);
+    values(motion);
+    code.emit(
+        position,
+        machine -> {
+          MotionOrder order = order(machine, motion, machine.takeTriggers(), machine.takeStops());
+          machine.endSpline();
+          machine.environment().move(order);
+        });
+    code.emit(position, KrlVirtualMachine::awaitMotionWithoutAdvance);
+  }
+
+  private void segment(Statement.SplineMotion segment) {
+    values(segment);
+    code.emit(
+        segment.position(),
+        machine -> machine.spline().add(order(machine, segment, List.of(), List.of())));
+  }
+
+  /** Compiles the settings and points of a spline motion. */
+  private void values(Statement.SplineMotion motion) {
+    motion.with().forEach(statements::assign);
+    if (motion.auxiliary() != null) {
+      expressions.compile(motion.auxiliary());
+    }
+    expressions.compile(motion.target());
+    if (motion.circularAngle() != null) {
+      expressions.compile(motion.circularAngle());
+    }
+  }
+
+  /** Compiles a block. The caller has compiled the stop of the advance run. */
+  void block(Statement.SplineBlock block) {
+    Position position = block.position();
+    code.emit(position, KrlVirtualMachine::awaitAdvance);
+    code.emit(position, KrlVirtualMachine::beginSpline);
+    block.with().forEach(statements::assign);
+    code.emit(position, machine -> machine.spline().beginSegments());
+    block.elements().forEach(element -> ELEMENTS.run(this, element));
+    code.emit(position, machine -> moveAlong(machine, block));
+    code.emit(position, KrlVirtualMachine::awaitMotionWithoutAdvance);
+  }
+
+  private static void moveAlong(KrlVirtualMachine machine, Statement.SplineBlock block)
+      throws KrlExecutionException {
+    SplineBuilder spline = machine.spline();
+    List<TriggerOrder> triggers = machine.takeTriggers();
+    List<StopOrder> stops = machine.takeStops();
+    if (spline.segments().isEmpty()) {
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED, "a spline block needs a segment");
+    }
+    MotionOrder last = spline.segments().get(spline.segments().size() - 1);
+    MotionOrder order =
+        new MotionOrder(
+            last.kind(),
+            null,
+            last.target(),
+            OptionalDouble.empty(),
+            approximation(block.approximate()),
+            last.coordinates(),
+            last.pointName(),
+            last.module(),
+            block.position(),
+            triggers,
+            stops,
+            MotionOrder.Form.SPLINE,
+            spline.settings(),
+            spline.block(block.pointToPoint()));
+    machine.endSpline();
+    machine.environment().move(order);
+  }
+
+  private static Set<Statement.Approximation> approximation(boolean approximate) {
+    return approximate ? Set.of(Statement.Approximation.C_DIS) : Set.of();
+  }
+
+  private static MotionOrder order(
+      KrlVirtualMachine machine,
+      Statement.SplineMotion motion,
+      List<TriggerOrder> triggers,
+      List<StopOrder> stops)
+      throws KrlExecutionException {
+    OptionalDouble angle =
+        motion.circularAngle() == null
+            ? OptionalDouble.empty()
+            : OptionalDouble.of(machine.popNumber());
+    KrlStruct target = Operators.positionOf(machine.pop());
+    KrlStruct auxiliary = motion.auxiliary() == null ? null : Operators.positionOf(machine.pop());
+    boolean through =
+        motion.kind() == Statement.SplineKind.SPL || motion.kind() == Statement.SplineKind.SPL_REL;
+    return new MotionOrder(
+        kind(motion.kind()),
+        auxiliary,
+        target,
+        angle,
+        approximation(motion.approximate()),
+        constant(motion.coordinates()),
+        pointName(motion.target()),
+        machine.module(),
+        motion.position(),
+        triggers,
+        stops,
+        through ? MotionOrder.Form.THROUGH : MotionOrder.Form.SPLINE,
+        machine.spline().settings(),
+        null);
+  }
+
+  private static Statement.MotionKind kind(Statement.SplineKind kind) {
+    return switch (kind) {
+      case SPTP -> Statement.MotionKind.PTP;
+      case SPTP_REL -> Statement.MotionKind.PTP_REL;
+      case SLIN, SPL -> Statement.MotionKind.LIN;
+      case SLIN_REL, SPL_REL -> Statement.MotionKind.LIN_REL;
+      case SCIRC -> Statement.MotionKind.CIRC;
+      case SCIRC_REL -> Statement.MotionKind.CIRC_REL;
+    };
+  }
+
+  private static @Nullable String constant(@Nullable String coordinates) {
+    return coordinates == null ? null : coordinates.replace("#", "").toUpperCase(Locale.ROOT);
+  }
+
+  private static String pointName(Expression target) {
+    return target instanceof Expression.Variable variable ? variable.name() : "";
   }
 
   private void optional(Position position, @Nullable Expression expression, KrlValue otherwise) {
@@ -81,15 +294,14 @@ final class MotionCompiler {
             : OptionalDouble.of(machine.popNumber());
     KrlStruct target = Operators.positionOf(machine.pop());
     KrlStruct auxiliary = motion.auxiliary() == null ? null : Operators.positionOf(machine.pop());
-    String coordinates = motion.coordinates();
     return new MotionOrder(
         motion.kind(),
         auxiliary,
         target,
         angle,
         motion.approximations(),
-        coordinates == null ? null : coordinates.replace("#", "").toUpperCase(Locale.ROOT),
-        motion.target() instanceof Expression.Variable variable ? variable.name() : "",
+        constant(motion.coordinates()),
+        pointName(motion.target()),
         machine.module(),
         motion.position(),
         machine.takeTriggers());

@@ -1,12 +1,14 @@
 package no.hials.crosscom.simulator.internal.program;
 
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Statement.Approximation;
 import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,6 +26,11 @@ import org.jspecify.annotations.Nullable;
  * @param module the name of the module
  * @param position the position of the statement
  * @param triggers the triggers of this motion
+ * @param stops where it stops under a condition
+ * @param form whether it is a spline motion
+ * @param settings the values of system variables that hold for this motion only; empty for the
+ *     present ones
+ * @param block the segments if it is a spline block, else null
  */
 public record MotionOrder(
     MotionKind kind,
@@ -35,4 +42,52 @@ public record MotionOrder(
     String pointName,
     String module,
     Position position,
-    List<TriggerOrder> triggers) {}
+    List<TriggerOrder> triggers,
+    List<StopOrder> stops,
+    Form form,
+    Map<String, KrlValue> settings,
+    @Nullable BlockOrder block) {
+  /** The forms of a motion. */
+  public enum Form {
+    /** PTP, LIN, CIRC. */
+    PLAIN,
+    /** SPTP, SLIN, SCIRC, or a block. */
+    SPLINE,
+    /** SPL: a segment that only passes through its point. */
+    THROUGH
+  }
+
+  /** Creates the order of a motion that is no spline motion. */
+  public MotionOrder(
+      MotionKind kind,
+      @Nullable KrlStruct auxiliary,
+      KrlStruct target,
+      OptionalDouble circularAngle,
+      Set<Approximation> approximations,
+      @Nullable String coordinates,
+      String pointName,
+      String module,
+      Position position,
+      List<TriggerOrder> triggers) {
+    this(
+        kind,
+        auxiliary,
+        target,
+        circularAngle,
+        approximations,
+        coordinates,
+        pointName,
+        module,
+        position,
+        triggers,
+        List.of(),
+        Form.PLAIN,
+        Map.of(),
+        null);
+  }
+
+  /** Returns whether it is a spline motion. */
+  public boolean spline() {
+    return form != Form.PLAIN;
+  }
+}

@@ -1,8 +1,10 @@
 package no.hials.crosscom.simulator.internal.program;
 
+import java.util.Map;
 import java.util.Optional;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 
 /** The controller as a program uses it. */
@@ -26,6 +28,12 @@ public interface ProgramEnvironment {
    * @throws KrlExecutionException if the motion is not possible; it stops the program
    */
   void move(MotionOrder order) throws KrlExecutionException;
+
+  /** Returns the values of the system variables that determine how a motion is planned. */
+  Map<String, KrlValue> settings();
+
+  /** Sets these variables to former values. */
+  void restore(Map<String, KrlValue> settings);
 
   /**
    * Brakes the robot on its path and suspends its motions. Motions that are added later start when

@@ -58,12 +58,12 @@ final class StatementCompiler {
                       Statement.Brake.class,
                       (c, it) -> c.code.emit(it.position(), machine -> machine.brake(it.maximum())))
                   .run(Statement.MotionStatement.class, StatementCompiler::motion)
-                  .run(Statement.Trigger.class, StatementCompiler::trigger)
-                  .run(Statement.SplineMotion.class, (c, it) -> c.unsupported(it, it.kind().name()))
-                  .run(Statement.SplineBlock.class, (c, it) -> c.unsupported(it, "SPLINE"))
+                  .run(Statement.Trigger.class, (c, it) -> c.motions.trigger(it))
+                  .run(Statement.SplineMotion.class, StatementCompiler::spline)
+                  .run(Statement.SplineBlock.class, StatementCompiler::block)
                   .run(Statement.TimeBlock.class, (c, it) -> c.unsupported(it, "TIME_BLOCK"))
                   .run(Statement.ConstantVelocity.class, (c, it) -> c.unsupported(it, "CONST_VEL"))
-                  .run(Statement.StopOnPath.class, (c, it) -> c.unsupported(it, "STOP WHEN"))
+                  .run(Statement.StopOnPath.class, (c, it) -> c.motions.stop(it))
                   .run(
                       Statement.OnErrorProceed.class,
                       (c, it) -> c.unsupported(it, "ON_ERROR_PROCEED"))
@@ -113,7 +113,7 @@ final class StatementCompiler {
     this.function = function;
     this.code = new CodeBuilder();
     this.expressions = new ExpressionCompiler(context, code, true);
-    this.motions = new MotionCompiler(code, expressions);
+    this.motions = new MotionCompiler(code, expressions, new MotionParts());
   }
 
   CompiledCode routine(String name, List<Statement> body, Position end) {
@@ -461,10 +461,14 @@ final class StatementCompiler {
 
   // interrupts
 
+  private CompiledCode detachedCondition(Expression condition) {
+    CodeBuilder detached = new CodeBuilder();
+    new ExpressionCompiler(context, detached, false).compile(condition);
+    return detached.build();
+  }
+
   private void declare(Statement.InterruptDeclaration declaration) {
-    CodeBuilder conditionCode = new CodeBuilder();
-    new ExpressionCompiler(context, conditionCode, false).compile(declaration.condition());
-    CompiledCode condition = conditionCode.build();
+    CompiledCode condition = detachedCondition(declaration.condition());
     CompiledCode action = detached(declaration.action());
     expressions.compile(declaration.priority());
     code.emit(
@@ -492,11 +496,46 @@ final class StatementCompiler {
 
   // motions
 
-  private void trigger(Statement.Trigger trigger) {
-    if (trigger.onStart()) {
-      unsupported(trigger, "ONSTART");
+  /** What the compiler of motions needs of this one. */
+  private final class MotionParts implements MotionCompiler.Statements {
+    @Override
+    public void assign(Statement.AssignmentStatement assignment) {
+      StatementCompiler.this.assign(assignment);
     }
-    motions.trigger(trigger, detached(trigger.action()));
+
+    @Override
+    public CompiledCode detached(Statement.Action action) {
+      return StatementCompiler.this.detached(action);
+    }
+
+    @Override
+    public CompiledCode condition(Expression condition) {
+      return detachedCondition(condition);
+    }
+  }
+
+  private void spline(Statement.SplineMotion motion) {
+    awaitFor(motion);
+    motions.spline(motion);
+  }
+
+  private void awaitFor(Statement.SplineMotion motion) {
+    awaitFor(motion.position(), motion.auxiliary(), motion.target(), motion.circularAngle());
+    awaitFor(motion.with());
+  }
+
+  private void awaitFor(List<Statement.AssignmentStatement> with) {
+    with.forEach(it -> awaitFor(it.position(), it.target(), it.value()));
+  }
+
+  private void block(Statement.SplineBlock block) {
+    awaitFor(block.with());
+    for (Statement.SplineElement element : block.elements()) {
+      if (element instanceof Statement.SplineMotion segment) {
+        awaitFor(segment);
+      }
+    }
+    motions.block(block);
   }
 
   private void motion(Statement.MotionStatement motion) {

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -73,6 +74,14 @@ final class FakeRobot implements ProgramEnvironment {
   public int motionsAhead() {
     return motions.size() - (underWay ? 1 : 0);
   }
+
+  @Override
+  public Map<String, KrlValue> settings() {
+    return Map.of();
+  }
+
+  @Override
+  public void restore(Map<String, KrlValue> settings) {}
 
   @Override
   public boolean motionFinished() {

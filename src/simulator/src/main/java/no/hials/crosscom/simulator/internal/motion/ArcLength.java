@@ -68,6 +68,14 @@ final class ArcLength {
     return slopes[INTERVALS];
   }
 
+  /**
+   * Returns parts of the length that are close to each other where the curve bends: those of even
+   * parameters.
+   */
+  double[] evenParts() {
+    return Arrays.copyOfRange(parts, 1, INTERVALS + 1);
+  }
+
   /** Returns the parameter of a part of the length. */
   double parameter(double part) {
     if (part <= 0) {

@@ -36,6 +36,9 @@ final class SpeedGovernor {
   private double least;
   private double most;
 
+  /** The highest part by the accelerations. */
+  private double gentle;
+
   /**
    * Creates the governor of one cycle.
    *
@@ -79,6 +82,7 @@ final class SpeedGovernor {
   double rate(double wanted, double before, double horizon, Joints ahead) {
     least = 0;
     most = 1;
+    gentle = 1;
     Axis steps = ahead.robot().minus(now.robot());
     Axis robotBefore = now.robot().minus(last.robot());
     for (int axis = 0; axis < Arm.AXES; axis++) {
@@ -101,7 +105,9 @@ final class SpeedGovernor {
       most = Math.min(most, speedLimit.path() * 1000 * cycle * horizon / furthest(ahead));
     }
     double rate = Math.max(wanted, Math.min(least, Math.max(wanted, before)));
-    return Math.max(0, Math.min(rate, most));
+    // where the plan itself speeds up more, it is not slowed down
+    double changed = Math.min(rate, Math.max(gentle, Math.min(wanted, before)));
+    return Math.max(0, Math.min(changed, most));
   }
 
   private double fastest(int axis) {
@@ -128,6 +134,6 @@ final class SpeedGovernor {
     double one = (last - change) / step;
     double other = (last + change) / step;
     least = Math.max(least, Math.min(one, other));
-    most = Math.min(most, Math.max(one, other));
+    gentle = Math.min(gentle, Math.max(one, other));
   }
 }

@@ -99,6 +99,7 @@ final class AdvanceRun {
   private RobotModel robot;
   private final MotionResolver resolver;
   private final Triggers triggers;
+  private final PathStops stops;
   private final Listener listener;
   private final ExternalAxesData externalAxes;
   private RobotModel model;
@@ -120,7 +121,13 @@ final class AdvanceRun {
   private final Deque<Step> waiting = new ArrayDeque<>();
   private long now;
 
-  AdvanceRun(SystemVariableAccess access, RobotModel robot, Triggers triggers, Listener listener) {
+  AdvanceRun(
+      SystemVariableAccess access,
+      RobotModel robot,
+      Triggers triggers,
+      PathStops stops,
+      Listener listener) {
+    this.stops = stops;
     this.access = access;
     settings = new MotionSettings(access);
     this.robot = robot;
@@ -207,7 +214,8 @@ final class AdvanceRun {
       throw new KrlExecutionException(MotionProblem.BAD_MOTION, String.valueOf(e.getMessage()));
     }
     orders.put(planned.id(), order);
-    triggers.add(planned, order.triggers());
+    triggers.add(planned, order.triggers(), interpolator);
+    stops.add(planned, order.stops());
   }
 
   private MotionCommand add(MotionOrder order) throws KrlExecutionException {
@@ -290,13 +298,19 @@ final class AdvanceRun {
       orders.clear();
       interpolator.cancel();
     }
-    triggers.retain(kept());
+    retain();
   }
 
   private void dropMotionsLast() {
     while (waiting.peekLast() instanceof Begin) {
       waiting.removeLast();
     }
+  }
+
+  private void retain() {
+    Set<Long> kept = kept();
+    triggers.retain(kept);
+    stops.retain(kept);
   }
 
   private Set<Long> kept() {
@@ -313,6 +327,7 @@ final class AdvanceRun {
     waiting.clear();
     orders.clear();
     triggers.clear();
+    stops.clear();
     waiting.add(FORGET);
     interpolator.cancel();
     settle(false);
@@ -364,19 +379,27 @@ final class AdvanceRun {
     }
   }
 
-  /** Moves the robot for one cycle. */
-  void cycle(long time, double override, boolean released, SpeedLimit speedLimit) {
+  /**
+   * Moves the robot for one cycle.
+   *
+   * @return whether triggers have fired
+   */
+  boolean cycle(long time, double override, boolean released, SpeedLimit speedLimit) {
     now = time;
-    interpolator.cycle(override, released, speedLimit).forEach(event -> EVENTS.run(this, event));
+    boolean moves = released;
+    try {
+      if (released) {
+        stops.cycle(interpolator);
+      }
+    } catch (KrlExecutionException e) {
+      listener.failed(e.number(), "STOP WHEN: " + e.getMessage());
+      moves = false;
+    }
+    interpolator.cycle(override, moves, speedLimit).forEach(event -> EVENTS.run(this, event));
     if (idle()) {
       bases.clear();
     }
-    triggers.cycle(
-        time,
-        interpolator.current().map(MotionCommand::id).orElse(0L),
-        interpolator.distanceToEnd(),
-        interpolator.pathVelocity(),
-        Interpolator.CYCLE);
+    return triggers.cycle(time, interpolator);
   }
 
   private void started(MotionCommand motion) {
@@ -385,11 +408,12 @@ final class AdvanceRun {
         interpolator.currentEnd(),
         bases.getOrDefault(motion.id(), resolver.base()),
         motion.tool());
-    triggers.started(motion, now);
+    triggers.started(motion);
   }
 
   private void passed(MotionCommand motion) {
-    triggers.passed(motion, now);
+    long next = interpolator.current().map(MotionCommand::id).orElse(-1L);
+    triggers.passed(motion, now, next);
     orders.remove(motion.id());
   }
 
@@ -408,7 +432,7 @@ final class AdvanceRun {
             .toList();
     following.forEach(next -> waiting.addFirst(new Begin(next)));
     orders.clear();
-    triggers.retain(kept());
+    retain();
     restart();
     listener.failed(problem.number(), where + problem.message());
   }

@@ -26,6 +26,7 @@ import no.hials.crosscom.simulator.internal.motion.Interpolator;
 import no.hials.crosscom.simulator.internal.motion.Joints;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import no.hials.crosscom.simulator.internal.program.ProgramLibrary;
+import no.hials.crosscom.simulator.internal.program.StopOrder;
 import no.hials.crosscom.simulator.internal.program.TriggerOrder;
 import org.jspecify.annotations.Nullable;
 
@@ -84,7 +85,13 @@ public final class ControllerCore {
     library = new ProgramLibrary(globals, SystemVariables::stopsAdvanceRun);
     timers = new Timers(access);
     panel = new OperatorPanel(access, this::time);
-    motions = new AdvanceRun(access, model, new Triggers(this::fire), new MotionListener());
+    motions =
+        new AdvanceRun(
+            access,
+            model,
+            new Triggers(this::fire),
+            new PathStops(this::isTrue),
+            new MotionListener());
     robot = interpreter(Interpreter.ROBOT, access);
     submit = interpreter(Interpreter.SUBMIT, access);
     manual = new ManualMotion(robot, motions, panel);
@@ -383,7 +390,9 @@ public final class ControllerCore {
       submit.run(SUBMIT_INSTRUCTIONS);
       motions.settle(robot.state() == ProgramState.ACTIVE || manual.active());
       robot.run(ROBOT_INSTRUCTIONS);
-      motions.cycle(time, speed.override(), released(), speed.limit());
+      if (motions.cycle(time, speed.override(), released(), speed.limit())) {
+        robot.runTriggers(ROBOT_INSTRUCTIONS);
+      }
       manual.cycle();
       publish();
     } catch (RuntimeException e) {
@@ -432,6 +441,10 @@ public final class ControllerCore {
 
   private void fire(TriggerOrder order) {
     robot.fire(order);
+  }
+
+  private boolean isTrue(StopOrder stop) throws KrlExecutionException {
+    return robot.isTrue(stop);
   }
 
   private void publish() {

@@ -1,35 +1,52 @@
 package no.hials.crosscom.simulator.internal.core;
 
 import java.util.ArrayList;
-import java.util.Iterator;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
+import no.hials.crosscom.simulator.internal.motion.Interpolator;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand;
+import no.hials.crosscom.simulator.internal.motion.PathPoint;
 import no.hials.crosscom.simulator.internal.program.TriggerOrder;
 
 /**
- * Fires triggers. A position on the path is exact to one cycle; the time of a negative delay is
- * estimated from the current speed.
+ * Fires triggers in the first cycle at whose end their time has come. The time of a place on the
+ * path is that of the plan, at the present part of its speed.
  */
 final class Triggers {
-  private static final double MM_PER_M = 1000;
+  private static final double MILLIS = 1000;
 
-  /** A trigger that waits for its motion, its position on the path, or its time. */
+  /** What rounding may add to a time, ms. */
+  private static final double ROUNDING = 1e-6;
+
+  /** A trigger that waits for its motion, its place on the path, or its time. */
   private static final class Waiting {
-    private final long motion;
     private final TriggerOrder order;
+    private final long motion;
+
+    /** The motion in which its place is: one that follows if the place is after the end. */
+    private long placed;
+
+    private PathPoint at;
     private boolean begun;
 
-    /** The time at which it fires; negative if not yet known. */
-    private long due = -1;
+    /** When the robot is at the place, as known, ms. */
+    private double there = Double.POSITIVE_INFINITY;
 
-    /** The distance that the robot still has to go after the end of the motion, mm. */
-    private double beyondEnd = -1;
+    /** Whether the robot has been there. */
+    private boolean passed;
 
-    Waiting(long motion, TriggerOrder order) {
+    Waiting(long motion, TriggerOrder order, PathPoint at) {
       this.motion = motion;
       this.order = order;
+      this.at = at;
+      placed = motion;
+    }
+
+    /** Returns whether the place is after the end of the motion. */
+    boolean isBeyond() {
+      return at.point() == PathPoint.LAST && at.mm() > 0;
     }
   }
 
@@ -40,9 +57,12 @@ final class Triggers {
     this.fire = fire;
   }
 
-  void add(MotionCommand motion, List<TriggerOrder> orders) {
+  /** Adds the triggers of the motion that was planned last. */
+  void add(MotionCommand motion, List<TriggerOrder> orders, Interpolator plan) {
     for (TriggerOrder order : orders) {
-      waiting.add(new Waiting(motion.id(), order));
+      double beyond = plan.beyondEnd(order.at());
+      PathPoint at = beyond > 0 ? new PathPoint(PathPoint.LAST, beyond) : order.at();
+      waiting.add(new Waiting(motion.id(), order, at));
     }
   }
 
@@ -55,25 +75,31 @@ final class Triggers {
     waiting.removeIf(trigger -> !motions.contains(trigger.motion));
   }
 
-  void started(MotionCommand motion, long now) {
+  void started(MotionCommand motion) {
     for (Waiting trigger : waiting) {
       if (trigger.motion == motion.id()) {
         trigger.begun = true;
-        if (!trigger.order.onPath() && trigger.order.distance() == 0) {
-          // nothing fires before the start: a negative delay counts as none (assumed)
-          trigger.due = now + Math.max(0, Math.round(trigger.order.delayMillis()));
-        }
+      } else if (trigger.placed < 0) {
+        trigger.placed = motion.id();
       }
     }
   }
 
-  void passed(MotionCommand motion, long now) {
+  /**
+   * Called when a motion has ended, after a cycle.
+   *
+   * @param next the number of the motion that has begun instead; -1 if none has
+   */
+  void passed(MotionCommand motion, long now, long next) {
     for (Waiting trigger : waiting) {
-      if (trigger.motion == motion.id() && trigger.due < 0) {
-        if (trigger.order.onPath() && trigger.order.distance() > 0) {
-          trigger.beyondEnd = trigger.order.distance();
+      if (trigger.placed == motion.id() && !trigger.passed) {
+        if (trigger.isBeyond()) {
+          // it counts on from here, in the next motion
+          trigger.at = new PathPoint(0, trigger.at.mm());
+          trigger.placed = next;
         } else {
-          trigger.due = now + Math.max(0, Math.round(trigger.order.delayMillis()));
+          trigger.there = Math.min(trigger.there, now);
+          trigger.passed = true;
         }
       }
     }
@@ -83,36 +109,37 @@ final class Triggers {
    * Fires the triggers that are due.
    *
    * @param now simulated ms
-   * @param left mm to the end of the current motion
-   * @param velocity m/s
-   * @param cycle s since the last call
+   * @return whether any was due
    */
-  void cycle(long now, long current, double left, double velocity, double cycle) {
-    double mmPerMilli = velocity; // m/s are mm/ms
-    for (Iterator<Waiting> it = waiting.iterator(); it.hasNext(); ) {
-      Waiting trigger = it.next();
-      if (trigger.beyondEnd >= 0) {
-        trigger.beyondEnd -= velocity * MM_PER_M * cycle;
-        if (trigger.beyondEnd <= 0) {
-          trigger.due = now + Math.max(0, Math.round(trigger.order.delayMillis()));
-          trigger.beyondEnd = -1;
-        }
-      } else if (trigger.due < 0 && trigger.begun && trigger.motion == current) {
-        approach(trigger, now, left, mmPerMilli);
+  boolean cycle(long now, Interpolator motion) {
+    List<Waiting> due = new ArrayList<>();
+    for (Waiting trigger : waiting) {
+      if (!trigger.passed && trigger.begun && trigger.placed >= 0) {
+        approach(trigger, now, motion);
       }
-      if (trigger.due >= 0 && trigger.due <= now) {
-        it.remove();
-        fire.accept(trigger.order);
+      // nothing fires before its motion starts (assumed)
+      double time = trigger.there + trigger.order.delayMillis();
+      if (trigger.begun && time <= now + ROUNDING) {
+        due.add(trigger);
       }
     }
+    waiting.removeAll(due);
+    due.forEach(trigger -> fire.accept(trigger.order));
+    return !due.isEmpty();
   }
 
-  /** Sets the time of a trigger before the end of its motion once the robot is close enough. */
-  private static void approach(Waiting trigger, long now, double left, double mmPerMilli) {
-    double ahead = trigger.order.onPath() ? -trigger.order.distance() : 0;
-    double early = Math.max(0, -trigger.order.delayMillis()) * mmPerMilli;
-    if (ahead + early > 0 && left <= ahead + early) {
-      trigger.due = now + Math.max(0, Math.round(trigger.order.delayMillis()));
+  private static void approach(Waiting trigger, long now, Interpolator motion) {
+    OptionalDouble left = motion.timeTo(trigger.placed, trigger.at);
+    if (left.isEmpty()) {
+      trigger.there = Double.POSITIVE_INFINITY;
+      return;
+    }
+    double rate = motion.rate();
+    trigger.passed = left.getAsDouble() <= 0;
+    if (rate == 0) {
+      trigger.there = trigger.passed ? now : Double.POSITIVE_INFINITY;
+    } else {
+      trigger.there = now + left.getAsDouble() / rate * MILLIS;
     }
   }
 }

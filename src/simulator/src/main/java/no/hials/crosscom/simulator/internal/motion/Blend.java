@@ -38,9 +38,6 @@ final class Blend {
   /** The part of the length that the orientation counts for where both change. Assumed. */
   private static final double MM_PER_DEGREE = 0.5;
 
-  /** The least number of intervals in which a corner is checked. */
-  private static final int POINTS = 8;
-
   private final Arm arm;
   private final PathLengths lengths;
 
@@ -126,7 +123,7 @@ final class Blend {
       solver = new Solver.ByAxes(part -> sum(before, leave, next, join, length.parameter(part)));
     }
     Axis start = before.path().at(leave);
-    PathSampler sampler = PathSampler.of(arm, solver, start, POINTS);
+    PathSampler sampler = PathSampler.of(arm, solver, start, length.evenParts());
     if (sampler.problem() != null) {
       throw new MotionRefusedException(sampler.problem());
     }
@@ -135,7 +132,13 @@ final class Blend {
     double entry = 2 * (1 - leave) * length.slopeAtStart() / extent;
     JointPath path =
         new JointPath.OfJoints(
-            sampler::at, start, sampler.lastAxes(), next.path().accelerations(), leave, join);
+            sampler::at,
+            start,
+            sampler.lastAxes(),
+            next.path().accelerations(),
+            leave,
+            join,
+            new double[] {0, 1});
     Corner corner =
         new Corner(
             before.withCorner(null, before.limits()),

@@ -2,8 +2,8 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
@@ -36,6 +36,9 @@ public final class Interpolator {
   /** Two positions of an axis are the same if they are closer than this, degrees. */
   private static final double SAME = 1e-9;
 
+  /** The robot stays at a stop this much before it is there, s: the motion has not ended yet. */
+  private static final double AT_STOP = 1e-6;
+
   /** The attempts to find the step of a cycle: it depends on the path ahead, which may bend. */
   private static final int ATTEMPTS = 4;
 
@@ -45,9 +48,13 @@ public final class Interpolator {
     MAXIMUM
   }
 
+  /** A place at which the robot stays. */
+  private record Stop(long motion, PathPoint at) {}
+
   private Arm arm;
   private TrajectoryPlanner planner;
   private Blend blend;
+  private PathLengths lengths;
 
   /** The limits of the current motions: the widest since they were added. */
   private RobotModel widest;
@@ -62,6 +69,7 @@ public final class Interpolator {
   private Brake brake = Brake.NONE;
   private boolean cancelled;
   private double rate;
+  private @Nullable Stop stop;
   private @Nullable SuspendedPlan returning;
 
   /** Creates the interpolator of a robot without external axes. */
@@ -74,6 +82,7 @@ public final class Interpolator {
     arm = new Arm(robot, external);
     planner = new TrajectoryPlanner(arm);
     blend = new Blend(arm);
+    lengths = new PathLengths(arm);
     way = blend;
     plannedEnd = start;
     last = start;
@@ -85,6 +94,7 @@ public final class Interpolator {
     arm = new Arm(limited, external);
     planner = new TrajectoryPlanner(arm);
     blend = new Blend(arm);
+    lengths = new PathLengths(arm);
     Axis low = limited.home();
     Axis high = limited.home();
     for (int axis = 0; axis < Arm.AXES; axis++) {
@@ -127,91 +137,168 @@ public final class Interpolator {
       throw new IllegalStateException("no motion can be added while the robot brakes to cancel");
     }
     PathSegment segment = planner.plan(motion, plannedEnd, external);
-    PathSegment before = lastSegment();
-    if (!blends || before == null || !addJoined(before, segment)) {
+    PathSegment before = path().last();
+    PlannedPath joined = blends && before != null ? joined(before, segment) : null;
+    if (joined == null) {
       double overlap = blends && before != null ? blend.overlap(before, segment) : 0;
-      boolean late = planned.isEmpty() && path().isBeyond(overlap);
+      boolean late = planned.isEmpty() && position().isBeyond(overlap);
       planned.add(late ? segment : segment.withOverlap(overlap));
+    } else {
+      follow(joined);
     }
     plannedEnd = segment.end();
   }
 
-  private PathCursor path() {
+  private PathCursor position() {
     return returning == null ? cursor : returning.cursor();
   }
 
-  private @Nullable PathSegment lastSegment() {
-    return planned.isEmpty() ? path().last() : planned.get(planned.size() - 1);
+  private PlannedPath path() {
+    return new PlannedPath(position().last(), position().lastTime(), planned);
   }
 
   /**
-   * Adds a segment with a corner in place of the end of the one before, and plans the speeds of all
-   * segments that are passed without a stop again.
-   *
-   * @return false if that is not possible, or too late
+   * Adds a segment with a corner in place of the end of the one before; null if that is not
+   * possible, or too late.
    */
-  private boolean addJoined(PathSegment before, PathSegment segment) {
+  private @Nullable PlannedPath joined(PathSegment before, PathSegment segment) {
     PathSegment joined = blend.joined(before, segment).orElse(null);
     Corner corner = joined == null ? null : joined.corner();
     if (joined == null || corner == null) {
+      return null;
+    }
+    return path()
+        .with(planned.size() - 1, before.until(corner.leave()))
+        .with(planned.size(), joined)
+        .replanned(planned.size(), 0)
+        .orElse(null);
+  }
+
+  /** Changes the plan. */
+  private void follow(PlannedPath path) {
+    List<PathSegment> segments = List.copyOf(path.planned());
+    planned.clear();
+    planned.addAll(segments);
+    if (path.running() == null) {
+      return;
+    }
+    PathCursor there = position().withLast(path.running());
+    if (returning == null) {
+      cursor = there;
+    } else {
+      returning =
+          new SuspendedPlan(
+              returning.axes(),
+              there,
+              returning.planned(),
+              returning.plannedEnd(),
+              returning.before());
+    }
+  }
+
+  /**
+   * Returns the time in which the robot is at a place of a motion by the plan, s at 100 % override;
+   * negative if it has passed it. Empty if the place is not planned yet, or no longer, or the robot
+   * is not on its path.
+   */
+  public OptionalDouble timeTo(long motion, PathPoint at) {
+    if (returning != null) {
+      return OptionalDouble.empty();
+    }
+    try {
+      PlannedPath path = path();
+      return path.find(motion, at, lengths)
+          .map(place -> OptionalDouble.of(path.timeTo(place)))
+          .orElse(OptionalDouble.empty());
+    } catch (MotionRefusedException e) {
+      return OptionalDouble.empty();
+    }
+  }
+
+  /**
+   * Returns how far after the end of the last motion a place of it is, mm; 0 or less if it is not.
+   */
+  public double beyondEnd(PathPoint at) {
+    PathSegment last = path().last();
+    if (last == null || at.mm() <= 0) {
+      return 0;
+    }
+    try {
+      return at.mm() - lengths.length(last, last.path().parameter(at.point()));
+    } catch (MotionRefusedException e) {
+      return 0;
+    }
+  }
+
+  /** Returns the part of the planned time that the last cycle took: 0 if the robot stands. */
+  public double rate() {
+    return standing() ? 0 : rate;
+  }
+
+  /**
+   * Plans a stop at a place of a motion; the robot stays there until {@link #passStop()}.
+   *
+   * @return whether the robot can still stop there
+   */
+  public boolean planStop(long motion, PathPoint at) {
+    PlannedPath changed = stopping(motion, at, 0);
+    if (changed == null) {
       return false;
     }
-    List<PathSegment> chain = new ArrayList<>(List.of(before.until(corner.leave()), joined));
-    int first = planned.size() - 1;
-    while (first >= 0 && planned.get(first).corner() != null) {
-      first--;
-      chain.add(0, first < 0 ? Objects.requireNonNull(path().last()) : planned.get(first));
-    }
-    double speed = 0;
-    double time = path().lastTime();
-    if (first < 0) {
-      PathSegment running = chain.get(0);
-      double position = running.profile().position(time);
-      double end = running.limits().parameters()[running.limits().parameters().length - 1];
-      if (position >= end) {
-        return false;
-      }
-      speed = running.profile().speed(time);
-      chain.set(0, running.withCorner(running.corner(), running.limits().between(position, end)));
-    }
-    List<Profile> profiles = Chain.plan(chain, speed).orElse(null);
-    if (profiles == null) {
-      return false;
-    }
-    for (int i = 0; i < chain.size(); i++) {
-      PathSegment planned = chain.get(i).withProfile(profiles.get(i));
-      replace(first + i, planned, time);
-    }
+    follow(changed);
+    stop = new Stop(motion, at);
     return true;
   }
 
-  /** Replaces a planned segment, or the one that is under way; adds one after the last. */
-  private void replace(int index, PathSegment changed, double time) {
-    if (index == planned.size()) {
-      planned.add(changed);
-    } else if (index >= 0) {
-      planned.set(index, changed);
-    } else {
-      PathSegment running = Objects.requireNonNull(path().last());
-      Profile profile = new Profile.Changed(running.profile(), time, changed.profile());
-      PathCursor there = path().withLast(changed.withProfile(profile));
-      if (returning == null) {
-        cursor = there;
-      } else {
-        returning =
-            new SuspendedPlan(
-                returning.axes(),
-                there,
-                returning.planned(),
-                returning.plannedEnd(),
-                returning.before());
+  /** Returns whether the robot could still stop at a place if this is planned a cycle later. */
+  public boolean canStopLater(long motion, PathPoint at) {
+    return stopping(motion, at, CYCLE) != null;
+  }
+
+  private @Nullable PlannedPath stopping(long motion, PathPoint at, double later) {
+    try {
+      PlannedPath path = path();
+      PlannedPath.Place place = path.find(motion, at, lengths).orElse(null);
+      PathSegment segment = place == null ? null : path.segment(place.index());
+      if (place == null || segment == null) {
+        return null;
       }
+      double[] parameters = segment.limits().parameters();
+      double position = place.position();
+      if (position <= parameters[0] || position >= parameters[parameters.length - 1]) {
+        // the robot stands there anyway
+        return path.timeTo(place) > later ? path : null;
+      }
+      if (path.timeTo(place) <= later) {
+        return null;
+      }
+      PathSegment stopping =
+          segment.withCorner(segment.corner(), segment.limits().withStop(position));
+      return path.with(place.index(), stopping).replanned(place.index(), later).orElse(null);
+    } catch (MotionRefusedException e) {
+      return null;
     }
+  }
+
+  /** Returns whether the robot is at the place of {@link #planStop}. */
+  public boolean atStop() {
+    return stop != null && timeToStop() <= 2 * AT_STOP;
+  }
+
+  /** Lets the robot go on from the place of {@link #planStop}. */
+  public void passStop() {
+    stop = null;
+  }
+
+  private double timeToStop() {
+    return stop == null
+        ? Double.POSITIVE_INFINITY
+        : timeTo(stop.motion(), stop.at()).orElse(Double.POSITIVE_INFINITY);
   }
 
   /** Returns the points of the last motion that are the same as the ones before them. */
   public List<Integer> identicalPoints() {
-    PathSegment last = lastSegment();
+    PathSegment last = path().last();
     SplineCurve curve = last == null ? null : SplinePlanner.curve(last.path());
     return curve == null ? List.of() : curve.identical();
   }
@@ -290,7 +377,10 @@ public final class Interpolator {
       cursor = PathCursor.at(planned.remove(0));
       events.add(new Started(cursor.requireSegment().requireMotion()));
     }
-    if (cursor.segment() == null || (wanted == 0 && rate == 0)) {
+    if (atStop()) {
+      last = now;
+      rate = 0;
+    } else if (cursor.segment() == null || (wanted == 0 && rate == 0)) {
       last = now;
     } else {
       move(wanted, speedLimit, events);
@@ -467,7 +557,8 @@ public final class Interpolator {
   }
 
   private PathCursor.Step advance(double part) {
-    return cursor.advance(part * CYCLE, returning == null ? planned : List.of());
+    double seconds = Math.min(part * CYCLE, Math.max(0, timeToStop() - AT_STOP));
+    return cursor.advance(seconds, returning == null ? planned : List.of());
   }
 
   private Joints axes(PathCursor.Step step) throws MotionRefusedException {
@@ -494,6 +585,7 @@ public final class Interpolator {
   /** Stops the robot where it is, with nothing planned. */
   private void forget() {
     cursor = PathCursor.NOWHERE;
+    stop = null;
     planned.clear();
     plannedEnd = now;
     returning = null;

@@ -29,6 +29,11 @@ sealed interface JointPath permits JointPath.OfAxes, JointPath.OfJoints, JointPa
     return 0.5;
   }
 
+  /** Returns the parameter of a point between two segments of the path. */
+  default double parameter(int point) {
+    return point == 0 ? 0 : 1;
+  }
+
   /** The axes over a parameter. */
   @FunctionalInterface
   interface Function {
@@ -42,8 +47,14 @@ sealed interface JointPath permits JointPath.OfAxes, JointPath.OfJoints, JointPa
       Axis end,
       Axis accelerations,
       double earliestLeave,
-      double latestJoin)
+      double latestJoin,
+      double[] points)
       implements JointPath {
+    @Override
+    public double parameter(int point) {
+      return points[Math.min(point, points.length - 1)];
+    }
+
     @Override
     public Axis at(double parameter) throws MotionRefusedException {
       return curve.at(parameter);
@@ -100,6 +111,13 @@ sealed interface JointPath permits JointPath.OfAxes, JointPath.OfJoints, JointPa
       return curve instanceof SplineCurve spline && spline.count() > 1
           ? spline.parameter(spline.count() - 1)
           : 0.5;
+    }
+
+    @Override
+    public double parameter(int point) {
+      return curve instanceof SplineCurve spline
+          ? spline.parameter(Math.min(point, spline.count()))
+          : Math.min(point, 1);
     }
 
     @Override

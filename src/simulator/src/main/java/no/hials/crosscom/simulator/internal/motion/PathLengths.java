@@ -46,6 +46,20 @@ final class PathLengths {
     return end;
   }
 
+  /** Returns the length of the path from a position to its end, mm. */
+  double length(PathSegment segment, double from) throws MotionRefusedException {
+    if (segment.path() instanceof JointPath.OfTcp tcp) {
+      return tcp.curve().length() * (1 - from);
+    }
+    double length = 0;
+    for (int i = 0; i < POINTS; i++) {
+      double step = (1 - from) / POINTS;
+      length +=
+          point(segment, from + i * step).minus(point(segment, from + (i + 1) * step)).length();
+    }
+    return length;
+  }
+
   private Point point(PathSegment segment, double position) throws MotionRefusedException {
     Joints joints = new Joints(segment.path().at(position), segment.travel().at(position));
     return Point.of(arm.tcp(joints, segment.tool()));

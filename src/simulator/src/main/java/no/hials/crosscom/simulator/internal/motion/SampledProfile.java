@@ -172,7 +172,9 @@ final class SampledProfile implements Profile {
 
   /** Returns the time of a way that starts with a speed. */
   private static double solve(double way, double speed, double acceleration) {
-    return 2 * way / (speed + Math.sqrt(Math.max(0, speed * speed + 2 * acceleration * way)));
+    return way <= 0
+        ? 0
+        : 2 * way / (speed + Math.sqrt(Math.max(0, speed * speed + 2 * acceleration * way)));
   }
 
   private double slowing(int i) {

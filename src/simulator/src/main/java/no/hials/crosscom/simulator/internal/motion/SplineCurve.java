@@ -376,6 +376,17 @@ final class SplineCurve implements Curve {
     return angle;
   }
 
+  /** Returns positions on an interval, from 0 above its start to 1 at its end, that bend little. */
+  double[] evenParts(int interval, int fewest) {
+    ArcLength arcLength = arcLengths[interval];
+    if (arcLength != null) {
+      return arcLength.evenParts();
+    }
+    double[] even = new double[fewest];
+    Arrays.setAll(even, i -> (i + 1.0) / fewest);
+    return even;
+  }
+
   int count() {
     return count;
   }

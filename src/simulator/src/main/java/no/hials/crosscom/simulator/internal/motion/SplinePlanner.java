@@ -69,8 +69,7 @@ final class SplinePlanner {
       limits = stop < sampler.lastParameter() ? limits.withStop(stop) : limits;
     }
     PathSegment segment = segment(motion, path, limits, sampler, travel);
-    return timed(
-        segment, motion.sections(), point -> curve.parameter(Math.min(point, curve.count())));
+    return timed(segment, motion.sections());
   }
 
   private static void requireWithin(Optional<AxisLimit> beyond) throws MotionRefusedException {
@@ -99,11 +98,11 @@ final class SplinePlanner {
       double from = curve.parameter(i);
       double way = curve.parameter(i + 1) - from;
       int number = (int) (way * curve.length() / POINT_DISTANCE);
-      number = way > 0 ? Math.max(FEWEST, Math.min(MOST, number)) : 0;
-      for (int j = 1; j < number; j++) {
-        points.add(from + way * j / number);
+      double[] parts = curve.evenParts(i, Math.max(FEWEST, Math.min(MOST, number)));
+      for (int j = 0; j < parts.length - 1 && way > 0; j++) {
+        points.add(from + way * parts[j]);
       }
-      if (number > 0) {
+      if (way > 0) {
         points.add(curve.parameter(i + 1));
       }
     }
@@ -168,7 +167,13 @@ final class SplinePlanner {
     double leave = count > 1 ? knots[count - 1] : 0.5;
     JointPath path =
         new JointPath.OfJoints(
-            sampler::at, start.robot(), sampler.lastAxes(), accelerations, leave, knots[1] / 2);
+            sampler::at,
+            start.robot(),
+            sampler.lastAxes(),
+            accelerations,
+            leave,
+            knots[1] / 2,
+            knots);
     Travel travel =
         Travel.along(
             start.external(),
@@ -180,7 +185,7 @@ final class SplinePlanner {
       limits = stops[i] && inside ? limits.withStop(knots[i]) : limits;
     }
     PathSegment segment = segment(motion, path, limits, sampler, travel);
-    return timed(segment, motion.sections(), point -> knots[Math.min(point, count)]);
+    return timed(segment, motion.sections());
   }
 
   private static double[] all(Axis robot, Axis external) {
@@ -215,12 +220,8 @@ final class SplinePlanner {
 
   // sections
 
-  private interface Points {
-    double parameter(int point);
-  }
-
   /** Lowers the speeds of sections with a time or a constant speed. */
-  private PathSegment timed(PathSegment segment, List<Section> sections, Points points)
+  private PathSegment timed(PathSegment segment, List<Section> sections)
       throws MotionRefusedException {
     if (sections.isEmpty() || segment.problem() != null) {
       return segment;
@@ -232,20 +233,19 @@ final class SplinePlanner {
         times.add(timed);
       }
     }
-    limits = timed(limits, times, points);
+    limits = timed(limits, times, segment.path());
     for (Section section : sections) {
       if (section instanceof ConstantSpeed constant) {
-        double from = at(segment, constant.from(), points);
-        double to = at(segment, constant.to(), points);
+        double from = at(segment, constant.from());
+        double to = at(segment, constant.to());
         limits = from < to ? constant(limits, from, to) : limits;
       }
     }
     return segment.withCorner(null, limits).withProfile(SampledProfile.of(limits));
   }
 
-  private double at(PathSegment segment, PathPoint at, Points points)
-      throws MotionRefusedException {
-    return lengths.position(segment, points.parameter(at.point()), at.mm());
+  private double at(PathSegment segment, PathPoint at) throws MotionRefusedException {
+    return lengths.position(segment, segment.path().parameter(at.point()), at.mm());
   }
 
   private static PathLimits constant(PathLimits limits, double from, double to) {
@@ -260,7 +260,7 @@ final class SplinePlanner {
     return lowest > 0 ? all.lowered(from, to, lowest) : limits;
   }
 
-  private static PathLimits timed(PathLimits limits, List<Timed> times, Points points) {
+  private static PathLimits timed(PathLimits limits, List<Timed> times, JointPath path) {
     double[] speeds = new double[times.size()];
     Arrays.fill(speeds, Double.POSITIVE_INFINITY);
     PathLimits changed = limits;
@@ -270,8 +270,8 @@ final class SplinePlanner {
       changed = limits;
       for (int j = 0; j < speeds.length; j++) {
         Timed timed = times.get(j);
-        double from = points.parameter(timed.from());
-        double to = points.parameter(timed.to());
+        double from = path.parameter(timed.from());
+        double to = path.parameter(timed.to());
         double takes = profile.time(to) - profile.time(from);
         double mean = (to - from) / timed.seconds();
         speeds[j] =

@@ -126,11 +126,28 @@ public final class KrlInterpreter {
    * @return the number of executed instructions
    */
   public int run(int maxInstructions) {
+    return run(() -> machine.run(maxInstructions));
+  }
+
+  /**
+   * Executes the triggers that have fired, in the cycle in which they have; nothing else.
+   *
+   * @param maxInstructions the maximum number of instructions
+   */
+  public void runTriggers(int maxInstructions) {
+    int unused = run(() -> machine.runTriggers(maxInstructions));
+  }
+
+  private interface Run {
+    void execute() throws KrlExecutionException;
+  }
+
+  private int run(Run instructions) {
     if (state != ProgramState.ACTIVE) {
       return 0;
     }
     try {
-      machine.run(maxInstructions);
+      instructions.execute();
       if (machine.ended()) {
         state = ProgramState.END;
       } else if (machine.halted()) {
@@ -144,7 +161,7 @@ public final class KrlInterpreter {
   }
 
   /**
-   * Executes the action of a trigger at the next {@link #run}.
+   * Executes the action of a trigger at the next {@link #run} or {@link #runTriggers}.
    *
    * @param trigger a trigger of a motion of this interpreter
    */

@@ -110,10 +110,24 @@ final class KrlVirtualMachine {
     executed = 0;
     interrupts.watch(this);
     interrupt();
+    execute(maxInstructions, false);
+  }
+
+  /** Executes the triggers that have fired, as far as they do not wait. */
+  void runTriggers(int maxInstructions) throws KrlExecutionException {
+    waiting = false;
+    halted = false;
+    faultPosition = null;
+    executed = 0;
+    interrupt();
+    execute(maxInstructions, true);
+  }
+
+  private void execute(int maxInstructions, boolean interruptions) throws KrlExecutionException {
     try {
       while (executed < maxInstructions && !waiting && !halted) {
         CallFrame frame = top;
-        if (frame == null) {
+        if (frame == null || (interruptions && interruption() == null)) {
           break;
         }
         executed++;

@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class ProfileTest {
@@ -56,5 +57,23 @@ class ProfileTest {
     assertThat(profile.duration()).isCloseTo(2 * Trapezoid.SHORTEST_RAMP, within(1e-12));
     assertThat(profile.position(Trapezoid.SHORTEST_RAMP)).isCloseTo(0.5, within(1e-9));
     assertThat(profile.position(1)).isEqualTo(1);
+  }
+
+  @Test
+  void returnsTheTimeOfEachPositionEvenWhereItStops() {
+    double[] positions = {0, 1, 2, 3, 4};
+    double[] speeds = {2, 2, 0.5, 2, 2};
+    double[] accelerations = {1, 1, 1, 1, 1};
+    PathLimits limits = new PathLimits(positions, speeds, accelerations).withStop(2.5);
+    for (Profile profile : List.of(SampledProfile.of(limits), Trapezoid.of(4, 1, 2))) {
+      for (double time = 0; time <= profile.duration(); time += 0.01) {
+        double position = profile.position(time);
+        assertThat(profile.position(profile.time(position))).isCloseTo(position, within(1e-9));
+        double ahead = (profile.position(time + 1e-6) - position) / 1e-6;
+        assertThat(profile.speed(time)).isCloseTo(ahead, within(1e-3));
+      }
+    }
+    Profile stopping = SampledProfile.of(limits);
+    assertThat(stopping.speed(stopping.time(2.5))).isCloseTo(0, within(1e-9));
   }
 }

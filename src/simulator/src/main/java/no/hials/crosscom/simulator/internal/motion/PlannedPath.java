@@ -1,0 +1,156 @@
+package no.hials.crosscom.simulator.internal.motion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The segments from the robot on, at one moment: the last one that has started, and the planned
+ * ones.
+ *
+ * @param running the last one that has started; null if the robot is between motions
+ * @param time the time since its start, s
+ * @param planned those that have not started
+ */
+record PlannedPath(@Nullable PathSegment running, double time, List<PathSegment> planned) {
+  /**
+   * A place on a segment.
+   *
+   * @param index the index of the segment in {@link #planned}; -1 for the running one
+   * @param position the position on it
+   */
+  record Place(int index, double position) {}
+
+  @Nullable PathSegment segment(int index) {
+    return index < 0 ? running : index < planned.size() ? planned.get(index) : null;
+  }
+
+  /** Returns the last segment; null without one. */
+  @Nullable PathSegment last() {
+    return segment(planned.size() - 1);
+  }
+
+  /** Returns the same path with another segment, or with one more. */
+  PlannedPath with(int index, PathSegment changed) {
+    if (index < 0) {
+      return new PlannedPath(changed, time, planned);
+    }
+    List<PathSegment> all = new ArrayList<>(planned);
+    if (index == all.size()) {
+      all.add(changed);
+    } else {
+      all.set(index, changed);
+    }
+    return new PlannedPath(running, time, all);
+  }
+
+  /**
+   * Plans the speeds again of the segments that are passed without a stop before and after one.
+   *
+   * @param later how much later than now the speeds change, s
+   * @return empty if the robot is too fast or too far for the limits
+   */
+  Optional<PlannedPath> replanned(int index, double later) {
+    int first = index;
+    while (first >= 0 && planned.get(first).corner() != null) {
+      first--;
+    }
+    int last = index;
+    while (last + 1 < planned.size() && planned.get(last + 1).corner() != null) {
+      last++;
+    }
+    List<PathSegment> chain = new ArrayList<>();
+    for (int i = first; i <= last; i++) {
+      PathSegment segment = segment(i);
+      if (segment == null) {
+        return Optional.empty();
+      }
+      chain.add(segment);
+    }
+    PathSegment begun = chain.get(0);
+    double change = time + later;
+    double speed = 0;
+    if (first < 0) {
+      double[] parameters = begun.limits().parameters();
+      double position = begun.profile().position(change);
+      double end = parameters[parameters.length - 1];
+      if (position >= end) {
+        return Optional.empty();
+      }
+      speed = begun.profile().speed(change);
+      chain.set(0, begun.withCorner(begun.corner(), begun.limits().between(position, end)));
+    }
+    List<Profile> profiles = Chain.plan(chain, speed).orElse(null);
+    if (profiles == null) {
+      return Optional.empty();
+    }
+    PlannedPath path = this;
+    for (int i = first; i <= last; i++) {
+      Profile profile = profiles.get(i - first);
+      if (i < 0) {
+        profile = new Profile.Changed(begun.profile(), change, profile);
+      }
+      path = path.with(i, chain.get(i - first).withProfile(profile));
+    }
+    return Optional.of(path);
+  }
+
+  /** Returns the time from now until the robot is at a place, s; negative if it has passed it. */
+  double timeTo(Place place) {
+    double start = -time;
+    for (int i = -1; i < place.index(); i++) {
+      PathSegment segment = segment(i);
+      PathSegment next = segment(i + 1);
+      double overlap = next == null ? 0 : next.overlap();
+      start = segment == null ? 0 : start + segment.duration() - overlap;
+    }
+    PathSegment of = segment(place.index());
+    return of == null ? start : start + of.profile().time(place.position());
+  }
+
+  /**
+   * Finds a place of a motion. An approximated point is the middle of its approximation. Before the
+   * start of the motion its start counts; after its end the path continues with the next motion.
+   *
+   * @return empty if it is not planned, or no longer
+   */
+  Optional<Place> find(long motion, PathPoint at, PathLengths lengths)
+      throws MotionRefusedException {
+    for (int i = -1; i < planned.size(); i++) {
+      PathSegment segment = segment(i);
+      if (segment != null && segment.motion() != null && segment.motion().id() == motion) {
+        return find(i, segment, at, lengths);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private Optional<Place> find(int index, PathSegment segment, PathPoint at, PathLengths lengths)
+      throws MotionRefusedException {
+    double point = segment.path().parameter(at.point());
+    PathSegment next = segment(index + 1);
+    double beyond = at.mm() > 0 ? at.mm() - lengths.length(segment, point) : -1;
+    if (beyond > 0) {
+      // a little way, such as rounding leaves, is none
+      return next == null
+          ? Optional.empty()
+          : find(index + 1, next, new PathPoint(0, beyond), lengths);
+    }
+    double position = lengths.position(segment, point, at.mm());
+    Corner follows = next == null ? null : next.corner();
+    if (follows != null && position > follows.leave()) {
+      double part = (position - follows.leave()) / (1 - follows.leave());
+      return Optional.of(new Place(index + 1, follows.position(part / 2)));
+    }
+    if (next != null && next.overlap() > 0 && position >= 1) {
+      double middle = segment.duration() - next.overlap() / 2;
+      return Optional.of(new Place(index, segment.profile().position(middle)));
+    }
+    Corner corner = segment.corner();
+    if (corner != null && position < corner.join()) {
+      return Optional.of(new Place(index, corner.position((1 + position / corner.join()) / 2)));
+    }
+    return Optional.of(new Place(index, position));
+  }
+}

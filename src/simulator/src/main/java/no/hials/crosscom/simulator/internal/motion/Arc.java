@@ -4,6 +4,7 @@ import java.util.OptionalDouble;
 import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.NotACircle;
+import no.hials.crosscom.simulator.internal.path.Point;
 
 /** A circular path, about its centre from one radius towards the radius square to it. */
 record Arc(Frame start, Frame end, Point centre, Point arm, Point square, double sweep)

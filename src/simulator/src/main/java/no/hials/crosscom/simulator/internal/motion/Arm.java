@@ -11,6 +11,7 @@ import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.OutOfReach;
+import no.hials.crosscom.simulator.internal.path.Point;
 
 /**
  * The robot for path planning: the inverse ignores the software limits, so that an error can name

@@ -15,6 +15,9 @@ import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Distance;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Exact;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Orientation;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Speed;
+import no.hials.crosscom.simulator.internal.path.ArcLength;
+import no.hials.crosscom.simulator.internal.path.PathLimits;
+import no.hials.crosscom.simulator.internal.path.Point;
 import org.jspecify.annotations.Nullable;
 
 /**

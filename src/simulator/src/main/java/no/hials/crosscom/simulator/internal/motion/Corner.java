@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
 import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.simulator.internal.path.ArcLength;
 
 /**
  * The curve between two segments, in place of the end of the first and the start of the second. It

@@ -2,6 +2,8 @@ package no.hials.crosscom.simulator.internal.motion;
 
 import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.simulator.internal.path.ArcLength;
+import no.hials.crosscom.simulator.internal.path.Point;
 
 /** The path of the TCP: frames over a parameter that runs evenly from 0 to 1. */
 sealed interface Curve permits Curve.Line, Curve.Carried, Curve.Blended, Arc, SplineCurve {

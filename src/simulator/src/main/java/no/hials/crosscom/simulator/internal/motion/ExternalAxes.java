@@ -5,6 +5,7 @@ import java.util.Optional;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
+import no.hials.crosscom.simulator.internal.path.Point;
 
 /**
  * The external axes of a controller.

@@ -1,5 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import no.hials.crosscom.simulator.internal.path.Point;
+
 /** Finds the positions of a path that the TCP reaches after some mm. */
 final class PathLengths {
   /** The number of points by which the path of axes is measured. Assumed. */

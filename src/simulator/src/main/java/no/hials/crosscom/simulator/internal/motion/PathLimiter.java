@@ -5,6 +5,7 @@ import java.util.List;
 import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.simulator.internal.path.PathLimits;
 
 /**
  * Computes the limits of points along a path. Half of an axis' acceleration is for the bends of the

@@ -3,6 +3,8 @@ package no.hials.crosscom.simulator.internal.motion;
 import java.util.Objects;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.simulator.internal.path.PathLimits;
+import no.hials.crosscom.simulator.internal.path.Profile;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator.internal.motion;
 import java.util.Locale;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.simulator.internal.path.Point;
 
 /** Computes the axes, inside their limits or not, for a parameter of a path. */
 sealed interface Solver permits Solver.ByPose, Solver.ByAxes, Solver.ByWrist {

@@ -8,6 +8,9 @@ import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.SplineSegment.Shape;
+import no.hials.crosscom.simulator.internal.path.ArcLength;
+import no.hials.crosscom.simulator.internal.path.Point;
+import no.hials.crosscom.simulator.internal.path.SmoothCurve;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -15,6 +15,12 @@ import no.hials.crosscom.simulator.internal.motion.MotionCommand.Section;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Spline;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Timed;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
+import no.hials.crosscom.simulator.internal.path.PathLimits;
+import no.hials.crosscom.simulator.internal.path.Point;
+import no.hials.crosscom.simulator.internal.path.Profile;
+import no.hials.crosscom.simulator.internal.path.SampledProfile;
+import no.hials.crosscom.simulator.internal.path.SmoothCurve;
+import no.hials.crosscom.simulator.internal.path.Trapezoid;
 import org.jspecify.annotations.Nullable;
 
 /** Plans spline blocks: the path first, by its points alone, then the fastest speed along it. */

@@ -11,6 +11,11 @@ import no.hials.crosscom.simulator.internal.motion.MotionCommand.Circular;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Linear;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
+import no.hials.crosscom.simulator.internal.path.PathLimits;
+import no.hials.crosscom.simulator.internal.path.Point;
+import no.hials.crosscom.simulator.internal.path.Profile;
+import no.hials.crosscom.simulator.internal.path.SampledProfile;
+import no.hials.crosscom.simulator.internal.path.Trapezoid;
 import org.jspecify.annotations.Nullable;
 
 /** Plans motions: checks targets, computes the axes along paths and the fastest profile. */

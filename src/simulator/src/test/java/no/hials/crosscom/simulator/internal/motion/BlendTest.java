@@ -17,6 +17,8 @@ import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Orientation
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Speed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Passed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
+import no.hials.crosscom.simulator.internal.path.Point;
+import no.hials.crosscom.simulator.internal.path.Trapezoid;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -21,6 +21,7 @@ import no.hials.crosscom.simulator.internal.motion.MotionCommand.Timed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Passed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Started;
 import no.hials.crosscom.simulator.internal.motion.SplineSegment.Shape;
+import no.hials.crosscom.simulator.internal.path.Point;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

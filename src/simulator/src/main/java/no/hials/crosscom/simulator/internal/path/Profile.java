@@ -1,7 +1,7 @@
-package no.hials.crosscom.simulator.internal.motion;
+package no.hials.crosscom.simulator.internal.path;
 
 /** The position of a motion on its path, over the time that it takes at 100 % override. */
-sealed interface Profile permits Trapezoid, SampledProfile, Profile.Changed {
+public sealed interface Profile permits Trapezoid, SampledProfile, Profile.Changed {
   /** Returns the time of the motion, s. */
   double duration();
 

@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.internal.motion;
+package no.hials.crosscom.simulator.internal.path;
 
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
@@ -7,9 +7,9 @@ import java.util.function.IntToDoubleFunction;
  * The relation of a curve's parameter to its length, both from 0 to 1: smooth, and exact at evenly
  * distributed parameters.
  */
-final class ArcLength {
+public final class ArcLength {
   /** The number of intervals. Assumed. */
-  static final int INTERVALS = 32;
+  public static final int INTERVALS = 32;
 
   private final double length;
   private final double[] parts = new double[INTERVALS + 1];
@@ -22,7 +22,7 @@ final class ArcLength {
    *
    * @param distance the distance of the points at {@code i / INTERVALS} and the next
    */
-  ArcLength(IntToDoubleFunction distance) {
+  public ArcLength(IntToDoubleFunction distance) {
     for (int i = 0; i < INTERVALS; i++) {
       parts[i + 1] = parts[i] + distance.applyAsDouble(i);
     }
@@ -54,17 +54,17 @@ final class ArcLength {
   }
 
   /** Returns the length of the curve. */
-  double length() {
+  public double length() {
     return length;
   }
 
   /** Returns the change of the parameter with the part of the length, at the start. */
-  double slopeAtStart() {
+  public double slopeAtStart() {
     return slopes[0];
   }
 
   /** Returns the change of the parameter with the part of the length, at the end. */
-  double slopeAtEnd() {
+  public double slopeAtEnd() {
     return slopes[INTERVALS];
   }
 
@@ -72,12 +72,12 @@ final class ArcLength {
    * Returns parts of the length that are close to each other where the curve bends: those of even
    * parameters.
    */
-  double[] evenParts() {
+  public double[] evenParts() {
     return Arrays.copyOfRange(parts, 1, INTERVALS + 1);
   }
 
   /** Returns the parameter of a part of the length. */
-  double parameter(double part) {
+  public double parameter(double part) {
     if (part <= 0) {
       return 0;
     }

@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.internal.motion;
+package no.hials.crosscom.simulator.internal.path;
 
 import java.util.Arrays;
 
@@ -6,7 +6,7 @@ import java.util.Arrays;
  * The fastest profile within limits that change along the path. Between two points it speeds up,
  * keeps a speed, and slows down; where the limit falls or rises the acceleration is constant.
  */
-final class SampledProfile implements Profile {
+public final class SampledProfile implements Profile {
   private final double[] positions;
   private final double[] speeds;
 
@@ -27,7 +27,7 @@ final class SampledProfile implements Profile {
   }
 
   /** Creates the fastest profile from standstill to standstill, at no point above the limits. */
-  static SampledProfile of(PathLimits limits) {
+  public static SampledProfile of(PathLimits limits) {
     double[] speeds = limits.highest(0);
     speeds[speeds.length - 1] = 0;
     reach(limits, speeds);
@@ -35,18 +35,18 @@ final class SampledProfile implements Profile {
   }
 
   /** Lowers speeds to those that can be reached from one point to the next. */
-  static void reach(PathLimits limits, double[] speeds) {
+  public static void reach(PathLimits limits, double[] speeds) {
     reachForward(limits, speeds);
     reachBackward(limits, speeds);
   }
 
-  static void reachForward(PathLimits limits, double[] speeds) {
+  public static void reachForward(PathLimits limits, double[] speeds) {
     for (int i = 1; i < speeds.length; i++) {
       speeds[i] = Math.min(speeds[i], limits.reached(i - 1, speeds[i - 1]));
     }
   }
 
-  static void reachBackward(PathLimits limits, double[] speeds) {
+  public static void reachBackward(PathLimits limits, double[] speeds) {
     for (int i = speeds.length - 2; i >= 0; i--) {
       speeds[i] = Math.min(speeds[i], limits.reached(i, speeds[i + 1]));
     }
@@ -58,7 +58,7 @@ final class SampledProfile implements Profile {
    * @param speeds speeds that can be reached from one point to the next
    * @param shortest the shortest duration, s
    */
-  static SampledProfile through(PathLimits limits, double[] speeds, double shortest) {
+  public static SampledProfile through(PathLimits limits, double[] speeds, double shortest) {
     int intervals = speeds.length - 1;
     SampledProfile profile = new SampledProfile(limits.parameters(), speeds.clone(), intervals);
     for (int i = 0; i < intervals; i++) {

@@ -1,11 +1,11 @@
-package no.hials.crosscom.simulator.internal.motion;
+package no.hials.crosscom.simulator.internal.path;
 
 /**
  * A curve through points, over intervals of given lengths. Between two points it is a polynomial of
  * degree 5; tangent and curvature do not change abruptly at a point. Those of a point are the ones
  * of the parabola through it and its neighbours, so a point changes two intervals on each side.
  */
-final class SmoothCurve {
+public final class SmoothCurve {
   /** A shorter tangent is lengthened: a sharp bend gets no cusp. Assumed. */
   private static final double SHORTEST = 0.25;
 
@@ -25,7 +25,7 @@ final class SmoothCurve {
    * @param lengths the lengths of the intervals, above 0; an interval with 0 is not used
    * @param stops whether the curve ends at a point and another one starts there
    */
-  SmoothCurve(double[][] points, double[] lengths, boolean[] stops) {
+  public SmoothCurve(double[][] points, double[] lengths, boolean[] stops) {
     this(points, lengths, stops, new double[points.length][], new double[points.length][]);
   }
 
@@ -35,7 +35,7 @@ final class SmoothCurve {
    * @param tangents the first derivatives by the length; null for those that are free
    * @param bends the second derivatives
    */
-  SmoothCurve(
+  public SmoothCurve(
       double[][] points, double[] lengths, boolean[] stops, double[][] tangents, double[][] bends) {
     this.points = points;
     this.lengths = lengths;
@@ -71,7 +71,7 @@ final class SmoothCurve {
   }
 
   /** Returns whether the curve starts or ends at a point. */
-  boolean isEnd(int point) {
+  public boolean isEnd(int point) {
     return point == 0 || point == lengths.length || stops[point];
   }
 
@@ -87,7 +87,7 @@ final class SmoothCurve {
   }
 
   /** Returns the tangent of the parabola at the middle one of three points. */
-  static double[] parabola(double[] slope, double length, double[] next, double nextLength) {
+  public static double[] parabola(double[] slope, double length, double[] next, double nextLength) {
     double both = length + nextLength;
     return sum(slope, nextLength / both, next, length / both);
   }
@@ -97,7 +97,7 @@ final class SmoothCurve {
     return sum(slope(point), 2 / both, slope(point - 1), -2 / both);
   }
 
-  static double[] sum(double[] one, double factor, double[] other, double otherFactor) {
+  public static double[] sum(double[] one, double factor, double[] other, double otherFactor) {
     double[] sum = new double[one.length];
     for (int i = 0; i < sum.length; i++) {
       sum[i] = factor * one[i] + otherFactor * other[i];
@@ -105,7 +105,7 @@ final class SmoothCurve {
     return sum;
   }
 
-  static double length(double[] vector) {
+  public static double length(double[] vector) {
     double sum = 0;
     for (double part : vector) {
       sum += part * part;
@@ -114,7 +114,7 @@ final class SmoothCurve {
   }
 
   /** Returns the value at a part of an interval. */
-  double[] at(int interval, double part) {
+  public double[] at(int interval, double part) {
     double[] from = points[interval];
     double[] to = points[interval + 1];
     double h = lengths[interval];

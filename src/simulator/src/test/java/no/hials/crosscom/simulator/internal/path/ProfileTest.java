@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.internal.motion;
+package no.hials.crosscom.simulator.internal.path;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,15 +1,16 @@
-package no.hials.crosscom.simulator.internal.motion;
+package no.hials.crosscom.simulator.internal.path;
 
 /**
  * Speeds up evenly, keeps one speed, and slows down as it sped up; a short motion leaves out the
  * middle.
  */
-record Trapezoid(double length, double speed, double ramp, double duration) implements Profile {
+public record Trapezoid(double length, double speed, double ramp, double duration)
+    implements Profile {
   /**
    * The shortest ramp, s: longer than a cycle, so that in a chain of the smallest motions the core
    * has a cycle to plan each one. Assumed.
    */
-  static final double SHORTEST_RAMP = 0.015;
+  public static final double SHORTEST_RAMP = 0.015;
 
   /**
    * Creates the profile of a path.
@@ -18,7 +19,7 @@ record Trapezoid(double length, double speed, double ramp, double duration) impl
    * @param speed the highest speed, in lengths/s
    * @param acceleration the highest acceleration, in lengths/s²
    */
-  static Trapezoid of(double length, double speed, double acceleration) {
+  public static Trapezoid of(double length, double speed, double acceleration) {
     if (length == 0) {
       return new Trapezoid(0, 0, 0, 0);
     }

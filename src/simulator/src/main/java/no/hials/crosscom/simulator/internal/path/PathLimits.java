@@ -1,4 +1,4 @@
-package no.hials.crosscom.simulator.internal.motion;
+package no.hials.crosscom.simulator.internal.path;
 
 import java.util.Arrays;
 
@@ -10,12 +10,13 @@ import java.util.Arrays;
  * @param accelerations the highest acceleration at each point
  * @param stops the points at which the speed is 0
  */
-record PathLimits(double[] parameters, double[] speeds, double[] accelerations, double[] stops) {
-  PathLimits(double[] parameters, double[] speeds, double[] accelerations) {
+public record PathLimits(
+    double[] parameters, double[] speeds, double[] accelerations, double[] stops) {
+  public PathLimits(double[] parameters, double[] speeds, double[] accelerations) {
     this(parameters, speeds, accelerations, new double[0]);
   }
 
-  static PathLimits even(double length, double speed, double acceleration) {
+  public static PathLimits even(double length, double speed, double acceleration) {
     return new PathLimits(
         new double[] {0, length},
         new double[] {speed, speed},
@@ -23,18 +24,18 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations, 
   }
 
   /** Returns the highest acceleration between a point and the next. */
-  double acceleration(int interval) {
+  public double acceleration(int interval) {
     return Math.min(accelerations[interval], accelerations[interval + 1]);
   }
 
   /** Returns the highest speed at one end of an interval that follows from that at the other. */
-  double reached(int interval, double speed) {
+  public double reached(int interval, double speed) {
     double distance = parameters[interval + 1] - parameters[interval];
     return Math.sqrt(speed * speed + 2 * acceleration(interval) * distance);
   }
 
   /** Returns the limits of a part of the path. */
-  PathLimits between(double from, double to) {
+  public PathLimits between(double from, double to) {
     PathLimits begun = with(from);
     PathLimits both = begun.with(to);
     int first = Arrays.binarySearch(both.parameters, from);
@@ -47,7 +48,7 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations, 
   }
 
   /** Adds a point at which the speed is 0. */
-  PathLimits withStop(double parameter) {
+  public PathLimits withStop(double parameter) {
     PathLimits all = with(parameter);
     double[] more = Arrays.copyOf(stops, stops.length + 1);
     more[stops.length] = parameter;
@@ -55,7 +56,7 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations, 
   }
 
   /** Returns the highest speeds of a profile, which starts at one. */
-  double[] highest(double start) {
+  public double[] highest(double start) {
     double[] highest = speeds.clone();
     for (double stop : stops) {
       highest[Arrays.binarySearch(parameters, stop)] = 0;
@@ -65,7 +66,7 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations, 
   }
 
   /** Lowers the speed between two points. */
-  PathLimits lowered(double from, double to, double speed) {
+  public PathLimits lowered(double from, double to, double speed) {
     PathLimits all = with(from).with(to);
     double[] lower = all.speeds.clone();
     int first = Arrays.binarySearch(all.parameters, from);
@@ -77,7 +78,7 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations, 
   }
 
   /** Adds a point, at which the limits of the interval around it hold. */
-  PathLimits with(double parameter) {
+  public PathLimits with(double parameter) {
     int found = Arrays.binarySearch(parameters, parameter);
     if (found >= 0) {
       return this;
@@ -101,7 +102,7 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations, 
   }
 
   /** Adds a path before this one, whose points end where this one starts. */
-  PathLimits after(PathLimits first) {
+  public PathLimits after(PathLimits first) {
     int last = first.parameters.length - 1;
     double[] joined = joined(first.speeds, speeds);
     joined[last] = Math.min(first.speeds[last], speeds[0]);
@@ -119,7 +120,7 @@ record PathLimits(double[] parameters, double[] speeds, double[] accelerations, 
   }
 
   /** Returns the same limits with other parameters: moved by an offset after scaling. */
-  PathLimits scaled(double factor, double offset) {
+  public PathLimits scaled(double factor, double offset) {
     return new PathLimits(
         Arrays.stream(parameters).map(value -> offset + value * factor).toArray(),
         Arrays.stream(speeds).map(value -> value * factor).toArray(),

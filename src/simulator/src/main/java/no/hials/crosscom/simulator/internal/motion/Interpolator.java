@@ -22,12 +22,16 @@ import org.jspecify.annotations.Nullable;
  * A motion without a distance takes one cycle, and a motion that starts from standstill starts with
  * a cycle (both assumed).
  *
- * <p>In a blend the end of a motion and the start of the next add up, so an axis that reverses has
- * up to twice its acceleration. Speeds stay within their limits.
+ * <p>In a blend over the time (C_PTP, C_VEL, C_ORI) the end of a motion and the start of the next
+ * add up, so an axis that reverses has up to twice its acceleration. Speeds stay within their
+ * limits. A corner that is cut (C_DIS, C_SPL) is a path of its own; when a motion is added, the
+ * speeds of all motions before it that are passed without a stop are planned again.
  *
  * <p>Override, hold and brakes stretch the time of the plan: the robot stays on its path. They keep
  * within the accelerations of the axes, and on a LIN or CIRC of the TCP, to 2 %. Where the plan
  * slows down anyway, for a target or in a blend, it takes no less time than planned.
+ *
+ * <p>The class is long because all changes of the plan and all ways to leave it share its state.
  */
 public final class Interpolator {
   /** The simulated time of one cycle, s. */
@@ -241,7 +245,7 @@ public final class Interpolator {
    * @return whether the robot can still stop there
    */
   public boolean planStop(long motion, PathPoint at) {
-    PlannedPath changed = stopping(motion, at, 0);
+    PlannedPath changed = path().stopping(motion, at, 0, lengths);
     if (changed == null) {
       return false;
     }
@@ -252,32 +256,7 @@ public final class Interpolator {
 
   /** Returns whether the robot could still stop at a place if this is planned a cycle later. */
   public boolean canStopLater(long motion, PathPoint at) {
-    return stopping(motion, at, CYCLE) != null;
-  }
-
-  private @Nullable PlannedPath stopping(long motion, PathPoint at, double later) {
-    try {
-      PlannedPath path = path();
-      PlannedPath.Place place = path.find(motion, at, lengths).orElse(null);
-      PathSegment segment = place == null ? null : path.segment(place.index());
-      if (place == null || segment == null) {
-        return null;
-      }
-      double[] parameters = segment.limits().parameters();
-      double position = place.position();
-      if (position <= parameters[0] || position >= parameters[parameters.length - 1]) {
-        // the robot stands there anyway
-        return path.timeTo(place) > later ? path : null;
-      }
-      if (path.timeTo(place) <= later) {
-        return null;
-      }
-      PathSegment stopping =
-          segment.withCorner(segment.corner(), segment.limits().withStop(position));
-      return path.with(place.index(), stopping).replanned(place.index(), later).orElse(null);
-    } catch (MotionRefusedException e) {
-      return null;
-    }
+    return path().stopping(motion, at, CYCLE, lengths) != null;
   }
 
   /** Returns whether the robot is at the place of {@link #planStop}. */

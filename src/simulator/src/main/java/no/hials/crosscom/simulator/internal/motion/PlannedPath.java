@@ -211,4 +211,33 @@ record PlannedPath(@Nullable PathSegment running, double time, List<PathSegment>
     }
     return Optional.of(new Place(index, position));
   }
+
+  /**
+   * Plans a stop at a place of a motion; null if the robot cannot stop there any more.
+   *
+   * @param later how much later than now the speeds change, s
+   */
+  @Nullable PlannedPath stopping(long motion, PathPoint at, double later, PathLengths lengths) {
+    try {
+      PlannedPath.Place place = find(motion, at, lengths).orElse(null);
+      PathSegment segment = place == null ? null : segment(place.index());
+      if (place == null || segment == null) {
+        return null;
+      }
+      double[] parameters = segment.limits().parameters();
+      double position = place.position();
+      if (position <= parameters[0] || position >= parameters[parameters.length - 1]) {
+        // the robot stands there anyway
+        return timeTo(place) > later ? this : null;
+      }
+      if (timeTo(place) <= later) {
+        return null;
+      }
+      PathSegment stopping =
+          segment.withCorner(segment.corner(), segment.limits().withStop(position));
+      return with(place.index(), stopping).replanned(place.index(), later).orElse(null);
+    } catch (MotionRefusedException e) {
+      return null;
+    }
+  }
 }

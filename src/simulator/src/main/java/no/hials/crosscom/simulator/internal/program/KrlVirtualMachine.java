@@ -33,14 +33,7 @@ final class KrlVirtualMachine {
   private final Interpreter kind;
   private final ProgramEnvironment environment;
   private final Interrupts interrupts = new Interrupts();
-  private final List<TriggerOrder> nextTriggers = new ArrayList<>();
-  private final List<StopOrder> nextStops = new ArrayList<>();
-
-  /** The spline motion or block that is being evaluated, else null. */
-  private @Nullable SplineBuilder spline;
-
-  private int triggersBefore;
-  private int stopsBefore;
+  private final NextMotion next = new NextMotion();
 
   /** Values, references and contents of variables; null for an omitted argument. */
   private @Nullable Object[] stack = new Object[FIRST_STACK_LENGTH];
@@ -65,9 +58,7 @@ final class KrlVirtualMachine {
   /** Removes the program and its state. */
   void clear() {
     interrupts.clear();
-    nextTriggers.clear();
-    nextStops.clear();
-    abandonSpline();
+    next.clear();
     Arrays.fill(stack, null);
     height = 0;
     calls = 0;
@@ -104,10 +95,7 @@ final class KrlVirtualMachine {
 
   /** Executes instructions until one waits, the program halts or ends, or the limit is reached. */
   void run(int maxInstructions) throws KrlExecutionException {
-    waiting = false;
-    halted = false;
-    faultPosition = null;
-    executed = 0;
+    beginCycle();
     interrupts.watch(this);
     interrupt();
     execute(maxInstructions, false);
@@ -115,12 +103,16 @@ final class KrlVirtualMachine {
 
   /** Executes the triggers that have fired, as far as they do not wait. */
   void runTriggers(int maxInstructions) throws KrlExecutionException {
+    beginCycle();
+    interrupt();
+    execute(maxInstructions, true);
+  }
+
+  private void beginCycle() {
     waiting = false;
     halted = false;
     faultPosition = null;
     executed = 0;
-    interrupt();
-    execute(maxInstructions, true);
   }
 
   private void execute(int maxInstructions, boolean interruptions) throws KrlExecutionException {
@@ -146,12 +138,7 @@ final class KrlVirtualMachine {
 
   /** Goes back to the start of the statement that failed. */
   private void recover() {
-    if (spline != null) {
-      // the statement is executed again
-      nextTriggers.subList(triggersBefore, nextTriggers.size()).clear();
-      nextStops.subList(stopsBefore, nextStops.size()).clear();
-      abandonSpline();
-    }
+    next.forgetStatement();
     CallFrame frame = frame();
     if (faultPosition == null) {
       faultPosition = frame.executed();
@@ -361,9 +348,9 @@ final class KrlVirtualMachine {
   /** Starts the most urgent interruption that has a higher priority than the running code. */
   private void interrupt() {
     Interruption running = interruption();
-    Interruption next = interrupts.next(running == null ? LOWEST_PRIORITY : running.priority());
-    if (next != null) {
-      top = new CallFrame(next.owner(), next.action(), frame(), next, height);
+    Interruption urgent = interrupts.next(running == null ? LOWEST_PRIORITY : running.priority());
+    if (urgent != null) {
+      top = new CallFrame(urgent.owner(), urgent.action(), frame(), urgent, height);
       calls++;
     }
   }
@@ -433,9 +420,7 @@ final class KrlVirtualMachine {
       holds += ended != null && ended.holding() ? 1 : 0;
       leave(top);
     }
-    nextTriggers.clear();
-    nextStops.clear();
-    abandonSpline();
+    next.clear();
     environment.discardMotion(holds);
   }
 
@@ -495,52 +480,17 @@ final class KrlVirtualMachine {
 
   void trigger(TriggerOrder trigger) throws KrlExecutionException {
     requireRobot("TRIGGER");
-    nextTriggers.add(trigger);
-  }
-
-  /** Removes and returns the triggers of the next motion. */
-  List<TriggerOrder> takeTriggers() {
-    List<TriggerOrder> triggers = List.copyOf(nextTriggers);
-    nextTriggers.clear();
-    triggersBefore = 0;
-    return triggers;
+    next.add(trigger);
   }
 
   void stop(StopOrder stop) throws KrlExecutionException {
     requireRobot("STOP WHEN");
-    nextStops.add(stop);
+    next.add(stop);
   }
 
-  /** Removes and returns the stops of the next motion. */
-  List<StopOrder> takeStops() {
-    List<StopOrder> stops = List.copyOf(nextStops);
-    nextStops.clear();
-    stopsBefore = 0;
-    return stops;
-  }
-
-  /** Begins to evaluate a spline motion or block. */
-  void beginSpline() {
-    abandonSpline();
-    spline = new SplineBuilder(environment);
-    triggersBefore = nextTriggers.size();
-    stopsBefore = nextStops.size();
-  }
-
-  SplineBuilder spline() {
-    return Objects.requireNonNull(spline);
-  }
-
-  /** Ends the evaluation; the settings of the program hold again. */
-  void endSpline() {
-    abandonSpline();
-  }
-
-  private void abandonSpline() {
-    if (spline != null) {
-      spline.restore();
-      spline = null;
-    }
+  /** Returns what is set for the next motion. */
+  NextMotion next() {
+    return next;
   }
 
   String module() {

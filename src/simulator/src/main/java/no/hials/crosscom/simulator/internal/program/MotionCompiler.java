@@ -94,7 +94,7 @@ final class MotionCompiler {
 
   private static int point(KrlVirtualMachine machine, boolean onStart, boolean inBlock) {
     if (inBlock) {
-      return machine.spline().at(onStart, 0).point();
+      return machine.next().spline().at(onStart, 0).point();
     }
     return onStart ? 0 : PathPoint.LAST;
   }
@@ -118,7 +118,8 @@ final class MotionCompiler {
 
   private void time(Statement.TimeBlock time) {
     optional(time.position(), time.value(), ZERO);
-    code.emit(time.position(), machine -> machine.spline().add(time.part(), machine.popNumber()));
+    code.emit(
+        time.position(), machine -> machine.next().spline().add(time.part(), machine.popNumber()));
   }
 
   private void constantVelocity(Statement.ConstantVelocity line) {
@@ -126,8 +127,8 @@ final class MotionCompiler {
     code.emit(
         line.position(),
         machine -> {
-          PathPoint at = machine.spline().at(line.onStart(), machine.popNumber());
-          machine.spline().addConstantVelocity(line.end(), at);
+          PathPoint at = machine.next().spline().at(line.onStart(), machine.popNumber());
+          machine.next().spline().addConstantVelocity(line.end(), at);
         });
   }
 
@@ -135,23 +136,28 @@ final class MotionCompiler {
   void spline(Statement.SplineMotion motion) {
     Position position = motion.position();
     code.emit(position, KrlVirtualMachine::awaitAdvance);
-    code.emit(position, KrlVirtualMachine::beginSpline);
+    code.emit(position, MotionCompiler::beginSpline);
     values(motion);
     code.emit(
         position,
         machine -> {
-          MotionOrder order = order(machine, motion, machine.takeTriggers(), machine.takeStops());
-          machine.endSpline();
+          MotionOrder order =
+              order(machine, motion, machine.next().takeTriggers(), machine.next().takeStops());
+          machine.next().endSpline();
           machine.environment().move(order);
         });
     code.emit(position, KrlVirtualMachine::awaitMotionWithoutAdvance);
+  }
+
+  private static void beginSpline(KrlVirtualMachine machine) {
+    machine.next().beginSpline(machine.environment());
   }
 
   private void segment(Statement.SplineMotion segment) {
     values(segment);
     code.emit(
         segment.position(),
-        machine -> machine.spline().add(order(machine, segment, List.of(), List.of())));
+        machine -> machine.next().spline().add(order(machine, segment, List.of(), List.of())));
   }
 
   /** Compiles the settings and points of a spline motion. */
@@ -170,9 +176,9 @@ final class MotionCompiler {
   void block(Statement.SplineBlock block) {
     Position position = block.position();
     code.emit(position, KrlVirtualMachine::awaitAdvance);
-    code.emit(position, KrlVirtualMachine::beginSpline);
+    code.emit(position, MotionCompiler::beginSpline);
     block.with().forEach(statements::assign);
-    code.emit(position, machine -> machine.spline().beginSegments());
+    code.emit(position, machine -> machine.next().spline().beginSegments());
     block.elements().forEach(element -> ELEMENTS.run(this, element));
     code.emit(position, machine -> moveAlong(machine, block));
     code.emit(position, KrlVirtualMachine::awaitMotionWithoutAdvance);
@@ -180,9 +186,9 @@ final class MotionCompiler {
 
   private static void moveAlong(KrlVirtualMachine machine, Statement.SplineBlock block)
       throws KrlExecutionException {
-    SplineBuilder spline = machine.spline();
-    List<TriggerOrder> triggers = machine.takeTriggers();
-    List<StopOrder> stops = machine.takeStops();
+    SplineBuilder spline = machine.next().spline();
+    List<TriggerOrder> triggers = machine.next().takeTriggers();
+    List<StopOrder> stops = machine.next().takeStops();
     if (spline.segments().isEmpty()) {
       throw new KrlExecutionException(
           KrlExecutionException.NOT_ALLOWED, "a spline block needs a segment");
@@ -204,7 +210,7 @@ final class MotionCompiler {
             MotionOrder.Form.SPLINE,
             spline.settings(),
             spline.block(block.pointToPoint()));
-    machine.endSpline();
+    machine.next().endSpline();
     machine.environment().move(order);
   }
 
@@ -239,7 +245,7 @@ final class MotionCompiler {
         triggers,
         stops,
         through ? MotionOrder.Form.THROUGH : MotionOrder.Form.SPLINE,
-        machine.spline().settings(),
+        machine.next().spline().settings(),
         null);
   }
 
@@ -304,6 +310,6 @@ final class MotionCompiler {
         pointName(motion.target()),
         machine.module(),
         motion.position(),
-        machine.takeTriggers());
+        machine.next().takeTriggers());
   }
 }

@@ -29,8 +29,6 @@ class LinkTest {
         "NOBODY() | 2:1: no routine NOBODY is known",
         "I = NOBODY(1) | 2:5: no routine NOBODY is known",
         "SWRITE(TEXT[]) | 2:1: SWRITE is not supported by this simulation",
-        "SPTP XHOME | 2:1: SPTP is not supported by this simulation",
-        "TRIGGER WHEN PATH=0 ONSTART DO I=1 | 2:1: ONSTART is not supported by this simulation",
         "ON_ERROR_PROCEED | 2:1: ON_ERROR_PROCEED is not supported by this simulation",
         "CHANNEL :A :B I | 2:1: CHANNEL is not supported by this simulation",
         "ANOUT OFF $ANOUT[1] | 2:1: ANOUT is not supported by this simulation",

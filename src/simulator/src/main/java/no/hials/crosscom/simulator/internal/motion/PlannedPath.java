@@ -190,7 +190,6 @@ record PlannedPath(@Nullable PathSegment running, double time, List<PathSegment>
     PathSegment next = segment(index + 1);
     double beyond = at.mm() > 0 ? at.mm() - lengths.length(segment, point) : -1;
     if (beyond > 0) {
-      // a little way, such as rounding leaves, is none
       return next == null
           ? Optional.empty()
           : find(index + 1, next, new PathPoint(0, beyond), lengths);

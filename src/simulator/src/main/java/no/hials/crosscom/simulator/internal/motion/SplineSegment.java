@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  * A segment of a spline block.
  *
  * @param shape its path
- * @param auxiliary a point of the circle; null if it is none
+ * @param auxiliary a point of the circle; null for the other shapes
  * @param target the end of the TCP, in the robot's root at the start of the block
  * @param angle the angle on the circle, as for {@link MotionCommand.Circular}
  * @param rates the speed of the TCP

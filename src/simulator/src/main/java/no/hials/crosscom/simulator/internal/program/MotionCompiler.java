@@ -38,7 +38,7 @@ final class MotionCompiler {
                       .run(Statement.ConstantVelocity.class, MotionCompiler::constantVelocity)
                       .run(Statement.StopOnPath.class, (c, it) -> c.stop(it, true)));
 
-  /** What the compiler of the statements around does. */
+  /** The compiler of the statements around a motion. */
   interface Statements {
     /** Compiles an assignment without the stop of the advance run. */
     void assign(Statement.AssignmentStatement assignment);

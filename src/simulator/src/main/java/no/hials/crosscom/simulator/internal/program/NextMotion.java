@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
-/** What the statements before a motion, and those of a spline block, have set for it. */
+/** The triggers, stops and settings that statements have set for the next motion. */
 final class NextMotion {
   private final List<TriggerOrder> triggers = new ArrayList<>();
   private final List<StopOrder> stops = new ArrayList<>();

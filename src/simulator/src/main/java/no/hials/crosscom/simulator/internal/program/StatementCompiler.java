@@ -499,7 +499,7 @@ final class StatementCompiler {
 
   // motions
 
-  /** What the compiler of motions needs of this one. */
+  /** The methods that the compiler of motions uses. */
   private final class MotionParts implements MotionCompiler.Statements {
     @Override
     public void assign(Statement.AssignmentStatement assignment) {

@@ -374,6 +374,24 @@ class SplineProgramTest {
   }
 
   @Test
+  void aNegativeDelayIsKeptWhereAPtpIsApproximated() throws Exception {
+    int[] fired = new int[2];
+    for (int i = 0; i < 2; i++) {
+      cell.controller.place(Cell.START);
+      cell.set("$OUT[1]", "FALSE");
+      flanges.clear();
+      outputs.clear();
+      ride(
+          "TRIGGER WHEN DISTANCE=1 DELAY="
+              + (i == 0 ? 0 : -60)
+              + " DO $OUT[1]=TRUE\nPTP {A1 60} C_PTP\nPTP {A2 -60}");
+      fired[i] = firedAt();
+    }
+
+    assertThat(fired[0] - fired[1]).isEqualTo(5);
+  }
+
+  @Test
   void aTriggerWithoutDelayFiresInTheCycleOfItsPlace() throws Exception {
     ride(
         "TRIGGER WHEN PATH=-20 DELAY=0 DO $OUT[1]=TRUE\nLIN "

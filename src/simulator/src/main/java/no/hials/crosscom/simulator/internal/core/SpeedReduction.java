@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator.internal.core;
 
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.AxisSpline;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
 
@@ -36,7 +37,11 @@ final class SpeedReduction {
   }
 
   private boolean isPointToPoint() {
-    return motions.interpolator().current().map(PointToPoint.class::isInstance).orElse(true);
+    return motions
+        .interpolator()
+        .current()
+        .map(motion -> motion instanceof PointToPoint || motion instanceof AxisSpline)
+        .orElse(true);
   }
 
   /** Returns the limits of T1 for TCP and flange, and on a path for the axes. */

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.AxisDistance;
@@ -196,26 +197,33 @@ final class Blend {
             .mapToObj(part -> corner.external(corner.position(part), next.travel()))
             .toList();
     limiter.limitExternalAxes(external);
-    if (curve != null) {
+    Optional<PathRates> path =
+        Stream.of(before.path(), next.path())
+            .filter(JointPath.OfTcp.class::isInstance)
+            .map(of -> ((JointPath.OfTcp) of).rates())
+            .reduce(PathRates::lower);
+    if (path.isPresent()) {
       List<Frame> frames = new ArrayList<>();
       for (int i = 0; i < parameters.length; i++) {
-        frames.add(arm.fromOrigin(curve.at(parameters[i]), external.get(i)));
+        Frame tcp =
+            curve == null ? arm.tcp(sampler.axes().get(i), next.tool()) : curve.at(parameters[i]);
+        frames.add(arm.fromOrigin(tcp, external.get(i)));
       }
-      PathRates path = PathRates.lower(pathRates(before), pathRates(next));
-      limiter.limitPath(0, frames, path);
+      limiter.limitPath(0, frames, path.get());
     }
     limiter.limitEnds();
     return limiter.limits();
   }
 
   private static AxisRates rates(PathSegment segment) {
+    if (segment.motion() instanceof MotionCommand.AxisSpline spline) {
+      return spline.segments().stream()
+          .map(MotionCommand.AxisSegment::rates)
+          .reduce(AxisRates.of(100, 100), AxisRates::lower);
+    }
     return segment.motion() instanceof MotionCommand.PointToPoint ptp
         ? ptp.rates()
         : AxisRates.of(100, 100);
-  }
-
-  private static PathRates pathRates(PathSegment segment) {
-    return ((JointPath.OfTcp) segment.path()).rates();
   }
 
   private static Axis sum(

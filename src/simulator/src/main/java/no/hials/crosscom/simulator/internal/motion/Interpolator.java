@@ -211,6 +211,9 @@ public final class Interpolator {
     }
     try {
       PlannedPath path = path();
+      if (cursor.next() != null && cursor.requireSegment().requireMotion().id() == motion) {
+        return timeInBlend(cursor.requireSegment(), cursor.next(), at);
+      }
       return path.find(motion, at, lengths)
           .map(place -> OptionalDouble.of(path.timeTo(place)))
           .orElse(OptionalDouble.empty());
@@ -232,6 +235,19 @@ public final class Interpolator {
     } catch (MotionRefusedException e) {
       return 0;
     }
+  }
+
+  /** Returns the time to a place of a motion into which the next one is being blended. */
+  private OptionalDouble timeInBlend(PathSegment segment, PathSegment next, PathPoint at)
+      throws MotionRefusedException {
+    double point = segment.path().parameter(at.point());
+    if (at.mm() > lengths.length(segment, point)) {
+      return OptionalDouble.empty();
+    }
+    double position = lengths.position(segment, point, at.mm());
+    double middle = segment.duration() - next.overlap() / 2;
+    double time = Math.min(middle, segment.profile().time(position));
+    return OptionalDouble.of(time - cursor.time());
   }
 
   /** Returns the part of the planned time that the last cycle took: 0 if the robot stands. */
@@ -492,8 +508,11 @@ public final class Interpolator {
     if (segment == cursor.segment()
         && cursor.next() == null
         && segment.path() instanceof JointPath.OfTcp path) {
-      return path.curve().length()
-          * (path.sampler().lastParameter() - segment.profile().position(cursor.time()));
+      double position = segment.profile().position(cursor.time());
+      Corner corner = segment.corner();
+      if (corner == null || position >= corner.join()) {
+        return path.curve().length() * (path.sampler().lastParameter() - position);
+      }
     }
     return arm.tcp(now, segment.tool()).distance(arm.tcp(segment.end(), segment.tool()));
   }

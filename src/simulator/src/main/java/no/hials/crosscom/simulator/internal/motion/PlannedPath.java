@@ -200,9 +200,9 @@ record PlannedPath(@Nullable PathSegment running, double time, List<PathSegment>
       double part = (position - follows.leave()) / (1 - follows.leave());
       return Optional.of(new Place(index + 1, follows.position(part / 2)));
     }
-    if (next != null && next.overlap() > 0 && position >= 1) {
-      double middle = segment.duration() - next.overlap() / 2;
-      return Optional.of(new Place(index, segment.profile().position(middle)));
+    if (next != null && next.overlap() > 0) {
+      double middle = segment.profile().position(segment.duration() - next.overlap() / 2);
+      position = Math.min(position, middle);
     }
     Corner corner = segment.corner();
     if (corner != null && position < corner.join()) {

@@ -186,6 +186,33 @@ class WatchTest extends RobotTest {
     }
   }
 
+  private record Strict(double z) {
+    Strict {
+      assertThat(z).isZero(); // throws an error
+    }
+  }
+
+  @Test
+  void anErrorOfARecordsConstructorIsTheFailureOfItsReading() throws Exception {
+    Handle<Strict> strict = client.handle("$BASE", Strict.class);
+    Handle.OfInt override = client.intHandle("$OV_PRO");
+    robot.variables().set("$BASE", "{Z 4.5}");
+    assertThat(client.read(strict, override).failures()).containsOnlyKeys(strict);
+    WatchConfig config =
+        WatchConfig.ofHandles(List.of(strict, override), cfg -> cfg.period(PERIOD));
+    try (Watch watch = client.watch(config, samples::add)) {
+      Sample sample = next();
+      assertThat(sample.get(override)).isEqualTo(100);
+      assertThatExceptionOfType(CrossComValueException.class)
+          .isThrownBy(() -> sample.get(strict))
+          .withMessageContaining("$BASE is refused by");
+      robot.variables().set("$BASE", "{Z 0}");
+      while (!next().results().failures().isEmpty()) {
+        assertThat(watch.failedPolls()).isZero();
+      }
+    }
+  }
+
   @Test
   void aWatchHasHandlesOfItsClientOnlyAndOneForAVariable() throws Exception {
     Handle<Integer> own = client.intHandle("MYINT");

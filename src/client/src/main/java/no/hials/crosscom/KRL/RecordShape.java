@@ -286,10 +286,10 @@ final class RecordShape {
     }
     try {
       return (Record) constructor.invokeExact(values);
-    } catch (RuntimeException e) {
-      throw new PathException(path + " is refused by " + type.getTypeName() + ": " + e, e);
-    } catch (Error e) {
+    } catch (VirtualMachineError e) {
       throw e;
+    } catch (RuntimeException | Error e) {
+      throw new PathException(path + " is refused by " + type.getTypeName() + ": " + e, e);
     } catch (Throwable e) {
       throw new AssertionError("a record's constructor declares no exceptions", e);
     }

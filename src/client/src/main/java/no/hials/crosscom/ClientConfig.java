@@ -217,7 +217,7 @@ public final class ClientConfig {
 
     // times
 
-    /** Sets the connect time-out; more than zero. The default is 5 s. */
+    /** Sets the connect time-out; at least 1 ms. The default is 5 s. */
     public Builder connectTimeout(Duration value) {
       options.connectTimeout = time("connect time-out", value, false);
       return this;

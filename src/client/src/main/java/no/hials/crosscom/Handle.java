@@ -9,7 +9,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads and writes one variable of the controller as values of a Java type. Any number of threads
- * can use a handle; it lives as long as its client.
+ * can use a handle; it lives as long as its client. Handles of the same client, name and type are
+ * equal, so that each finds the results of the other.
  *
  * <p>Reading numbers by {@link OfReal} and {@link OfInt}, BOOLs, and positions creates no objects
  * but the record of a position, as long as one thread at a time uses the handle.
@@ -91,6 +92,20 @@ public sealed class Handle<T> {
     } finally {
       release(slot);
     }
+  }
+
+  /** Returns whether the other is a handle of the same client, name and type. */
+  @Override
+  public final boolean equals(@Nullable Object other) {
+    return other instanceof Handle<?> handle
+        && client == handle.client
+        && name.equals(handle.name)
+        && type == handle.type;
+  }
+
+  @Override
+  public final int hashCode() {
+    return Objects.hash(System.identityHashCode(client), name, type);
   }
 
   @Override

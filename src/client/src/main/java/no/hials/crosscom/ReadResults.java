@@ -34,7 +34,7 @@ public final class ReadResults {
   /**
    * Returns the value of a variable.
    *
-   * @param handle one of the handles that were read
+   * @param handle one of the handles that were read, or one equal to it
    * @return the value
    * @throws CrossComException if the variable could not be read
    * @throws IllegalArgumentException if the handle was not read
@@ -61,5 +61,11 @@ public final class ReadResults {
           }
         });
     return Collections.unmodifiableMap(failures);
+  }
+
+  /** Returns the value or the failure of each handle. */
+  @Override
+  public String toString() {
+    return "ReadResults" + results;
   }
 }

@@ -2,6 +2,7 @@ package no.hials.crosscom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -91,5 +92,16 @@ class HandleTest extends RobotTest {
     assertThat(base.name()).isEqualTo("$BASE");
     assertThat(base.type()).isEqualTo(Frame.class);
     assertThat(base).hasToString("Handle{$BASE, Frame}");
+  }
+
+  @Test
+  void handlesOfOneClientNameAndTypeAreEqualAndFindTheResults() throws Exception {
+    ReadResults results = client.read(client.intHandle("MYINT"));
+
+    assertThat(results.get(client.handle("MYINT", Integer.class))).isZero();
+    assertThat(results).hasToString("ReadResults{Handle{MYINT, Integer}=0}");
+    try (CrossComClient other = client(LONG)) {
+      assertThatIllegalArgumentException().isThrownBy(() -> results.get(other.intHandle("MYINT")));
+    }
   }
 }

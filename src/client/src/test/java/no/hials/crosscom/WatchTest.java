@@ -178,9 +178,10 @@ class WatchTest extends RobotTest {
             .isThrownBy(() -> sample.get(unknown));
         assertThatExceptionOfType(CrossComValueException.class).isThrownBy(() -> sample.get(wrong));
         assertThat(sample.readings().get("MYINT").status()).isEqualTo(ReadingStatus.FAILED);
+        assertThat(sample.get(client.intHandle("$OV_PRO"))).isEqualTo(100);
         assertThatIllegalArgumentException()
-            .isThrownBy(() -> sample.get(client.intHandle("$OV_PRO")))
-            .withMessageContaining("not Handle{$OV_PRO, Integer}");
+            .isThrownBy(() -> sample.get(client.realHandle("$OV_PRO")))
+            .withMessageContaining("not Handle{$OV_PRO, Double}");
       }
       assertThat(watch.failedPolls()).isZero();
     }

@@ -10,7 +10,6 @@ import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLBool;
 import no.hials.crosscom.KRL.KRLBoolArray;
 import no.hials.crosscom.KRL.KRLChar;
-import no.hials.crosscom.KRL.KRLEnum;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLIntArray;
 import no.hials.crosscom.KRL.KRLReal;
@@ -19,6 +18,7 @@ import no.hials.crosscom.KRL.KRLRecord;
 import no.hials.crosscom.KRL.KRLString;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.internal.EnumNames;
+import no.hials.crosscom.internal.VariableAccess;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
@@ -89,7 +89,7 @@ record Slot<T>(KRLVariable variable, Supplier<T> getter, Consumer<T> setter) {
       throw new IllegalArgumentException(name + " " + e.getMessage(), e);
     }
     return type(
-        KRLEnum::new,
+        variableName -> VariableAccess.get().newEnum(variableName, type),
         variable -> {
           String text = variable.stringValue();
           Object constant = names.constant(text.substring(1));

@@ -331,7 +331,7 @@ final class VariableExchange {
             + type
             + ": "
             + e.getMessage(),
-        e);
+        VariableAccess.get().cause(e));
   }
 
   // --- functions 0 and 1; this thread has the turn

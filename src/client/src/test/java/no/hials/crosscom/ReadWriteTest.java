@@ -501,7 +501,7 @@ class ReadWriteTest extends RobotTest {
     assertThatExceptionOfType(CrossComValueException.class)
         .isThrownBy(() -> client.readVariable(mode))
         .withMessageContaining("$MODE_OP")
-        .withMessageContaining("KRLInt")
+        .withMessageContaining("not a value for INT")
         .withMessageContaining("expected an INT at position 0, found '#'")
         .satisfies(e -> assertThat(e.getText()).isEqualTo("#T1"))
         .satisfies(e -> assertThat(e.getVariable()).isEqualTo("$MODE_OP"));

@@ -19,6 +19,7 @@ import no.hials.crosscom.protocol.value.E6Axis;
 import no.hials.crosscom.protocol.value.E6Pos;
 import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.protocol.value.Load;
 import no.hials.crosscom.protocol.value.Pos;
@@ -88,6 +89,21 @@ class TypedAccessTest extends RobotTest {
     assertThat(client.readEnum("MYENUM", Mode.class)).isEqualTo(Mode.EXTERNAL);
     assertThat(client.read("MYCHAR", Character.class)).isEqualTo('A');
     assertThat(client.read("MYENUM", KrlValue.class)).isEqualTo(new KrlEnum("EX"));
+  }
+
+  @Test
+  void aValueOfAnotherTypeIsReportedWithTheTypeAskedFor() {
+    assertNoValueFor("INT", () -> client.readInt("$MODE_OP"));
+    assertNoValueFor("REAL", () -> client.readReal("$MODE_OP"));
+    assertNoValueFor("BOOL", () -> client.readBool("$MODE_OP"));
+    assertNoValueFor("Mode", () -> client.readEnum("$OV_PRO", Mode.class));
+  }
+
+  private static void assertNoValueFor(String type, ThrowingCallable read) {
+    assertThatExceptionOfType(CrossComValueException.class)
+        .isThrownBy(read)
+        .withMessageContaining("the answer of the controller is not a value for " + type + ": ")
+        .withCauseInstanceOf(KrlSyntaxException.class);
   }
 
   @Test

@@ -206,7 +206,10 @@ class WatchTest extends RobotTest {
       assertThat(sample.get(override)).isEqualTo(100);
       assertThatExceptionOfType(CrossComValueException.class)
           .isThrownBy(() -> sample.get(strict))
-          .withMessageContaining("$BASE is refused by");
+          .withMessageContaining("$BASE is refused by")
+          .satisfies(
+              e -> assertThat(e.getCause()).isExactlyInstanceOf(IllegalArgumentException.class))
+          .withRootCauseInstanceOf(AssertionError.class);
       robot.variables().set("$BASE", "{Z 0}");
       while (!next().results().failures().isEmpty()) {
         assertThat(watch.failedPolls()).isZero();

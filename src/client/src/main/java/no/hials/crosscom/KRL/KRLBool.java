@@ -18,6 +18,11 @@ public class KRLBool extends ScannedVariable {
   }
 
   @Override
+  String typeForPeople() {
+    return "BOOL";
+  }
+
+  @Override
   public @Nullable Boolean getValue() {
     return present ? value : null;
   }

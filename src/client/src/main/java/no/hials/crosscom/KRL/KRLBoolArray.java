@@ -30,6 +30,11 @@ public class KRLBoolArray extends KRLArray {
   }
 
   @Override
+  String typeForPeople() {
+    return "BOOL array";
+  }
+
+  @Override
   public boolean @Nullable [] getValue() {
     return length() == 0 ? null : Arrays.copyOf(values, length());
   }

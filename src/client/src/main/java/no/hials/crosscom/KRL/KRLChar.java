@@ -19,6 +19,11 @@ public class KRLChar extends ScannedVariable {
   }
 
   @Override
+  String typeForPeople() {
+    return "CHAR";
+  }
+
+  @Override
   public @Nullable Character getValue() {
     return present ? value : null;
   }

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 public class KRLEnum extends ScannedVariable {
   private String value = "";
   private boolean present;
+  private final String typeForPeople;
 
   /**
    * Creates a variable without a value.
@@ -15,7 +16,17 @@ public class KRLEnum extends ScannedVariable {
    * @param name the name on the controller
    */
   public KRLEnum(String name) {
+    this(name, "ENUM");
+  }
+
+  KRLEnum(String name, String typeForPeople) {
     super(name);
+    this.typeForPeople = typeForPeople;
+  }
+
+  @Override
+  String typeForPeople() {
+    return typeForPeople;
   }
 
   @Override

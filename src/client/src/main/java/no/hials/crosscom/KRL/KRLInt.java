@@ -19,6 +19,11 @@ public class KRLInt extends ScannedVariable {
   }
 
   @Override
+  String typeForPeople() {
+    return "INT";
+  }
+
+  @Override
   public @Nullable Integer getValue() {
     return present ? value : null;
   }

@@ -29,6 +29,11 @@ public class KRLIntArray extends KRLArray {
   }
 
   @Override
+  String typeForPeople() {
+    return "INT array";
+  }
+
+  @Override
   public int @Nullable [] getValue() {
     return length() == 0 ? null : Arrays.copyOf(values, length());
   }

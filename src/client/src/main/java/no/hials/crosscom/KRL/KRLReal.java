@@ -23,6 +23,11 @@ public class KRLReal extends ScannedVariable {
   }
 
   @Override
+  String typeForPeople() {
+    return "REAL";
+  }
+
+  @Override
   public @Nullable Double getValue() {
     return present ? value : null;
   }

@@ -32,6 +32,11 @@ public class KRLRealArray extends KRLArray {
   }
 
   @Override
+  String typeForPeople() {
+    return "REAL array";
+  }
+
+  @Override
   public double @Nullable [] getValue() {
     return length() == 0 ? null : Arrays.copyOf(values, length());
   }

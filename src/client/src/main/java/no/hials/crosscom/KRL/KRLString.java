@@ -23,6 +23,11 @@ public class KRLString extends ScannedVariable {
   }
 
   @Override
+  String typeForPeople() {
+    return "CHAR array";
+  }
+
+  @Override
   public @Nullable String getValue() {
     return value;
   }

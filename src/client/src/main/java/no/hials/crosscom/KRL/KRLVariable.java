@@ -294,6 +294,18 @@ public abstract class KRLVariable {
     }
 
     @Override
+    public KRLEnum newEnum(String name, Class<?> type) {
+      return new KRLEnum(name, type.getSimpleName());
+    }
+
+    @Override
+    public IllegalArgumentException cause(IllegalArgumentException failure) {
+      return failure instanceof RecordShape.PathException
+          ? new IllegalArgumentException(failure.getMessage(), failure.getCause())
+          : failure;
+    }
+
+    @Override
     public CharSequence writeText(KRLVariable variable) {
       return variable.writeText();
     }

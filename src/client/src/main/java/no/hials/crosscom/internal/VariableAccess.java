@@ -2,6 +2,7 @@ package no.hials.crosscom.internal;
 
 import java.util.Objects;
 import no.hials.crosscom.KRL.KRLArray;
+import no.hials.crosscom.KRL.KRLEnum;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.protocol.value.KrlScanner;
 import org.jspecify.annotations.Nullable;
@@ -32,8 +33,14 @@ public abstract class VariableAccess {
   /** Returns whether a value is or can contain a text or an ENUM. */
   public abstract boolean holdsText(KRLVariable variable);
 
-  /** Returns the type of the value as named in a message: the variable's class or the record. */
+  /** Returns the type of the value as named in a message: the KRL type, the record or the enum. */
   public abstract String type(KRLVariable variable);
+
+  /** Creates a variable whose type in messages is a Java enum. */
+  public abstract KRLEnum newEnum(String name, Class<?> type);
+
+  /** Returns the cause to report for a text that is no value of a type: of a public class. */
+  public abstract IllegalArgumentException cause(IllegalArgumentException failure);
 
   /**
    * Returns the text that a write of a variable sends. Printing a number or a structure of numbers

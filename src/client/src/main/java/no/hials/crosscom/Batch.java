@@ -374,6 +374,11 @@ abstract class Batch {
       super(exchange, channel, variables);
     }
 
+    /** Returns whether a value was read. */
+    boolean hasAnswer() {
+      return items().stream().anyMatch(item -> item.answer != null);
+    }
+
     @Override
     void take(Item item, TextAnswer answer) {
       item.answer = answer;

@@ -7,6 +7,11 @@ import java.util.Map;
 /**
  * The results of reading several variables by their handles: for each a value or a failure. They do
  * not change, and any thread can use them.
+ *
+ * <p>Unless the server reads the variables in one message, they were read one after the other. If
+ * {@link CrossComClient#read(Handle...)} reconnects in between, the values before it can be older
+ * than a restart of the controller; {@link ConnectionListener} and {@link
+ * ClientStatistics#reconnects} show it.
  */
 public final class ReadResults {
   /** The results of no handles; nothing is added to it. */

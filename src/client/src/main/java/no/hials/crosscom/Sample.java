@@ -10,7 +10,10 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The values that a {@link Watch} read at one time.
+ * The values that a {@link Watch} read at one time. Unless the server reads several variables in
+ * one message, they were read one after the other. If the connection is lost in between, the
+ * reading starts again, so that values from before and after a restart of the controller are in one
+ * sample only if it is lost twice.
  *
  * @param number the number of the sample, from 1
  * @param time when the reading began

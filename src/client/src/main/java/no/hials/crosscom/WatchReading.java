@@ -2,6 +2,7 @@ package no.hials.crosscom;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Supplier;
 import no.hials.crosscom.Batch.Item;
 import no.hials.crosscom.Connection.AnswerHandler;
 import no.hials.crosscom.KRL.KRLVariable;
@@ -21,18 +22,25 @@ import no.hials.crosscom.protocol.variable.VariableRequest.ReadMultipleRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadUtf16Request;
 import no.hials.crosscom.protocol.variable.VariableResponse.MultipleResponse;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One reading of the variables of a watch, in the thread of the {@link SelectorLoop}: the exchanges
  * of {@link VariableExchange#readAll}, none of which blocks. Between two steps others can use the
- * connection.
+ * connection. If the connection is another one than that of the values so far, the reading restarts
+ * once.
  */
 final class WatchReading {
   private final VariableExchange exchange;
   private final ReconnectingConnection connection;
   private final ServerDetector detector;
-  private final Batch.Copying batch;
+  private final Supplier<Batch.Copying> newBatch;
   private final Listener listener;
+
+  // used by the loop after the start
+  private Batch.Copying batch;
+  private @Nullable Connection used;
+  private boolean restarted;
 
   /** Receives the end of a reading, in the thread of the loop. */
   interface Listener {
@@ -53,7 +61,8 @@ final class WatchReading {
     this.exchange = exchange;
     this.connection = connection;
     this.detector = channel.detector();
-    this.batch = new Batch.Copying(exchange, channel, variables);
+    this.newBatch = () -> new Batch.Copying(exchange, channel, variables);
+    this.batch = newBatch.get();
     this.listener = listener;
   }
 
@@ -107,7 +116,16 @@ final class WatchReading {
     }
 
     private void continued() {
-      guard(this::run);
+      Connection before = used;
+      used = connection.connection();
+      if (used != before && !restarted && batch.hasAnswer()) {
+        restarted = true;
+        batch = newBatch.get();
+        connection.endAsync();
+        start();
+      } else {
+        guard(this::run);
+      }
     }
 
     private void guard(Action action) {

@@ -300,6 +300,27 @@ class SharedWatchesTest extends RobotTest {
   }
 
   @Test
+  void noSampleMixesTheValuesOfTwoConnections() throws Exception {
+    assumeThat(server).as("reads one by one").isEqualTo(ServerType.KUKAVARPROXY);
+    AtomicInteger reads = new AtomicInteger();
+    robot.faults(
+        request -> {
+          if (!request.names().contains("MYINT") || reads.getAndIncrement() > 0) {
+            return Optional.empty();
+          }
+          robot.variables().set("$OV_PRO", "50");
+          return Optional.of(Fault.closeBefore());
+        });
+    try (CrossComClient its = client(cfg -> cfg.runtime(runtime));
+        Watch watch = its.watch(PERIOD, samples::add, "$OV_PRO", "MYINT")) {
+      Sample first = next();
+      assertThat(first.value("$OV_PRO")).isEqualTo(new KrlInt(50));
+      assertThat(first.value("MYINT")).isEqualTo(new KrlInt(0));
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
+  @Test
   void aTextThatWasChangedToNonAsciiIsReadAgainWithItsCharset() throws Exception {
     robot.variables().declare("MYTEXT[20]", "CHAR", "\"plain\"");
     try (CrossComClient its = client(cfg -> cfg.runtime(runtime));

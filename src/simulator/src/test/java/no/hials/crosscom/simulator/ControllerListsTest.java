@@ -315,6 +315,31 @@ class ControllerListsTest {
     }
 
     @Test
+    void ofADifferentDeclarationReplaceThoseInStructures() throws Exception {
+      cell.set("LDEFAULT.CB.AUX_PT.ORI", "#CONSIDER");
+      assertThat(
+              warnings(
+                  "$CONFIG",
+                  "STRUC AUX_PT_MODE AUX_PT_VALUES ORI,E1",
+                  "ENUM ORI_TYPE VAR,CONSTANT,JOINT,IGNORE",
+                  "LDEFAULT.ORI_TYP=#IGNORE"))
+          .hasSize(2);
+      assertThat(cell.get("LDEFAULT"))
+          .contains("ORI_TYP #IGNORE", "CB {CIRC_MODE: AUX_PT {AUX_PT_MODE: ORI #CONSIDER}}");
+      VariableTable saved = VariableTable.empty();
+      saved.load("saved.dat", cell.controller.variables().toDataList("SAVED"));
+      assertThat(saved.get("LDEFAULT")).isEqualTo(cell.get("LDEFAULT"));
+    }
+
+    @Test
+    void thatContainTheOneTheyReplaceAreWarnings() {
+      assertThat(warnings("$CONFIG", "STRUC AUX_PT_MODE LDAT L,INT N", "DECL AUX_PT_MODE M={N 3}"))
+          .hasSize(1);
+      assertThat(cell.get("M.N")).isEqualTo("3");
+      assertThat(cell.get("LDEFAULT.VEL")).isEqualTo("2.00000");
+    }
+
+    @Test
     void ofPositionsWithThreeExternalAxesAreKnown() throws Exception {
       assertThat(
               warnings(

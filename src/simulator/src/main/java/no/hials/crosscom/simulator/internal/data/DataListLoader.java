@@ -214,7 +214,12 @@ public final class DataListLoader {
     }
     Type type = target.ownType(name);
     if (isLenient && old != null && type != null && !type.isDeclaredAs(old)) {
-      target.retype(old, type);
+      try {
+        target.retype(old, type);
+      } catch (IllegalArgumentException e) {
+        // a structure that contains it would be too large or too deep, and keeps the old type
+        errors.accept(new KrlError(position, String.valueOf(e.getMessage())));
+      }
       errors.accept(
           new KrlError(
               position,

@@ -2,11 +2,13 @@ package no.hials.crosscom.simulator.internal.data;
 
 import java.util.BitSet;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
@@ -242,8 +244,16 @@ public final class Scope {
     return types.get(key(name));
   }
 
-  /** Changes the type of the variables of this scope; the parts of both types keep their values. */
+  /**
+   * Changes a type in the variables and structures of this scope; the parts of both types keep
+   * their values.
+   */
   synchronized void retype(Type old, Type type) {
+    retype(old, type, new HashSet<>());
+  }
+
+  private void retype(Type old, Type type, Set<String> done) {
+    done.add(key(type.name()));
     for (VariableEntry variable : variables()) {
       Storage contents = variable.contents();
       if (contents != null && variable.source() == null && contents.type().equals(old)) {
@@ -251,6 +261,15 @@ public final class Scope {
         if (!isTooMuch(declared.bytes() - contents.bytes())) {
           put(variable.with(declared.uninitialised().takeOver(contents)));
         }
+      }
+    }
+    for (Type other : types()) {
+      if (other instanceof Type.Struc struc
+          && struc.elements().contains(old)
+          && !done.contains(key(struc.name()))) {
+        Type.Struc changed = struc.with(old, type);
+        declareType(changed);
+        retype(struc, changed, done);
       }
     }
   }

@@ -1,5 +1,6 @@
 package no.hials.crosscom.simulator.internal.data;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -264,6 +265,19 @@ sealed interface Type {
         throw new IllegalArgumentException(Scope.tooLarge("STRUC " + name, bytes));
       }
       return new Struc(name, List.copyOf(components), Map.copyOf(positions), deepest + 1, bytes);
+    }
+
+    /** Returns this structure with another type in the components of one type. */
+    Struc with(Type old, Type type) {
+      List<Component> changed = new ArrayList<>();
+      for (Component component : components) {
+        DeclaredType own = component.type();
+        changed.add(
+            own.element().equals(old)
+                ? new Component(component.name(), new DeclaredType(type, own.dimensions()))
+                : component);
+      }
+      return of(name, changed);
     }
 
     @Override

@@ -295,6 +295,17 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
+   * Presses a key of the oldest dialogue that a program shows.
+   *
+   * @param key the number of the key in {@link Message#keys}, from 1
+   * @throws IllegalStateException if no dialogue is shown
+   * @throws IllegalArgumentException if it has no such key
+   */
+  public void answer(int key) {
+    core.answer(key);
+  }
+
+  /**
    * Confirms all messages.
    *
    * @return the number of confirmed messages

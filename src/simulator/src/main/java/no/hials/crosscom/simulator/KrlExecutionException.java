@@ -36,6 +36,9 @@ public final class KrlExecutionException extends Exception {
   /** A statement is not allowed in this place or at this time. */
   public static final int NOT_ALLOWED = 9010;
 
+  /** A channel cannot be opened or used. */
+  public static final int CHANNEL = 1007;
+
   private final int number;
 
   /**

@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator;
 
 import java.time.Duration;
+import java.util.List;
 
 /**
  * A message of the simulated controller, as the pendant would show it.
@@ -9,8 +10,15 @@ import java.time.Duration;
  * @param number its number; few numbers of KSS are known, see {@link Controller}
  * @param text the text, with file and line if it concerns a program
  * @param time the simulated time of the message since the start
+ * @param keys the labels of the keys of a dialogue, see {@link Controller#answer}; empty for a key
+ *     without a label, and for all other messages
  */
-public record Message(Kind kind, int number, String text, Duration time) {
+public record Message(Kind kind, int number, String text, Duration time, List<String> keys) {
+
+  /** Copies the list. */
+  public Message {
+    keys = List.copyOf(keys);
+  }
 
   /** The kinds of message. */
   public enum Kind {
@@ -19,7 +27,9 @@ public record Message(Kind kind, int number, String text, Duration time) {
     /** A program is waiting. */
     STATUS,
     /** The robot was stopped, and the message has to be confirmed. */
-    ACKNOWLEDGEMENT
+    ACKNOWLEDGEMENT,
+    /** The operator must choose one of its keys. */
+    DIALOGUE
   }
 
   @Override

@@ -104,7 +104,16 @@ public final class ControllerCore {
 
   private KrlInterpreter interpreter(Interpreter kind, SystemVariableAccess access) {
     return new KrlInterpreter(
-        kind, new InterpreterEnvironment(kind, access, this::time, timers, motions, this::failed));
+        kind,
+        new InterpreterEnvironment(
+            kind,
+            access,
+            this::time,
+            timers,
+            motions,
+            panel.programs(),
+            this::showError,
+            this::failed));
   }
 
   // calls from outside
@@ -274,6 +283,10 @@ public final class ControllerCore {
     return locked(panel::messages);
   }
 
+  public void answer(int key) {
+    change(() -> panel.answer(key));
+  }
+
   public int confirmAll() {
     return locked(
         () -> {
@@ -437,6 +450,11 @@ public final class ControllerCore {
   private void failed(Interpreter kind, KrlExecutionException fault, Position position) {
     panel.show(Message.Kind.ACKNOWLEDGEMENT, fault.number(), position + ": " + fault.getMessage());
     variables.error(fault.number(), kind);
+  }
+
+  /** Sets $ERR for an error that does not stop the program. */
+  private void showError(int number, Interpreter kind) {
+    variables.error(number, kind);
   }
 
   private void fire(TriggerOrder order) {

@@ -11,11 +11,18 @@ import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.motion.Joints;
+import no.hials.crosscom.simulator.internal.program.MessageWindow;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
 import no.hials.crosscom.simulator.internal.program.ProgramEnvironment;
 
 /** The controller as the program of an interpreter uses it. */
 final class InterpreterEnvironment implements ProgramEnvironment {
+  /** Called when a statement has failed that does not stop the program. */
+  @FunctionalInterface
+  interface ErrorListener {
+    void error(int number, Interpreter interpreter);
+  }
+
   /** Called when a program has stopped in error. */
   @FunctionalInterface
   interface FaultListener {
@@ -29,6 +36,8 @@ final class InterpreterEnvironment implements ProgramEnvironment {
   private final LongSupplier time;
   private final Timers timers;
   private final AdvanceRun motions;
+  private final MessageWindow messages;
+  private final ErrorListener errors;
   private final FaultListener listener;
   private final MotionSettings settings;
 
@@ -38,12 +47,16 @@ final class InterpreterEnvironment implements ProgramEnvironment {
       LongSupplier time,
       Timers timers,
       AdvanceRun motions,
+      MessageWindow messages,
+      ErrorListener errors,
       FaultListener listener) {
     this.interpreter = interpreter;
     this.access = access;
     this.time = time;
     this.timers = timers;
     this.motions = motions;
+    this.messages = messages;
+    this.errors = errors;
     this.listener = listener;
     this.settings = new MotionSettings(access);
   }
@@ -138,6 +151,16 @@ final class InterpreterEnvironment implements ProgramEnvironment {
     } catch (UnreachableException e) {
       return Optional.empty();
     }
+  }
+
+  @Override
+  public MessageWindow messages() {
+    return messages;
+  }
+
+  @Override
+  public void error(int number) {
+    errors.error(number, interpreter);
   }
 
   @Override

@@ -9,6 +9,8 @@ import java.util.function.LongSupplier;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.simulator.Message;
+import no.hials.crosscom.simulator.internal.program.MessageWindow;
+import no.hials.crosscom.simulator.internal.program.ProgramMessage;
 
 /** The key switch, the emergency stop and the message window of the pendant. */
 final class OperatorPanel {
@@ -35,6 +37,7 @@ final class OperatorPanel {
   private final SystemVariableAccess access;
   private final LongSupplier time;
   private final Deque<Message> messages = new ArrayDeque<>();
+  private final MessageWindow programs = new MessageWindow(this::show);
   private int unconfirmed;
   private OperatingMode mode = OperatingMode.T1;
   private boolean emergency;
@@ -88,16 +91,53 @@ final class OperatorPanel {
   }
 
   void show(Message.Kind kind, int number, String text) {
+    show(kind, number, text, List.of());
+    unconfirmed += kind == Message.Kind.ACKNOWLEDGEMENT ? 1 : 0;
+  }
+
+  private void show(ProgramMessage message) {
+    Message.Kind kind =
+        switch (message.type()) {
+          case NOTIFY -> Message.Kind.NOTIFICATION;
+          case STATE, WAITING -> Message.Kind.STATUS;
+          case QUIT -> Message.Kind.ACKNOWLEDGEMENT;
+          case DIALOGUE -> Message.Kind.DIALOGUE;
+        };
+    show(kind, message.number(), message.fullText(), message.keys());
+  }
+
+  private void show(Message.Kind kind, int number, String text, List<String> keys) {
     if (messages.size() == KEPT_MESSAGES) {
       messages.removeFirst();
     }
-    messages.addLast(new Message(kind, number, text, Duration.ofMillis(time.getAsLong())));
-    unconfirmed += kind == Message.Kind.ACKNOWLEDGEMENT ? 1 : 0;
+    messages.addLast(new Message(kind, number, text, Duration.ofMillis(time.getAsLong()), keys));
+  }
+
+  /** Returns the messages of programs. */
+  MessageWindow programs() {
+    return programs;
+  }
+
+  /**
+   * Presses a key of the oldest dialogue.
+   *
+   * @param key its number, from 1
+   */
+  void answer(int key) {
+    List<String> keys =
+        programs
+            .dialogue()
+            .orElseThrow(() -> new IllegalStateException("answer: no dialogue is shown"))
+            .keys();
+    if (!programs.answer(key)) {
+      throw new IllegalArgumentException(
+          "answer: the dialogue has the keys " + keys + ", was given number " + key);
+    }
   }
 
   /** Returns whether a message has to be confirmed. */
   boolean stopMessage() {
-    return unconfirmed > 0;
+    return unconfirmed + programs.unconfirmed() > 0;
   }
 
   List<Message> messages() {
@@ -105,8 +145,9 @@ final class OperatorPanel {
   }
 
   int confirmAll() {
-    int confirmed = unconfirmed;
+    int confirmed = unconfirmed + programs.unconfirmed();
     unconfirmed = 0;
+    programs.confirmAll();
     return confirmed;
   }
 

@@ -143,6 +143,11 @@ public abstract sealed class Storage
     return Optional.empty();
   }
 
+  /** Returns whether its whole is {@code NAME[]}. */
+  public boolean hasBrackets() {
+    return this instanceof TextStorage || this instanceof ArrayStorage;
+  }
+
   /** Returns the declared length of a CHAR array; 0 if this is not a CHAR array. */
   public int capacity() {
     return 0;

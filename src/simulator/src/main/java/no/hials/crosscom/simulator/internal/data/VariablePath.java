@@ -95,6 +95,22 @@ public record VariablePath(List<PathStep> steps) {
     return new VariablePath(List.of(new PathStep(name.toUpperCase(Locale.ROOT), Index.NONE)));
   }
 
+  /** Returns this path without {@code []} at its end. */
+  public VariablePath withoutBrackets() {
+    PathStep last = steps.get(steps.size() - 1);
+    if (!last.index().isWhole()) {
+      return this;
+    }
+    List<PathStep> all = new ArrayList<>(steps.subList(0, steps.size() - 1));
+    all.add(new PathStep(last.name(), Index.NONE));
+    return new VariablePath(all);
+  }
+
+  /** Returns this path of an array with {@code []} after it. */
+  public VariablePath whole() {
+    return then(new VariablePath(List.of(new PathStep(first().name(), Index.WHOLE))));
+  }
+
   @Override
   public String toString() {
     StringBuilder out = new StringBuilder();

@@ -87,6 +87,15 @@ record Builtin(String name, boolean function, List<Kind> parameters, int optiona
       return characters.get();
     }
 
+    /** Returns a text, which is empty if the CHAR array has no value. */
+    String textOrEmpty(int at) throws KrlExecutionException {
+      boolean unset =
+          arguments.get(at) instanceof Reference reference
+              && storage(reference).capacity() > 0
+              && !storage(reference).initialised();
+      return unset ? "" : text(at);
+    }
+
     int capacity(int at) throws KrlExecutionException {
       Reference reference = reference(at);
       int capacity = storage(reference).capacity();

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.DoubleUnaryOperator;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
@@ -30,10 +29,6 @@ import org.jspecify.annotations.Nullable;
 final class Builtins {
   private static final Map<String, Builtin> ALL = new HashMap<>();
 
-  /** The routines of a real controller that are not simulated. */
-  private static final Set<String> UNSUPPORTED =
-      Set.of("SWRITE", "SREAD", "CWRITE", "CREAD", "COPEN", "CCLOSE");
-
   private static final KrlInt DONE = new KrlInt(0);
   private static final KrlInt FAILED = new KrlInt(-1);
   private static final KrlInt NOT_FOUND = new KrlInt(-1);
@@ -50,7 +45,8 @@ final class Builtins {
     function("FORWARD", List.of(Kind.VALUE, Kind.OUT), Builtins::forward);
     function("INVERSE", List.of(Kind.VALUE, Kind.VALUE, Kind.OUT), Builtins::inverse);
     function("VARSTATE", List.of(Kind.TEXT), Builtins::varState);
-    function("STRLEN", List.of(Kind.TEXT), call -> new KrlInt(call.text(0).length()));
+    // KUKA's library asks for the length of an omitted argument without protection
+    function("STRLEN", List.of(Kind.TEXT), call -> new KrlInt(call.textOrEmpty(0).length()));
     function("STRDECLLEN", List.of(Kind.OUT), call -> new KrlInt(call.capacity(0)));
     function("STRCLEAR", List.of(Kind.OUT), Builtins::clear);
     function("STRCOPY", List.of(Kind.OUT, Kind.TEXT), Builtins::copy);
@@ -69,6 +65,10 @@ final class Builtins {
             List.of(Kind.VALUE, Kind.TEXT, Kind.TEXT, Kind.VALUE),
             1,
             Builtins::find));
+    MessageBuiltins.ALL.forEach(Builtins::add);
+    TextBuiltins.ALL.forEach(Builtins::add);
+    add(new Builtin("ERR_RAISE", false, List.of(Kind.VALUE), 0, Builtins::raise));
+    add(new Builtin("ERR_CLEAR", false, List.of(Kind.OUT), 0, Builtins::clearError));
     add(new Builtin("IR_STOPM", false, List.of(), 0, call -> null));
     add(new Builtin("BAS", false, List.of(Kind.VALUE, Kind.VALUE), 1, Bas::call));
   }
@@ -78,11 +78,6 @@ final class Builtins {
   /** Returns a routine by its name in upper case; null if it is unknown. */
   static @Nullable Builtin find(String key) {
     return ALL.get(key);
-  }
-
-  /** Returns whether a real controller has the routine but the simulation does not. */
-  static boolean isUnsupported(String key) {
-    return UNSUPPORTED.contains(key);
   }
 
   private static void add(Builtin builtin) {
@@ -162,6 +157,27 @@ final class Builtins {
     } catch (RefusedException e) {
       return new KrlEnum("UNKNOWN");
     }
+  }
+
+  // errors
+
+  /** Raises the error of an ERROR_T; the number 0 is none. */
+  private static @Nullable KrlValue raise(Call call) throws KrlExecutionException {
+    KrlValue error = call.value(0);
+    int number =
+        error instanceof KrlStruct struct
+            ? Operators.intOf(struct.get("NUMBER").orElse(new KrlInt(0)))
+            : Operators.intOf(error);
+    if (number != 0) {
+      call.machine().raise(new KrlExecutionException(number, "the program has raised an error"));
+    }
+    return null;
+  }
+
+  private static @Nullable KrlValue clearError(Call call) throws KrlExecutionException {
+    call.reference(0)
+        .write(new KrlStruct(null, List.of(new KrlStruct.Field("NUMBER", new KrlInt(0)))));
+    return null;
   }
 
   // texts

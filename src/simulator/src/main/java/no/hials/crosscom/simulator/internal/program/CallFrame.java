@@ -18,6 +18,8 @@ final class CallFrame {
   private final @Nullable KrlValue[] temporaries;
   private int next;
   private long deadline;
+  private int protectedStatement = -1;
+  private int afterProtected;
 
   CallFrame(
       CompiledRoutine routine, @Nullable CallFrame caller, boolean resultWanted, int stackBase) {
@@ -138,6 +140,28 @@ final class CallFrame {
 
   void setTemporary(int slot, KrlValue value) {
     temporaries[slot] = value;
+  }
+
+  /**
+   * Protects a statement, whose errors do not stop the program.
+   *
+   * @param statement the index of its first instruction
+   * @param next the index of the instruction to continue with after an error
+   */
+  void proceed(int statement, int next) {
+    protectedStatement = statement;
+    afterProtected = next;
+  }
+
+  /** Returns whether the current statement is protected. */
+  boolean proceeds() {
+    return next > 0 && code.steps().get(next - 1).statement() == protectedStatement;
+  }
+
+  /** Continues after the protected statement. */
+  void skip() {
+    next = afterProtected;
+    protectedStatement = -1;
   }
 
   long deadline() {

@@ -14,6 +14,10 @@ final class CodeBuilder {
   /** A jump target, which can be set after the jump. */
   static final class Label {
     private int target = -1;
+
+    int target() {
+      return target;
+    }
   }
 
   void statement() {

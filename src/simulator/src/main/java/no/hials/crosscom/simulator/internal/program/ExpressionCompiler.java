@@ -210,17 +210,37 @@ final class ExpressionCompiler {
       String name,
       List<? extends @Nullable Expression> arguments,
       boolean valueWanted) {
+    String key = Scope.key(name);
     CompiledRoutine routine = context.routine(name);
-    Builtin builtin = Builtins.find(Scope.key(name));
+    Builtin builtin = Builtins.find(key);
     if (routine != null) {
       call(position, routine, arguments, valueWanted);
-    } else if (builtin != null) {
-      call(position, builtin, arguments, valueWanted);
-    } else if (Builtins.isUnsupported(Scope.key(name))) {
-      context.error(position, name + " is not supported by this simulation");
-    } else {
-      context.error(position, "no routine " + name + " is known");
+      return;
     }
+    if (builtin != null) {
+      call(position, builtin, arguments, valueWanted);
+      return;
+    }
+    CompiledRoutine builtIn = context.builtInRoutine(name);
+    if (builtIn != null) {
+      call(position, builtIn, arguments, valueWanted);
+    } else if (!(AbsentRoutines.isHook(key) && !valueWanted)) {
+      absent(position, name);
+    }
+  }
+
+  /** Compiles a call of a routine that does not exist, with arguments of unknown kinds. */
+  private void absent(Position position, String name) {
+    KrlExecutionException reached = AbsentRoutines.reached(Scope.key(name));
+    if (reached == null) {
+      context.error(position, "no routine " + name + " is known");
+      return;
+    }
+    code.emit(
+        position,
+        machine -> {
+          throw reached;
+        });
   }
 
   private void checkValue(Position position, String name, boolean function, boolean valueWanted) {
@@ -240,14 +260,14 @@ final class ExpressionCompiler {
       context.error(position, "the condition of an interrupt must not call " + routine.name());
     }
     List<CompiledRoutine.Parameter> parameters = routine.parameters();
-    if (arguments.size() != parameters.size()) {
+    if (arguments.size() > parameters.size()) {
       context.error(
           position,
           routine.name() + " takes " + parameters.size() + " arguments, has " + arguments.size());
       return;
     }
     for (int i = 0; i < parameters.size(); i++) {
-      argument(position, parameters.get(i), arguments.get(i));
+      argument(position, parameters.get(i), i < arguments.size() ? arguments.get(i) : null);
     }
     code.emit(position, machine -> machine.call(routine, valueWanted));
   }
@@ -256,8 +276,8 @@ final class ExpressionCompiler {
       Position position, CompiledRoutine.Parameter parameter, @Nullable Expression argument) {
     if (argument == null) {
       code.emit(position, machine -> machine.push(null));
-    } else if (parameter.out()) {
-      reference(argument);
+    } else if (parameter.out() && argument instanceof Expression.Variable variable) {
+      reference(variable);
     } else if (parameter.array()) {
       contents(argument);
     } else {
@@ -265,11 +285,7 @@ final class ExpressionCompiler {
     }
   }
 
-  private void reference(Expression argument) {
-    if (!(argument instanceof Expression.Variable variable)) {
-      context.error(argument.position(), "an argument for an :OUT parameter is a variable");
-      return;
-    }
+  private void reference(Expression.Variable variable) {
     StorageLocation location = context.symbols().resolve(variable);
     if (location != null) {
       PathSource source = path(variable);
@@ -285,7 +301,7 @@ final class ExpressionCompiler {
   /** Passes a copy of an array. */
   private void contents(Expression argument) {
     Position position = argument.position();
-    if (argument instanceof Expression.TextLiteral) {
+    if (argument instanceof Expression.TextLiteral || argument instanceof Expression.FunctionCall) {
       compile(argument);
     } else if (argument instanceof Expression.Variable variable) {
       StorageLocation location = context.symbols().resolve(variable);
@@ -340,11 +356,14 @@ final class ExpressionCompiler {
   }
 
   private void argument(Builtin.Kind kind, Expression argument) {
-    boolean isLiteral = argument instanceof Expression.TextLiteral;
-    if (kind == Builtin.Kind.OUT || (kind == Builtin.Kind.TEXT && !isLiteral)) {
-      reference(argument);
-    } else {
+    boolean isText =
+        argument instanceof Expression.TextLiteral || argument instanceof Expression.FunctionCall;
+    if (kind == Builtin.Kind.VALUE || (kind == Builtin.Kind.TEXT && isText)) {
       compile(argument);
+    } else if (argument instanceof Expression.Variable variable) {
+      reference(variable);
+    } else {
+      context.error(argument.position(), "an argument for an :OUT parameter is a variable");
     }
   }
 

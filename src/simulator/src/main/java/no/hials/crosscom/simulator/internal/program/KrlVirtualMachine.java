@@ -29,6 +29,7 @@ final class KrlVirtualMachine {
   private static final int LOWEST_PRIORITY = Integer.MAX_VALUE;
 
   private static final VariablePath RESULT = VariablePath.of("RESULT");
+  private static final VariablePath RESULT_ARRAY = RESULT.whole();
 
   private final Interpreter kind;
   private final ProgramEnvironment environment;
@@ -57,6 +58,7 @@ final class KrlVirtualMachine {
 
   /** Removes the program and its state. */
   void clear() {
+    environment.messages().forget(kind);
     interrupts.clear();
     next.clear();
     Arrays.fill(stack, null);
@@ -116,19 +118,50 @@ final class KrlVirtualMachine {
   }
 
   private void execute(int maxInstructions, boolean interruptions) throws KrlExecutionException {
-    try {
-      while (executed < maxInstructions && !waiting && !halted) {
-        CallFrame frame = top;
-        if (frame == null || (interruptions && interruption() == null)) {
-          break;
-        }
-        executed++;
-        frame.fetch().execute(this);
+    while (executed < maxInstructions && !waiting && !halted) {
+      CallFrame frame = top;
+      if (frame == null || (interruptions && interruption() == null)) {
+        break;
       }
-    } catch (KrlExecutionException fault) {
-      recover();
-      throw fault;
+      executed++;
+      try {
+        frame.fetch().execute(this);
+      } catch (KrlExecutionException fault) {
+        if (!proceed(fault)) {
+          recover();
+          throw fault;
+        }
+      }
     }
+  }
+
+  /** Continues after a statement that failed and is protected; else returns false. */
+  private boolean proceed(KrlExecutionException fault) {
+    CallFrame frame = frame();
+    if (faultPosition != null || !frame.proceeds()) {
+      return false;
+    }
+    drop(frame.stackBase());
+    environment.error(fault.number());
+    frame.skip();
+    return true;
+  }
+
+  /**
+   * Raises an error as {@code ERR_RAISE}: in the innermost protected call of the running code, else
+   * here (assumed).
+   */
+  void raise(KrlExecutionException fault) throws KrlExecutionException {
+    CallFrame frame = top;
+    while (frame != null && !frame.proceeds() && frame.interruption() == null) {
+      frame = frame.caller();
+    }
+    if (frame != null && frame.proceeds()) {
+      while (top != null && top != frame) {
+        leave(top);
+      }
+    }
+    throw fault;
   }
 
   /** Returns the number of instructions that the last {@link #run} has executed. */
@@ -188,6 +221,10 @@ final class KrlVirtualMachine {
       throw new IllegalStateException("no program is being executed");
     }
     return frame;
+  }
+
+  Interpreter kind() {
+    return kind;
   }
 
   ProgramEnvironment environment() {
@@ -288,11 +325,13 @@ final class KrlVirtualMachine {
     CallFrame frame = frame();
     Storage result = frame.routine().body().result();
     if (result == null) {
-      throw new IllegalStateException(frame.routine().name() + " is not a function");
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED,
+          "the type of function " + frame.routine().name() + " is not known");
     }
     KrlValue converted;
     try {
-      converted = result.store(RESULT, value).value();
+      converted = result.store(result.hasBrackets() ? RESULT_ARRAY : RESULT, value).value();
     } catch (RefusedException e) {
       throw KrlExecutionException.of("the value of " + frame.routine().name(), e);
     }

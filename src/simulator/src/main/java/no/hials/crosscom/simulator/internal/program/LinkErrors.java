@@ -14,6 +14,8 @@ final class LinkErrors {
   private final List<KrlError> all = new ArrayList<>();
   private final Set<String> warned = new HashSet<>();
 
+  private int invalid;
+
   /** The first error of the statement; null without one. */
   private @Nullable String ofStatement;
 
@@ -43,8 +45,13 @@ final class LinkErrors {
     return found;
   }
 
+  /** Counts a line with an error of the parser, which has been reported. */
+  void addInvalid() {
+    invalid++;
+  }
+
   int count() {
-    return all.size();
+    return all.size() + invalid;
   }
 
   /** Returns the errors in the order of the file. */

@@ -2,6 +2,8 @@ package no.hials.crosscom.simulator.internal.program;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -10,6 +12,8 @@ import java.util.function.Predicate;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Routine;
+import no.hials.crosscom.lang.SourceFile;
+import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
@@ -17,6 +21,9 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
 /**
  * Compiles all modules of a library: first the heads of all routines, so that calls can be checked,
  * then the bodies.
+ *
+ * <p>A routine of a module of KSS, such as {@code BAS}, that has errors or calls one of its module
+ * that has, gives way to the built-in one.
  */
 final class Linker {
   private final Map<String, KrlModule> modules;
@@ -26,6 +33,15 @@ final class Linker {
   private long routineBytes;
   private final Map<String, CompiledRoutine> globalRoutines = new HashMap<>();
   private final Map<String, Map<String, CompiledRoutine>> ownRoutines = new HashMap<>();
+  private final Map<String, CompiledRoutine> builtIn = new HashMap<>();
+
+  /** The routines with errors, and what each routine of a module of KSS calls. */
+  private final Set<CompiledRoutine> faulty = new HashSet<>();
+
+  private final Map<CompiledRoutine, Set<CompiledRoutine>> calls = new LinkedHashMap<>();
+
+  /** The names of the routines that give way to built-in ones, by module; all in upper case. */
+  private final Map<String, Set<String>> replaced;
 
   /**
    * A compiled module.
@@ -49,7 +65,17 @@ final class Linker {
       Scope globals,
       Set<String> unknown,
       Predicate<String> stopsAdvanceRun) {
+    this(modules, globals, unknown, stopsAdvanceRun, Map.of());
+  }
+
+  private Linker(
+      Map<String, KrlModule> modules,
+      Scope globals,
+      Set<String> unknown,
+      Predicate<String> stopsAdvanceRun,
+      Map<String, Set<String>> replaced) {
     this.modules = modules;
+    this.replaced = replaced;
     this.globals = globals;
     this.unknown = unknown;
     this.stopsAdvanceRun = stopsAdvanceRun;
@@ -57,6 +83,7 @@ final class Linker {
 
   /** Compiles all modules; returns them by their names in upper case. */
   Map<String, Linked> link() {
+    linkBuiltIn();
     Map<String, LinkErrors> errors = new HashMap<>();
     modules.forEach((key, module) -> errors.put(key, declare(key, module)));
     Map<String, Linked> linked = new HashMap<>();
@@ -67,7 +94,57 @@ final class Linker {
             linked.put(key, compiled(key, module, found));
           }
         });
-    return linked;
+    Map<String, Set<String>> replaceable = replaceable();
+    return replaced.isEmpty() && !replaceable.isEmpty()
+        ? new Linker(modules, globals, unknown, stopsAdvanceRun, replaceable).link()
+        : linked;
+  }
+
+  /** Compiles the built-in modules, which see no other. */
+  private void linkBuiltIn() {
+    for (SourceFile source : BuiltInModules.SOURCES) {
+      KrlModule module = new KrlModule(source, new Scope(globals), LoadingMode.LENIENT);
+      for (Routine routine : source.routines()) {
+        builtIn.put(Scope.key(routine.name()), head(module, routine));
+      }
+    }
+    for (SourceFile source : BuiltInModules.SOURCES) {
+      KrlModule module = new KrlModule(source, new Scope(globals), LoadingMode.LENIENT);
+      for (Routine routine : source.routines()) {
+        CompiledRoutine head = builtIn.get(Scope.key(routine.name()));
+        if (head != null) {
+          compile(module, routine, head, List.of(builtIn), new LinkErrors(), new TreeSet<>());
+        }
+      }
+    }
+  }
+
+  /** Returns the routines of modules of KSS that cannot be executed and are built in, too. */
+  private Map<String, Set<String>> replaceable() {
+    boolean more = true;
+    while (more) {
+      more = false;
+      for (Map.Entry<CompiledRoutine, Set<CompiledRoutine>> entry : calls.entrySet()) {
+        String module = entry.getKey().module();
+        more |=
+            entry.getValue().stream()
+                    .anyMatch(called -> called.module().equals(module) && faulty.contains(called))
+                && faulty.add(entry.getKey());
+      }
+    }
+    Map<String, Set<String>> found = new HashMap<>();
+    for (CompiledRoutine routine : faulty) {
+      String key = Scope.key(routine.name());
+      if (calls.containsKey(routine) && (builtIn.containsKey(key) || Builtins.find(key) != null)) {
+        found.computeIfAbsent(Scope.key(routine.module()), module -> new HashSet<>()).add(key);
+      }
+    }
+    return found;
+  }
+
+  private static boolean isOfKss(KrlModule module) {
+    return BuiltInModules.SOURCES.stream()
+        .anyMatch(source -> source.name().equalsIgnoreCase(module.name()));
   }
 
   private LinkErrors declare(String key, KrlModule module) {
@@ -80,8 +157,14 @@ final class Linker {
         errors.add(
             routine.position(), "routine " + routine.name() + " is declared twice in this module");
       }
+      boolean gone = replaced.getOrDefault(key, Set.of()).contains(Scope.key(routine.name()));
+      if (gone) {
+        errors.add(
+            routine.position(),
+            "routine " + routine.name() + " has errors: the built-in one replaces it");
+      }
       // assumed: the first routine is global without GLOBAL
-      if (first || routine.global()) {
+      if (!gone && (first || routine.global())) {
         globalRoutines.put(Scope.key(routine.name()), head);
       }
       first = false;
@@ -115,10 +198,20 @@ final class Linker {
   private Linked compile(String key, KrlModule module, LinkErrors errors) {
     Set<String> called = new TreeSet<>();
     Map<String, CompiledRoutine> own = ownRoutines.getOrDefault(key, Map.of());
+    Map<String, CompiledRoutine> callable = new HashMap<>(own);
+    callable.keySet().removeAll(replaced.getOrDefault(key, Set.of()));
     for (Routine routine : module.source().routines()) {
       CompiledRoutine head = own.get(Scope.key(routine.name()));
       if (head != null) {
-        compile(module, routine, head, errors, called);
+        int before = errors.count();
+        Set<CompiledRoutine> calledRoutines =
+            compile(module, routine, head, List.of(callable, globalRoutines), errors, called);
+        if (isOfKss(module)) {
+          calls.put(head, calledRoutines);
+          if (errors.count() > before) {
+            faulty.add(head);
+          }
+        }
       }
     }
     CompiledRoutine main = own.get(Scope.key(module.name()));
@@ -128,10 +221,12 @@ final class Linker {
     return new Linked(main, errors.sorted(), called, true);
   }
 
-  private void compile(
+  /** Compiles a routine; returns the routines with a source that it calls. */
+  private Set<CompiledRoutine> compile(
       KrlModule module,
       Routine routine,
       CompiledRoutine head,
+      List<Map<String, CompiledRoutine>> routines,
       LinkErrors errors,
       Set<String> called) {
     SymbolTable symbols = new SymbolTable(module, globals, modules, unknown, errors);
@@ -139,22 +234,16 @@ final class Linker {
     routineBytes += symbols.scope().bytes();
     globals.routineBytes(routineBytes);
     RoutineContext context =
-        new RoutineContext(
-            symbols,
-            List.of(ownRoutines.getOrDefault(Scope.key(module.name()), Map.of()), globalRoutines),
-            stopsAdvanceRun,
-            errors,
-            called);
+        new RoutineContext(symbols, routines, builtIn, stopsAdvanceRun, errors, called);
     String type = routine.returnType();
-    if (!routine.returnDimensions().isEmpty()) {
-      errors.add(routine.position(), "an array cannot be returned by this simulation");
-    }
-    Storage result = type == null ? null : symbols.result(routine.position(), type);
+    Storage result =
+        type == null ? null : symbols.result(routine.position(), type, routine.returnDimensions());
     CompiledCode code =
         new StatementCompiler(context, type != null)
             .routine(routine.name(), routine.body(), routine.end());
     head.complete(
         new CompiledRoutine.Body(
             code, List.copyOf(symbols.locals()), result, context.temporaries()));
+    return context.calledRoutines();
   }
 }

@@ -82,6 +82,16 @@ public interface ProgramEnvironment {
    */
   Optional<KrlStruct> inverse(KrlStruct position, KrlStruct start);
 
+  /** Returns the messages of the programs. */
+  MessageWindow messages();
+
+  /**
+   * Sets the number of {@code $ERR}, without a message.
+   *
+   * @param number 0 for no error
+   */
+  void error(int number);
+
   /** Called when a fault has stopped the program, with its position. */
   void fault(KrlExecutionException fault, Position position);
 }

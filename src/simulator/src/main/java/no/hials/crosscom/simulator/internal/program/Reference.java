@@ -15,6 +15,11 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
  * @param path the part
  */
 record Reference(StorageLocation location, CallFrame frame, VariablePath path) {
+  /** Returns the reference to the array itself, without {@code []} after its name. */
+  Reference whole() {
+    return new Reference(location, frame, path.withoutBrackets());
+  }
+
   Storage storage(VariablePath inner) throws RefusedException {
     return location.storage(frame, path.then(inner));
   }

@@ -1,5 +1,6 @@
 package no.hials.crosscom.simulator.internal.program;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -37,6 +38,8 @@ final class RoutineContext {
 
   private final SymbolTable symbols;
   private final List<Map<String, CompiledRoutine>> routines;
+  private final Map<String, CompiledRoutine> builtIn;
+  private final Set<CompiledRoutine> calledRoutines = new HashSet<>();
   private final Predicate<String> stopsAdvanceRun;
   private final LinkErrors errors;
   private final Set<String> calledModules;
@@ -46,6 +49,7 @@ final class RoutineContext {
    * @param symbols the variables it can use
    * @param routines the routines it can call, by their names in upper case; those of its module
    *     first
+   * @param builtIn the routines of the built-in modules, by their names in upper case
    * @param stopsAdvanceRun whether access to a variable of the controller stops the advance run
    * @param errors gets the errors
    * @param calledModules gets the modules it calls
@@ -53,11 +57,13 @@ final class RoutineContext {
   RoutineContext(
       SymbolTable symbols,
       List<Map<String, CompiledRoutine>> routines,
+      Map<String, CompiledRoutine> builtIn,
       Predicate<String> stopsAdvanceRun,
       LinkErrors errors,
       Set<String> calledModules) {
     this.symbols = symbols;
     this.routines = routines;
+    this.builtIn = builtIn;
     this.stopsAdvanceRun = stopsAdvanceRun;
     this.errors = errors;
     this.calledModules = calledModules;
@@ -69,6 +75,11 @@ final class RoutineContext {
 
   void error(Position position, String message) {
     errors.add(position, message);
+  }
+
+  /** See {@link LinkErrors#addInvalid}. */
+  void addInvalid() {
+    errors.addInvalid();
   }
 
   /** See {@link LinkErrors#exchange}. */
@@ -83,10 +94,21 @@ final class RoutineContext {
       CompiledRoutine routine = known.get(key);
       if (routine != null) {
         calledModules.add(Scope.key(routine.module()));
+        calledRoutines.add(routine);
         return routine;
       }
     }
     return null;
+  }
+
+  /** Returns a routine of the built-in modules; null if it is unknown. */
+  @Nullable CompiledRoutine builtInRoutine(String name) {
+    return builtIn.get(Scope.key(name));
+  }
+
+  /** Returns the routines with a source that it calls. */
+  Set<CompiledRoutine> calledRoutines() {
+    return calledRoutines;
   }
 
   int newTemporary() {

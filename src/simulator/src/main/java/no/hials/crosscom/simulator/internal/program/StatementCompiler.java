@@ -67,9 +67,7 @@ final class StatementCompiler {
                   .run(Statement.TimeBlock.class, (c, it) -> c.unsupported(it, "TIME_BLOCK"))
                   .run(Statement.ConstantVelocity.class, (c, it) -> c.unsupported(it, "CONST_VEL"))
                   .run(Statement.StopOnPath.class, (c, it) -> c.motions.stop(it))
-                  .run(
-                      Statement.OnErrorProceed.class,
-                      (c, it) -> c.unsupported(it, "ON_ERROR_PROCEED"))
+                  .run(Statement.OnErrorProceed.class, (c, it) -> {}) // see statements()
                   .run(Statement.Confirm.class, (c, it) -> c.unsupported(it, "CONFIRM"))
                   .run(Statement.AnalogInput.class, (c, it) -> c.unsupported(it, "ANIN"))
                   .run(Statement.AnalogOutput.class, (c, it) -> c.unsupported(it, "ANOUT"))
@@ -138,11 +136,32 @@ final class StatementCompiler {
 
   private void statements(List<Statement> body) {
     goOn = false;
+    CodeBuilder.Label afterProtected = null;
     for (Statement statement : body) {
       code.statement();
       stopAtError(statement.position(), () -> STATEMENTS.run(this, statement));
       goOn = statement instanceof Statement.Continue;
+      if (afterProtected != null) {
+        code.mark(afterProtected);
+      }
+      afterProtected = statement instanceof Statement.OnErrorProceed ? proceed(statement) : null;
     }
+    if (afterProtected != null) {
+      code.mark(afterProtected);
+    }
+  }
+
+  /** Protects the next statement; returns where the program continues after an error in it. */
+  private CodeBuilder.Label proceed(Statement statement) {
+    CodeBuilder.Label after = new CodeBuilder.Label();
+    int protectedStatement = code.size() + 1;
+    code.emit(
+        statement.position(),
+        machine -> {
+          machine.environment().error(0);
+          machine.frame().proceed(protectedStatement, after.target());
+        });
+    return after;
   }
 
   /** Compiles a statement or a part of it; the program stops there if it has an error. */
@@ -162,6 +181,7 @@ final class StatementCompiler {
 
   /** Compiles a line that could not be parsed: the program stops there. */
   private void stop(Statement.Invalid invalid) {
+    context.addInvalid();
     code.emit(
         invalid.position(),
         machine -> {

@@ -62,6 +62,11 @@ final class SymbolTable {
                   .run(Declaration.Channel.class, (table, it) -> {})
                   .run(Declaration.InitialValue.class, (table, it) -> {}));
 
+  private static final String RESULT = "RESULT";
+
+  /** The length of the text that a function of type {@code CHAR[]} returns (assumed). */
+  private static final int LONGEST_TEXT = 256;
+
   private final KrlModule module;
   private final Scope globals;
   private final Map<String, KrlModule> modules;
@@ -239,13 +244,37 @@ final class SymbolTable {
     locations.put(key, new StorageLocation.Shared(other.scope()));
   }
 
-  /** Returns a variable for the value of a function; null if the type is unknown. */
-  @Nullable Storage result(Position position, String type) {
+  /** Returns a variable for the value of a function; null if its type is wrong. */
+  @Nullable Storage result(
+      Position position, String type, List<@Nullable Expression> returnDimensions) {
     if (!own.knowsType(type)) {
       errors.add(position, "type " + type + " is not declared");
       return null;
     }
-    return own.uninitialised(type);
+    if (returnDimensions.isEmpty()) {
+      return own.uninitialised(type);
+    }
+    if (returnDimensions.size() > 1) {
+      errors.add(position, "an array of several dimensions cannot be returned by this simulation");
+      return null;
+    }
+    Expression length = returnDimensions.get(0);
+    Declarator variable =
+        new Declarator(
+            position,
+            RESULT,
+            List.of(length == null ? new Expression.IntLiteral(position, LONGEST_TEXT) : length),
+            null);
+    Scope scope = new Scope(own);
+    try {
+      Declarations.declare(scope, type, variable, Access.READ_WRITE);
+      return scope.contents(RESULT);
+    } catch (KrlErrorException e) {
+      errors.add(e.error().position(), e.error().message());
+      return null;
+    } catch (RefusedException e) {
+      throw new IllegalStateException(RESULT + " was just declared", e);
+    }
   }
 
   // look-up

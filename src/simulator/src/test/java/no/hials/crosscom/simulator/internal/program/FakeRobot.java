@@ -32,6 +32,12 @@ final class FakeRobot implements ProgramEnvironment {
   final List<String> log = new ArrayList<>();
 
   final List<MotionOrder> orders = new ArrayList<>();
+  private final MessageWindow messages =
+      new MessageWindow(message -> log.add(message.type() + " " + message.fullText()));
+
+  /** The numbers that $ERR got. */
+  final List<Integer> errors = new ArrayList<>();
+
   final List<Fault> faults = new ArrayList<>();
 
   /** Whether kinematics have an answer. */
@@ -139,6 +145,16 @@ final class FakeRobot implements ProgramEnvironment {
 
   private static Optional<KrlStruct> answer(String text) {
     return Optional.of((KrlStruct) KrlValue.parse(text));
+  }
+
+  @Override
+  public MessageWindow messages() {
+    return messages;
+  }
+
+  @Override
+  public void error(int number) {
+    errors.add(number);
   }
 
   @Override

@@ -28,8 +28,6 @@ class LinkTest {
         "SENSOR.X = 1 | 2:1: SENSOR: a SIGNAL has no parts",
         "NOBODY() | 2:1: no routine NOBODY is known",
         "I = NOBODY(1) | 2:5: no routine NOBODY is known",
-        "SWRITE(TEXT[]) | 2:1: SWRITE is not supported by this simulation",
-        "ON_ERROR_PROCEED | 2:1: ON_ERROR_PROCEED is not supported by this simulation",
         "CHANNEL :A :B I | 2:1: CHANNEL is not supported by this simulation",
         "ANOUT OFF $ANOUT[1] | 2:1: ANOUT is not supported by this simulation",
         "I = ABS() | 2:5: ABS takes 1 arguments, has 0",
@@ -83,7 +81,7 @@ class LinkTest {
                 .errorsOf(
                     """
                     DEF TEST()
-                      SUB(1)
+                      SUB(1,ARR[],1)
                       SUB(1,2)
                       SUB(I+1,I)
                       I = SUB(I,ARR[])
@@ -95,10 +93,8 @@ class LinkTest {
                     END
                     """))
         .containsExactly(
-            "test.src:2:3: SUB takes 2 arguments, has 1",
-            "test.src:3:7: an argument for an :OUT parameter is a variable",
+            "test.src:2:3: SUB takes 2 arguments, has 3",
             "test.src:3:9: an argument for an array is a variable or a text",
-            "test.src:4:8: an argument for an :OUT parameter is a variable",
             "test.src:5:7: SUB is a subprogram and has no value",
             "test.src:6:9: an argument for an array is a variable or a text",
             "test.src:7:7: no variable NOBODY is declared",

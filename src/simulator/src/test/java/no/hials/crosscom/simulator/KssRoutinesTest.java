@@ -1,0 +1,299 @@
+package no.hials.crosscom.simulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.List;
+import no.hials.crosscom.protocol.code.ProgramState;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The routines of KSS on a whole controller. */
+class KssRoutinesTest {
+  private static final String DATA =
+      """
+      DEFDAT TEST PUBLIC
+      DECL FDAT FP1={TOOL_NO 2,BASE_NO 3,IPO_FRAME #BASE}
+      DECL FDAT FP0={TOOL_NO 0,BASE_NO 0,IPO_FRAME #TCP}
+      DECL PDAT PP1={VEL 100.0,ACC 40.0,APO_DIST 25.0,APO_MODE #CDIS,GEAR_JERK 75.0}
+      DECL PDAT PP2={VEL 100.0,ACC 40.0,APO_DIST 25.0}
+      DECL LDAT LP1={VEL 2.0,ACC 100.0,APO_DIST 30.0,AXIS_VEL 60.0,AXIS_ACC 50.0,ORI_TYP #CONSTANT,CIRC_TYP #PATH,GEAR_JERK 50.0}
+      GLOBAL REAL R1=0.0
+      GLOBAL REAL R2=0.0
+      GLOBAL REAL R3=0.0
+      GLOBAL BOOL B1=FALSE
+      GLOBAL INT I1=0
+      GLOBAL INT I2=0
+      DECL GLOBAL FRAME F1={X 0.0,Y 0.0,Z 0.0,A 0.0,B 0.0,C 0.0}
+      DECL CP C1
+      DECL CONT A1
+      DECL JERK_STRUC J1
+      DECL LOAD L1
+      ENDDAT
+      """;
+
+  private final Cell cell = new Cell();
+  private final Controller controller = cell.controller;
+
+  @AfterEach
+  void close() {
+    cell.close();
+  }
+
+  private KssRoutinesTest load(String body) {
+    assertThat(controller.load("TEST.DAT", DATA, LoadingMode.LENIENT).problems()).isEmpty();
+    controller.load("TEST.SRC", "DEF TEST()\n" + body + "\nEND\n", LoadingMode.LENIENT);
+    return this;
+  }
+
+  private void start() {
+    select("TEST");
+    controller.start();
+  }
+
+  private void run(String body) {
+    load(body).start();
+    controller.stepUntil(
+        () -> controller.robot().state() != ProgramState.ACTIVE, Duration.ofSeconds(60));
+    assertThat(controller.messages()).isEmpty();
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
+  }
+
+  private String get(String name) {
+    return cell.get(name);
+  }
+
+  // functions of inline forms
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "R1=SVEL_JOINT(40.0) | R1 | 40.0000",
+        "R1=SVEL_JOINT(400.0) | R1 | 100.000",
+        "R1=SVEL_JOINT(40.0) | $VEL_AXIS[6] | 40",
+        "R1=SACC_JOINT(PP1) | R1 | 40.0000",
+        "R1=SACC_JOINT(PP1) | $ACC_AXIS[2] | 40",
+        "R1=SGEAR_JERK(PP1) | R1 | 75.0000",
+        "R1=SGEAR_JERK(PP1) | $GEAR_JERK[6] | 75.0000",
+        "R1=SGEAR_JERK(PP2) | R1 | 100.000",
+        "C1=SVEL_CP(0.5, ,LP1) $R1=C1.CP | R1 | 0.500000",
+        "C1=SVEL_CP(5.0, ,LP1) $R1=C1.CP | R1 | 2.00000",
+        "C1=SVEL_CP(0.5, ,LP1) $R1=C1.ORI2 | R1 | 200.000",
+        "C1=SVEL_CP(0.5, ,LP1) | $VEL_AXIS[1] | 60",
+        "C1=SACC_CP(LP1) $R1=C1.CP | R1 | 1.15000",
+        "A1=SAPO_PTP(PP1) $R1=A1.CDIS | R1 | 25.0000",
+        "$APO=SAPO(LP1) | $APO.CDIS | 30.0000",
+        "F1=STOOL2(FP1) | F1.X | 11.0000",
+        "F1=STOOL2(FP1) | $ACT_BASE | 3",
+        "F1=STOOL(0) | F1.X | 0.0",
+        "F1=SBASE(FP1.BASE_NO) | F1.Y | 22.0000",
+        "L1=SLOAD(1) $R1=L1.M | R1 | 2.50000",
+        "L1=SLOAD(0) $R1=L1.M | R1 | -1.00000",
+        "$IPO_MODE=SIPO_MODE(FP0.IPO_FRAME) | $IPO_MODE | #TCP",
+        "$ORI_TYPE=SORI_TYP(LP1) | $ORI_TYPE | #CONSTANT",
+        "$CIRC_TYPE=SCIRC_TYP(LP1) | $CIRC_TYPE | #PATH",
+        "J1=SJERK(LP1) $R1=J1.CP | R1 | 25.0000",
+      })
+  void hasTheFunctionsOfInlineForms(String statements, String variable, String value) {
+    run("TOOL_DATA[2].X=11.0\nBASE_DATA[3].Y=22.0\n" + statements.replace(" $R1", "\nR1"));
+
+    assertThat(get(variable)).isEqualTo(value);
+  }
+
+  @Test
+  void usesTheBasOfTheArchive() {
+    controller.load(
+        "BAS.SRC",
+        "DEF BAS()\nEND\nGLOBAL DEFFCT REAL SVEL_JOINT(P:IN)\nREAL P\nRETURN P+1.0\nENDFCT\n",
+        LoadingMode.LENIENT);
+
+    run("R1=SVEL_JOINT(40.0)\nF1=STOOL(0)");
+
+    assertThat(get("R1")).isEqualTo("41.0000");
+  }
+
+  @Test
+  void replacesARoutineOfTheArchiveThatDoesNotRunAndReportsIt() {
+    controller.load(
+        "BAS.SRC",
+        """
+        DEF BAS(COMMAND:IN,N:IN)
+        INT COMMAND,N
+        END
+        GLOBAL DEFFCT REAL SVEL_JOINT(P:IN)
+        REAL P
+        HELP()
+        RETURN P+1.0
+        ENDFCT
+        GLOBAL DEFFCT REAL SACC_JOINT(P:IN)
+        DECL PDAT P
+        RETURN 5.0
+        ENDFCT
+        DEF HELP()
+        R3=NOBODY
+        END
+        """,
+        LoadingMode.LENIENT);
+
+    run("R1=SVEL_JOINT(40.0)\nR2=SACC_JOINT(PP1)");
+
+    assertThat(get("R1") + " " + get("R2")).isEqualTo("40.0000 5.00000");
+    assertThat(controller.check("BAS"))
+        .extracting(Object::toString)
+        .contains("BAS.SRC:4:1: routine SVEL_JOINT has errors: the built-in one replaces it");
+  }
+
+  // messages
+
+  @Test
+  void showsNotificationsOfTheProgram() {
+    load("MsgNotify(\"part %1 of %2\",\"Cell\",7,\"blue\",42)\nMsgNotify(\"plain\")").start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(controller.messages())
+        .extracting(m -> m.kind() + " " + m)
+        .containsExactly("NOTIFICATION 42 Cell: part 7 of blue", "NOTIFICATION 0 plain");
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
+  }
+
+  @Test
+  void waitsUntilAMessageIsConfirmed() {
+    load("MsgQuit(\"check the gripper\")\nI1=1").start();
+    controller.step(Duration.ofSeconds(5));
+
+    assertThat(get("I1")).isEqualTo("0");
+    assertThat(get("$STOPMESS")).isEqualTo("TRUE");
+    assertThat(controller.confirmAll()).isEqualTo(1);
+    controller.step(Duration.ofMillis(100));
+    assertThat(get("I1")).isEqualTo("1");
+    assertThat(get("$STOPMESS")).isEqualTo("FALSE");
+  }
+
+  @Test
+  void waitsForTheAnswerToADialogue() {
+    load("MsgDialog(I1,\"which %1?\",\"Cell\",\"part\",\"left\",\"right\")\nI2=1").start();
+    controller.step(Duration.ofSeconds(5));
+
+    Message message = controller.messages().get(0);
+    assertThat(message.kind()).isEqualTo(Message.Kind.DIALOGUE);
+    assertThat(message.text()).isEqualTo("Cell: which part?");
+    assertThat(message.keys()).isEqualTo(List.of("left", "right"));
+    assertThat(get("I2")).isEqualTo("0");
+    assertThatThrownBy(() -> controller.answer(3))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("answer: the dialogue has the keys [left, right], was given number 3");
+    controller.answer(2);
+    controller.step(Duration.ofMillis(100));
+    assertThat(get("I1")).isEqualTo("6");
+    assertThat(get("I2")).isEqualTo("1");
+    assertThatThrownBy(() -> controller.answer(1))
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessage("answer: no dialogue is shown");
+  }
+
+  @Test
+  void clearsStateMessagesOfAProgramThatIsReset() {
+    load("""
+            MsgState(I1,"loading")
+            B1=EXISTS_KRLMSG(I1)
+            HALT
+            """)
+        .start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(get("B1")).isEqualTo("TRUE");
+    controller.load("SECOND.SRC", "DEF SECOND()\nB1=EXISTS_KRLMSG(I1)\nEND\n", LoadingMode.LENIENT);
+    controller.robot().cancel();
+    select("SECOND");
+    controller.start();
+    controller.step(Duration.ofMillis(100));
+    assertThat(get("B1")).isEqualTo("FALSE");
+  }
+
+  private void select(String name) {
+    try {
+      controller.robot().select(name);
+    } catch (KrlFileException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Test
+  void listsAndClearsTheMessagesOfTheProgram() {
+    load("""
+            DECL KRLMSG_T M
+            DECL KRLMSGPAR_T P[3]
+            DECL MSGBUF_T BUF[5]
+            M={MODUL[] "Cell",NR 5,MSG_TXT[] "wait"}
+            I1=Set_KrlMsg(#WAITING,M,P[])
+            I2=Get_MsgBuffer(BUF[])
+            R1=BUF[1].NR
+            B1=Clear_KrlMsg(BUF[1].HANDLE)
+            R2=Get_MsgBuffer(BUF[])
+            """)
+        .start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(controller.messages())
+        .extracting(m -> m.kind() + " " + m)
+        .containsExactly("STATUS 5 Cell: wait");
+    assertThat(get("I2") + " " + get("R1") + " " + get("B1") + " " + get("R2"))
+        .isEqualTo("1 5.00000 TRUE 0.0");
+  }
+
+  @Test
+  void answersADialogueOfTheRobotFromTheProgram() {
+    load("""
+            DECL KRLMSG_T M
+            DECL KRLMSGPAR_T P[3]
+            DECL KRLMSGDLGSK_T K[7]
+            INT A
+            M={MODUL[] "Cell",NR 5,MSG_TXT[] "go on?"}
+            K[1]={SK_TYPE #VALUE,SK_TXT[] "yes"}
+            I1=Set_KrlDlg(M,P[],K[])
+            B1=Set_KrlDlgAnswer(I1,1)
+            B1=Exists_KrlDlg(I1,A)
+            I2=A
+            """)
+        .start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(get("I2") + " " + get("B1")).isEqualTo("1 FALSE");
+  }
+
+  // errors
+
+  @Test
+  void setsTheNumberOfACaughtError() {
+    run("ON_ERROR_PROCEED\nI1=MYINTS[11]\nI1=$ERR.NUMBER\nON_ERROR_PROCEED\nI2=1\nI2=$ERR.NUMBER");
+
+    assertThat(get("I1") + " " + get("I2")).isEqualTo("1444 0");
+  }
+
+  @Test
+  void raisesAnErrorInTheCallingRoutine() {
+    load("ON_ERROR_PROCEED\nSUB()\nI1=$ERR.NUMBER\nERR_CLEAR($ERR)\nI2=$ERR.NUMBER");
+    controller.load(
+        "SUB.SRC",
+        """
+        DEF SUB()
+        DECL ERROR_T E
+        ON_ERROR_PROCEED
+        I1=MYINTS[11]
+        E=$ERR
+        ERR_RAISE(E)
+        I1=99
+        END
+        """,
+        LoadingMode.LENIENT);
+    start();
+    controller.step(Duration.ofMillis(200));
+
+    assertThat(controller.messages()).isEmpty();
+    assertThat(get("I1") + " " + get("I2")).isEqualTo("1444 0");
+  }
+}

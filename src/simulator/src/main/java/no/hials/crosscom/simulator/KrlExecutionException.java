@@ -4,19 +4,20 @@ package no.hials.crosscom.simulator;
 public final class KrlExecutionException extends Exception {
   private static final long serialVersionUID = 1L;
 
-  // the numbers are this simulation's own: no source has the numbers of KSS
+  // KSS's own numbers where they are known (docs/reference/simulated-controller.md#messages);
+  // those from 9001 are this simulation's own
 
   /** A variable, or a part of it, was read before it had a value. */
   public static final int NOT_INITIALISED = 9001;
 
   /** An index is outside the range of its array. */
-  public static final int BAD_INDEX = 9002;
+  public static final int BAD_INDEX = 1444;
 
   /** A value is of the wrong type. */
-  public static final int WRONG_TYPE = 9003;
+  public static final int WRONG_TYPE = 1446;
 
   /** A value is of the right type but not allowed. */
-  public static final int OUT_OF_RANGE = 9004;
+  public static final int OUT_OF_RANGE = 1422;
 
   /** A number is divided by zero. */
   public static final int DIVISION_BY_ZERO = 9005;
@@ -25,10 +26,10 @@ public final class KrlExecutionException extends Exception {
   public static final int OVERFLOW = 9006;
 
   /** A variable cannot be written. */
-  public static final int READ_ONLY = 9007;
+  public static final int READ_ONLY = 1388;
 
   /** Calls are nested too deeply. */
-  public static final int CALL_STACK = 9008;
+  public static final int CALL_STACK = 1424;
 
   /** A function ended without a value. */
   public static final int NO_RESULT = 9009;

@@ -268,7 +268,7 @@ class ControllerMotionTest {
         "PTP {X 2000}|9101|reach",
         "PTP {X 1E38,Y 1E38}|9101|",
         "CIRC {Z 900},{Z 950}|9106|circle",
-        "LIN_REL {A1 1}|9003|LIN_REL needs a Cartesian increment, was given axes"
+        "LIN_REL {A1 1}|1446|LIN_REL needs a Cartesian increment, was given axes"
       })
   void stopsAtATargetThatCannotBe(String body, int number, String text) throws Exception {
     assertStops(body, number, text == null ? "" : text);

@@ -213,9 +213,9 @@ class ControllerVariablesTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "PULSE($OUT[4097],TRUE,1)|9002 test.src:2:1: there is no $OUT[4097]",
-        "PULSE($OUT[1],TRUE,0)|9004 test.src:2:1: a pulse takes more than 0 s, was given 0.0",
-        "PULSE($OUT[1],TRUE,-1)|9004 test.src:2:1: a pulse takes more than 0 s, was given -1.0"
+        "PULSE($OUT[4097],TRUE,1)|1444 test.src:2:1: there is no $OUT[4097]",
+        "PULSE($OUT[1],TRUE,0)|1422 test.src:2:1: a pulse takes more than 0 s, was given 0.0",
+        "PULSE($OUT[1],TRUE,-1)|1422 test.src:2:1: a pulse takes more than 0 s, was given -1.0"
       })
   void refusesAPulseThatCannotBe(String statement, String message) throws Exception {
     cell.start(statement);
@@ -283,13 +283,13 @@ class ControllerVariablesTest {
     cell.start("$OV_PRO=101");
     cell.cycles(1);
     assertThat(cell.message())
-        .startsWith("9004 test.src:2:")
+        .startsWith("1422 test.src:2:")
         .contains("must be 0 to 100, was given 101");
     cell.set("$OV_PRO", "50");
     controller.confirmAll();
     cell.start("$VEL_AXIS[]=0");
     cell.cycles(1);
-    assertThat(controller.messages().get(1).number()).isEqualTo(9004);
+    assertThat(controller.messages().get(1).number()).isEqualTo(1422);
   }
 
   // saved

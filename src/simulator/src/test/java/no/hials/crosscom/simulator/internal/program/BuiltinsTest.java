@@ -33,20 +33,20 @@ class BuiltinsTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "R = SQRT(-1) | 9004 line 2: SQRT takes a number of at least 0, was given -1.0",
-        "R = ACOS(1.5) | 9004 line 2: ACOS takes a number from -1 to 1, was given 1.5",
-        "R = ATAN2(0,0) | 9004 line 2: ATAN2 takes two numbers that are not both 0",
-        "R = SIN(TRUE) | 9003 line 2: needs a number, was given TRUE",
-        "F = INV_POS(XHOME) | 9003 line 2: needs FRAME, POS or E6POS, was given {E6AXIS:",
-        "EP = FORWARD(1,I) | 9003 line 2: needs a position, was given 1",
+        "R = SQRT(-1) | 1422 line 2: SQRT takes a number of at least 0, was given -1.0",
+        "R = ACOS(1.5) | 1422 line 2: ACOS takes a number from -1 to 1, was given 1.5",
+        "R = ATAN2(0,0) | 1422 line 2: ATAN2 takes two numbers that are not both 0",
+        "R = SIN(TRUE) | 1446 line 2: needs a number, was given TRUE",
+        "F = INV_POS(XHOME) | 1446 line 2: needs FRAME, POS or E6POS, was given {E6AXIS:",
+        "EP = FORWARD(1,I) | 1446 line 2: needs a position, was given 1",
         "B = STRCOMP(TEXT[],OTHER[]) | 9001 line 2: TEXT[]: needs a CHAR array with a value",
-        "I = STRLEN(ROWS[3,]) | 9002 line 2: ROWS[3,]: an index is 1 to 2, was given [3,]",
-        "B = STRCLEAR(I) | 9003 line 2: I: needs a CHAR array",
-        "I = STRFIND(TRUE,TEXT[],TEXT[]) | 9003 line 2: needs INT, was given TRUE",
-        "BAS(1,0) | 9003 line 2: needs a command of BAS, was given 1",
+        "I = STRLEN(ROWS[3,]) | 1444 line 2: ROWS[3,]: an index is 1 to 2, was given [3,]",
+        "B = STRCLEAR(I) | 1446 line 2: I: needs a CHAR array",
+        "I = STRFIND(TRUE,TEXT[],TEXT[]) | 1446 line 2: needs INT, was given TRUE",
+        "BAS(1,0) | 1446 line 2: needs a command of BAS, was given 1",
         "BAS(#GROUP) | 9010 line 2: BAS(#GROUP) is not supported",
-        "BAS(#TOOL,17) | 9003 line 2: BAS: TOOL_DATA[17]: no variable TOOL_DATA",
-        "BAS(#VEL_CP,1) | 9003 line 2: BAS: $VEL.CP: no variable $VEL",
+        "BAS(#TOOL,17) | 1446 line 2: BAS: TOOL_DATA[17]: no variable TOOL_DATA",
+        "BAS(#VEL_CP,1) | 1446 line 2: BAS: $VEL.CP: no variable $VEL",
       })
   void refusesArgumentsThatAreNotPossible(String statement, String message) {
     assertThat(new Rig().faultIn(statement)).startsWith(message);

@@ -109,7 +109,7 @@ class ControlFlowTest {
   @Test
   void refusesAStepOfZero() {
     assertThat(new Rig().faultIn("FOR J = 1 TO 3 STEP 0\nI = 1\nENDFOR"))
-        .isEqualTo("9004 line 2: the STEP of FOR must not be 0");
+        .isEqualTo("1422 line 2: the STEP of FOR must not be 0");
   }
 
   @Test

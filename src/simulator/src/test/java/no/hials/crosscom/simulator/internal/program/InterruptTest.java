@@ -343,10 +343,10 @@ class InterruptTest {
         "RESUME | 9010 line 2: RESUME is allowed in the routine of an interrupt only",
         "BRAKE | 9010 line 2: BRAKE is allowed in the routine of an interrupt only",
         "INTERRUPT ON 7 | 9010 line 2: no interrupt with priority 7 is declared here",
-        "INTERRUPT DECL 0 WHEN $IN[1] DO I=1 | 9004 line 2: the priority of an interrupt is 1 to"
+        "INTERRUPT DECL 0 WHEN $IN[1] DO I=1 | 1422 line 2: the priority of an interrupt is 1 to"
             + " 39",
-        "INTERRUPT DECL 40 WHEN $IN[1] DO I=1 | 9004 line 2: the priority of an interrupt is 1 to",
-        "INTERRUPT DECL 129 WHEN $IN[1] DO I=1 | 9004 line 2: the priority of an interrupt is 1",
+        "INTERRUPT DECL 40 WHEN $IN[1] DO I=1 | 1422 line 2: the priority of an interrupt is 1 to",
+        "INTERRUPT DECL 129 WHEN $IN[1] DO I=1 | 1422 line 2: the priority of an interrupt is 1",
       })
   void refusesAStatementThatIsNotPossible(String statement, String message) {
     assertThat(new Rig().faultIn(statement)).startsWith(message);
@@ -395,7 +395,7 @@ class InterruptTest {
 
     rig.cycle();
 
-    assertThat(rig.fault()).startsWith("9003 line 2: EMPTY: no variable EMPTY");
+    assertThat(rig.fault()).startsWith("1446 line 2: EMPTY: no variable EMPTY");
     assertThat(rig.line()).isEqualTo(6);
   }
 

@@ -71,9 +71,9 @@ class MotionTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "PTP 5 | 9003 line 2: needs a position, was given 5",
+        "PTP 5 | 1446 line 2: needs a position, was given 5",
         "PTP NOWHERE | 9001 line 2: NOWHERE: has no value yet",
-        "CIRC TRUE,F | 9003 line 2: needs a position, was given TRUE",
+        "CIRC TRUE,F | 1446 line 2: needs a position, was given TRUE",
       })
   void refusesATargetThatIsNone(String statement, String message) {
     assertThat(new Rig().faultIn(statement)).isEqualTo(message);
@@ -298,7 +298,7 @@ class MotionTest {
             + " 39",
       })
   void refusesATriggerThatIsNotPossible(String statement, String message) {
-    assertThat(new Rig().faultIn(statement)).startsWith("9004 line 2: " + message);
+    assertThat(new Rig().faultIn(statement)).startsWith("1422 line 2: " + message);
   }
 
   // the submit interpreter

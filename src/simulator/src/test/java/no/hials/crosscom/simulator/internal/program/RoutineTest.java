@@ -54,7 +54,7 @@ class RoutineTest {
   @Test
   void refusesAValueOfAnotherType() {
     assertThat(new Rig().faultOf("DEF TEST()\nSUB(TRUE)\nEND\nDEF SUB(N:IN)\nINT N\nI = N\nEND\n"))
-        .isEqualTo("9003 line 2: N: needs INT, was given TRUE");
+        .isEqualTo("1446 line 2: N: needs INT, was given TRUE");
   }
 
   @Test
@@ -144,7 +144,7 @@ class RoutineTest {
   @Test
   void refusesASignalForAnArray() {
     assertThat(new Rig().faultOf("DEF TEST()\nSUB(NIBBLE)\nEND\nDEF SUB(A[]:IN)\nINT A[]\nEND\n"))
-        .startsWith("9003 line 2: NIBBLE");
+        .startsWith("1446 line 2: NIBBLE");
   }
 
   @Test
@@ -207,7 +207,7 @@ class RoutineTest {
     assertThat(
             new Rig()
                 .faultOf("DEF TEST()\nI = BAD()\nEND\nDEFFCT INT BAD()\nRETURN TRUE\nENDFCT\n"))
-        .isEqualTo("9003 line 5: the value of BAD: needs INT, was given TRUE");
+        .isEqualTo("1446 line 5: the value of BAD: needs INT, was given TRUE");
   }
 
   @Test
@@ -249,7 +249,7 @@ class RoutineTest {
   @Test
   void limitsTheDepthOfCalls() {
     assertThat(new Rig().faultOf("DEF TEST()\nTEST()\nEND\n"))
-        .isEqualTo("9008 line 2: calls nest at most 256 deep, TEST is one too many");
+        .isEqualTo("1424 line 2: calls nest at most 256 deep, TEST is one too many");
   }
 
   @Test

@@ -40,6 +40,9 @@ public final class KrlExecutionException extends Exception {
   /** A channel cannot be opened or used. */
   public static final int CHANNEL = 1007;
 
+  /** An assignment cannot be evaluated in cycles. */
+  public static final int CYCLIC_FLAG = 1609;
+
   private final int number;
 
   /**

@@ -265,6 +265,90 @@ class KssRoutinesTest {
     assertThat(get("I2") + " " + get("B1")).isEqualTo("1 FALSE");
   }
 
+  // cycles
+
+  @Test
+  void evaluatesTheExpressionOfACyclicFlagInEachCycle() {
+    load("""
+            INT LIMIT,N
+            LIMIT=3
+            N=2
+            $CYCFLAG[N]=I1>LIMIT
+            N=5
+            INTERRUPT DECL 3 WHEN $CYCFLAG[2] DO HIT()
+            INTERRUPT ON 3
+            LIMIT=5
+            WAIT FOR FALSE
+            """)
+        .start();
+    controller.load("HIT.SRC", "DEF HIT()\nI2=I2+1\nEND\n", LoadingMode.LENIENT);
+    controller.robot().stop();
+    start();
+    controller.step(Duration.ofMillis(48));
+    cell.set("I1", "5");
+    controller.step(Duration.ofMillis(48));
+    String before = get("$CYCFLAG[2]") + " " + get("I2");
+    cell.set("I1", "6");
+    controller.step(Duration.ofMillis(48));
+
+    assertThat(before).isEqualTo("FALSE 0");
+    assertThat(get("$CYCFLAG[2]") + " " + get("I2")).isEqualTo("TRUE 1");
+    controller.robot().cancel();
+    cell.set("I1", "0");
+    controller.step(Duration.ofMillis(48));
+    assertThat(get("$CYCFLAG[2]")).isEqualTo("TRUE");
+  }
+
+  @Test
+  void refusesARoutineInACyclicFlag() {
+    load("$CYCFLAG[1]=F()");
+    controller.load("F.SRC", "DEFFCT BOOL F()\nRETURN TRUE\nENDFCT\n", LoadingMode.LENIENT);
+
+    assertThat(controller.check("TEST"))
+        .extracting(Object::toString)
+        .containsExactly("TEST.SRC:2:13: a cyclic flag must not call F");
+  }
+
+  @Test
+  void writesAnalogueOutputsInCycles() {
+    load("""
+            ANOUT ON $ANOUT[1]=R1*2.0 MINIMUM=-0.5 MAXIMUM=0.5
+            ANOUT ON $ANOUT[2]=R1 DELAY=0.12
+            ANIN ON R2=R1+1.0
+            WAIT FOR B1
+            ANOUT OFF $ANOUT[1]
+            ANIN OFF R2
+            WAIT FOR FALSE
+            """)
+        .start();
+    controller.step(Duration.ofMillis(24));
+    cell.set("R1", "0.2");
+    controller.step(Duration.ofMillis(24));
+    assertThat(get("$ANOUT[1]") + " " + get("$ANOUT[2]") + " " + get("R2"))
+        .isEqualTo("0.400000 0.0 1.20000");
+    cell.set("R1", "0.4");
+    controller.step(Duration.ofMillis(24));
+    assertThat(get("$ANOUT[1]")).isEqualTo("0.500000");
+    controller.step(Duration.ofMillis(120));
+    assertThat(get("$ANOUT[2]")).isEqualTo("0.400000");
+    cell.set("B1", "TRUE");
+    controller.step(Duration.ofMillis(24));
+    cell.set("R1", "0.0");
+    controller.step(Duration.ofMillis(240));
+    assertThat(get("$ANOUT[1]") + " " + get("$ANOUT[2]") + " " + get("R2"))
+        .isEqualTo("0.500000 0.0 1.40000");
+  }
+
+  @Test
+  void confirmsAMessageFromTheSubmitProgram() throws KrlFileException {
+    load("MsgQuit(\"wait\", , , ,77)\nI1=1").start();
+    controller.step(Duration.ofMillis(100));
+    cell.submit("CONFIRM 77");
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(get("I1") + " " + get("$STOPMESS")).isEqualTo("1 FALSE");
+  }
+
   // errors
 
   @Test

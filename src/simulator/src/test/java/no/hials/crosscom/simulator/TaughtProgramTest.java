@@ -81,17 +81,6 @@ class TaughtProgramTest {
   }
 
   @Test
-  void saysThatCyclicFlagsAreNotSupported() throws Exception {
-    try (Controller controller = Cell.stepped(VariableTable.krc4())) {
-      controller.load("flag.src", "DEF FLAG ( )\n$CYCFLAG[1]=$IN[1]\nEND\n");
-
-      assertThat(controller.check("FLAG"))
-          .singleElement()
-          .hasToString("flag.src:2:1: cyclic flags are not supported by this simulation");
-    }
-  }
-
-  @Test
   void refusesToLetAProgramWriteWhatTheSystemWrites() throws Exception {
     try (Controller controller = Cell.stepped(VariableTable.krc4())) {
       controller.load("out.src", "DEF OUT ( )\n$OUT[993]=TRUE\nEND\n");

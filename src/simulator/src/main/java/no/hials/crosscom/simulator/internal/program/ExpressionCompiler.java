@@ -51,16 +51,17 @@ final class ExpressionCompiler {
 
   private final RoutineContext context;
   private final CodeBuilder code;
-  private final boolean mayCall;
+  private final @Nullable String cyclic;
 
   /**
    * @param code gets the instructions
-   * @param mayCall whether routines with a source can be called
+   * @param cyclic what evaluates the expressions in each cycle, so that they cannot call routines
+   *     with a source; null otherwise
    */
-  ExpressionCompiler(RoutineContext context, CodeBuilder code, boolean mayCall) {
+  ExpressionCompiler(RoutineContext context, CodeBuilder code, @Nullable String cyclic) {
     this.context = context;
     this.code = code;
-    this.mayCall = mayCall;
+    this.cyclic = cyclic;
   }
 
   /** Returns the path of a part of a variable; takes its indices from the stack. */
@@ -255,9 +256,9 @@ final class ExpressionCompiler {
       List<? extends @Nullable Expression> arguments,
       boolean valueWanted) {
     checkValue(position, routine.name(), routine.isFunction(), valueWanted);
-    if (!mayCall) {
+    if (cyclic != null) {
       // assumed: the condition is evaluated in every cycle and cannot wait
-      context.error(position, "the condition of an interrupt must not call " + routine.name());
+      context.error(position, cyclic + " must not call " + routine.name());
     }
     List<CompiledRoutine.Parameter> parameters = routine.parameters();
     if (arguments.size() > parameters.size()) {
@@ -285,7 +286,7 @@ final class ExpressionCompiler {
     }
   }
 
-  private void reference(Expression.Variable variable) {
+  void reference(Expression.Variable variable) {
     StorageLocation location = context.symbols().resolve(variable);
     if (location != null) {
       PathSource source = path(variable);

@@ -34,6 +34,7 @@ final class KrlVirtualMachine {
   private final Interpreter kind;
   private final ProgramEnvironment environment;
   private final Interrupts interrupts = new Interrupts();
+  private final CyclicAssignments cyclic = new CyclicAssignments();
   private final NextMotion next = new NextMotion();
 
   /** Values, references and contents of variables; null for an omitted argument. */
@@ -60,6 +61,7 @@ final class KrlVirtualMachine {
   void clear() {
     environment.messages().forget(kind);
     interrupts.clear();
+    cyclic.clear();
     next.clear();
     Arrays.fill(stack, null);
     height = 0;
@@ -98,6 +100,7 @@ final class KrlVirtualMachine {
   /** Executes instructions until one waits, the program halts or ends, or the limit is reached. */
   void run(int maxInstructions) throws KrlExecutionException {
     beginCycle();
+    cyclic.execute(this);
     interrupts.watch(this);
     interrupt();
     execute(maxInstructions, false);
@@ -235,6 +238,10 @@ final class KrlVirtualMachine {
     return interrupts;
   }
 
+  CyclicAssignments cyclic() {
+    return cyclic;
+  }
+
   void push(@Nullable Object value) {
     if (height == stack.length) {
       stack = Arrays.copyOf(stack, 2 * height);
@@ -250,6 +257,10 @@ final class KrlVirtualMachine {
 
   KrlValue pop() {
     return (KrlValue) Objects.requireNonNull(popArgument());
+  }
+
+  Reference popReference() {
+    return (Reference) Objects.requireNonNull(popArgument());
   }
 
   boolean popBool() throws KrlExecutionException {
@@ -394,8 +405,12 @@ final class KrlVirtualMachine {
     }
   }
 
-  /** Returns the value of a condition, whose instructions neither call nor wait. */
   boolean condition(CompiledCode condition, CallFrame owner) throws KrlExecutionException {
+    return Operators.boolOf(value(condition, owner));
+  }
+
+  /** Returns the value of an expression, whose instructions neither call nor wait. */
+  KrlValue value(CompiledCode condition, CallFrame owner) throws KrlExecutionException {
     CallFrame interrupted = frame();
     CallFrame frame = new CallFrame(owner, condition, interrupted, null, height);
     top = frame;
@@ -403,7 +418,7 @@ final class KrlVirtualMachine {
       for (int i = 0; i < condition.steps().size(); i++) {
         frame.fetch().execute(this);
       }
-      return popBool();
+      return pop();
     } catch (KrlExecutionException fault) {
       faultPosition = frame.executed();
       drop(frame.stackBase());

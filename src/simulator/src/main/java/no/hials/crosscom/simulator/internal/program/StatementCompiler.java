@@ -14,6 +14,7 @@ import no.hials.crosscom.lang.Statement;
 import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.data.Operators;
@@ -68,9 +69,9 @@ final class StatementCompiler {
                   .run(Statement.ConstantVelocity.class, (c, it) -> c.unsupported(it, "CONST_VEL"))
                   .run(Statement.StopOnPath.class, (c, it) -> c.motions.stop(it))
                   .run(Statement.OnErrorProceed.class, (c, it) -> {}) // see statements()
-                  .run(Statement.Confirm.class, (c, it) -> c.unsupported(it, "CONFIRM"))
-                  .run(Statement.AnalogInput.class, (c, it) -> c.unsupported(it, "ANIN"))
-                  .run(Statement.AnalogOutput.class, (c, it) -> c.unsupported(it, "ANOUT"))
+                  .run(Statement.Confirm.class, StatementCompiler::confirm)
+                  .run(Statement.AnalogInput.class, StatementCompiler::analogInput)
+                  .run(Statement.AnalogOutput.class, StatementCompiler::analogOutput)
                   .run(Statement.Invalid.class, StatementCompiler::stop));
 
   /** Compiles an action without the stop of the advance run. */
@@ -113,7 +114,7 @@ final class StatementCompiler {
     this.context = context;
     this.function = function;
     this.code = new CodeBuilder();
-    this.expressions = new ExpressionCompiler(context, code, true);
+    this.expressions = new ExpressionCompiler(context, code, null);
     this.motions = new MotionCompiler(code, expressions, new MotionParts());
   }
 
@@ -223,11 +224,81 @@ final class StatementCompiler {
 
   private void assign(Statement.AssignmentStatement assignment) {
     if (Scope.key(assignment.target().name()).equals("$CYCFLAG")) {
-      // its expression would have to be evaluated again in each cycle
-      // (docs/reference/system-variables.md#inputs-outputs-and-timers)
-      context.error(assignment.position(), "cyclic flags are not supported by this simulation");
+      CompiledCode value = cyclic("a cyclic flag", assignment.value());
+      expressions.reference(assignment.target());
+      code.emit(
+          assignment.position(),
+          machine ->
+              machine
+                  .cyclic()
+                  .start(machine.popReference(), value, CyclicAssignments.Shape.NONE, machine));
+      return;
     }
     expressions.write(assignment.target(), () -> expressions.compile(assignment.value()));
+  }
+
+  /** Compiles an expression that is evaluated in each cycle. */
+  private CompiledCode cyclic(String what, Expression expression) {
+    CodeBuilder builder = new CodeBuilder();
+    new ExpressionCompiler(context, builder, what).compile(expression);
+    return builder.build();
+  }
+
+  private void analogInput(Statement.AnalogInput input) {
+    analog(input.position(), "ANIN", input.target(), input.value(), null, null, null);
+  }
+
+  private void analogOutput(Statement.AnalogOutput output) {
+    analog(
+        output.position(),
+        "ANOUT",
+        output.target(),
+        output.value(),
+        output.delay(),
+        output.minimum(),
+        output.maximum());
+  }
+
+  private void analog(
+      Position position,
+      String word,
+      Expression.Variable target,
+      @Nullable Expression value,
+      @Nullable Expression delay,
+      @Nullable Expression minimum,
+      @Nullable Expression maximum) {
+    expressions.reference(target);
+    if (value == null) {
+      code.emit(position, machine -> machine.cyclic().end(machine.popReference()));
+      return;
+    }
+    CompiledCode compiled = cyclic(word, value);
+    numberOr(position, delay, 0);
+    numberOr(position, minimum, -Float.MAX_VALUE);
+    numberOr(position, maximum, Float.MAX_VALUE);
+    code.emit(
+        position,
+        machine -> {
+          double highest = machine.popNumber();
+          double lowest = machine.popNumber();
+          CyclicAssignments.Shape shape =
+              new CyclicAssignments.Shape(machine.popNumber(), lowest, highest);
+          machine.cyclic().start(machine.popReference(), compiled, shape, machine);
+        });
+  }
+
+  private void numberOr(Position position, @Nullable Expression expression, double otherwise) {
+    if (expression == null) {
+      code.constant(position, KrlReal.of(otherwise));
+    } else {
+      expressions.compile(expression);
+    }
+  }
+
+  private void confirm(Statement.Confirm confirm) {
+    expressions.compile(confirm.message());
+    code.emit(
+        confirm.position(), machine -> machine.environment().messages().confirm(machine.popInt()));
   }
 
   private void sendPulse(Statement.Pulse pulse) {
@@ -484,14 +555,8 @@ final class StatementCompiler {
 
   // interrupts
 
-  private CompiledCode detachedCondition(Expression condition) {
-    CodeBuilder detached = new CodeBuilder();
-    new ExpressionCompiler(context, detached, false).compile(condition);
-    return detached.build();
-  }
-
   private void declare(Statement.InterruptDeclaration declaration) {
-    CompiledCode condition = detachedCondition(declaration.condition());
+    CompiledCode condition = cyclic("the condition of an interrupt", declaration.condition());
     CompiledCode action = detached(declaration.action());
     expressions.compile(declaration.priority());
     code.emit(
@@ -533,7 +598,7 @@ final class StatementCompiler {
 
     @Override
     public CompiledCode condition(Expression condition) {
-      return detachedCondition(condition);
+      return cyclic("a condition on the path", condition);
     }
   }
 

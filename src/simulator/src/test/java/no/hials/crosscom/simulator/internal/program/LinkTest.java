@@ -29,7 +29,7 @@ class LinkTest {
         "NOBODY() | 2:1: no routine NOBODY is known",
         "I = NOBODY(1) | 2:5: no routine NOBODY is known",
         "CHANNEL :A :B I | 2:1: CHANNEL is not supported by this simulation",
-        "ANOUT OFF $ANOUT[1] | 2:1: ANOUT is not supported by this simulation",
+        "ANOUT OFF $ANOUT[1] | 2:11: no variable $ANOUT is declared",
         "I = ABS() | 2:5: ABS takes 1 arguments, has 0",
         "I = ABS(,) | 2:5: ABS takes 1 arguments, has 0",
         "B = STRCOMP(TEXT[]) | 2:5: STRCOMP takes 2 to 3 arguments, has 1",

@@ -59,6 +59,7 @@ public final class ControllerCore {
   private final KrlInterpreter submit;
   private final OperatorPanel panel;
   private final ManualMotion manual;
+  private final AutomaticExternal external;
   private final SpeedReduction speed;
   private final Timers timers;
   private final AdvanceRun motions;
@@ -95,6 +96,7 @@ public final class ControllerCore {
     robot = interpreter(Interpreter.ROBOT, access);
     submit = interpreter(Interpreter.SUBMIT, access);
     manual = new ManualMotion(robot, motions, panel);
+    external = new AutomaticExternal(access, new PlcActions());
     speed = new SpeedReduction(access, motions, panel, manual);
     variables = new SystemVariables(globals, access, model, robot, submit, state());
     robots = new RobotChanger(access, motions, variables, panel);
@@ -400,6 +402,7 @@ public final class ControllerCore {
       showFailure();
       advanceTime();
       timers.advance(time, CYCLE_MILLIS);
+      external.cycle(panel.mode());
       submit.run(SUBMIT_INSTRUCTIONS);
       motions.settle(robot.state() == ProgramState.ACTIVE || manual.active());
       robot.run(ROBOT_INSTRUCTIONS);
@@ -482,7 +485,37 @@ public final class ControllerCore {
         panel.mode(),
         panel.emergency(),
         panel.stopMessage(),
-        motions.idle());
+        motions.idle(),
+        external.drives());
+  }
+
+  /** What a higher-level controller does with its signals. */
+  private final class PlcActions implements AutomaticExternal.Actions {
+    @Override
+    public void confirm() {
+      panel.confirmAll();
+    }
+
+    @Override
+    public void start() {
+      if (robot.state() == ProgramState.ACTIVE) {
+        return; // the signal can announce a program number
+      }
+      try {
+        if (!external.drives()) {
+          throw new IllegalStateException("start: the drives are off");
+        }
+        startLocked(Interpreter.ROBOT, true);
+      } catch (IllegalStateException e) {
+        panel.show(
+            Message.Kind.NOTIFICATION, OperatorPanel.NOT_STARTED, "$EXT_START: " + e.getMessage());
+      }
+    }
+
+    @Override
+    public void stop() {
+      stopRobot();
+    }
   }
 
   /** Shows the motions of the robot in the variables. */

@@ -29,6 +29,9 @@ final class OperatorPanel {
   /** The machine data describe no robot that can be simulated. */
   static final int OTHER_ROBOT = 9108;
 
+  /** The higher-level controller could not start the program. */
+  static final int NOT_STARTED = 9109;
+
   private static final int KEPT_MESSAGES = 1000;
 
   /** The override after a change to T2 (docs/reference/system-variables.md#override-and-speed). */

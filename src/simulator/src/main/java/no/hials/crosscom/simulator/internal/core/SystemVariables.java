@@ -83,6 +83,7 @@ final class SystemVariables {
    * @param emergency whether the emergency stop is pressed
    * @param stopMessage whether a message has to be confirmed
    * @param idle whether all motions have ended
+   * @param drives whether the signals of a higher-level controller leave the drives on
    */
   record State(
       Joints axes,
@@ -95,7 +96,8 @@ final class SystemVariables {
       OperatingMode mode,
       boolean emergency,
       boolean stopMessage,
-      boolean idle) {}
+      boolean idle,
+      boolean drives) {}
 
   /** The state of an interpreter. */
   private record Pointer(ProgramState state, String program, List<KrlInterpreter.Level> levels) {}
@@ -244,6 +246,7 @@ final class SystemVariables {
 
   private boolean drivesOn() {
     return !state.emergency()
+        && state.drives()
         && (!state.mode().manual() || robotPointer.state() == ProgramState.ACTIVE);
   }
 

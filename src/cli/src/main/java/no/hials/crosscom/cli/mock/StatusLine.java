@@ -17,7 +17,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Shows the state of a simulated controller: its messages line by line on stderr, and on a terminal
- * a last line that changes in place. The last line goes to stdout, which is then a terminal.
+ * a last line that changes in place; there it also reads {@link OperatorKeys}. The last line goes
+ * to stdout, which is then a terminal.
  */
 final class StatusLine implements AutoCloseable {
   private static final long PERIOD_MILLIS = 250;
@@ -26,6 +27,7 @@ final class StatusLine implements AutoCloseable {
   private final MockServer server;
   private final BooleanSupplier isShown;
   private final LiveLine line;
+  private final OperatorKeys keys;
   private final ScheduledExecutorService executor =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -47,6 +49,7 @@ final class StatusLine implements AutoCloseable {
     this.server = server;
     this.isShown = isShown;
     this.line = new LiveLine(console.out(), true);
+    this.keys = new OperatorKeys(console.in(), server.controller(), console::hint);
   }
 
   void start() {
@@ -61,6 +64,7 @@ final class StatusLine implements AutoCloseable {
     }
     showMessages();
     if (isShown.getAsBoolean()) {
+      keys.poll();
       line.show(text(server));
     }
   }
@@ -74,7 +78,7 @@ final class StatusLine implements AutoCloseable {
       return;
     }
     line.clear();
-    fresh.forEach(message -> console.hint(message.toString()));
+    fresh.forEach(message -> console.hint(OperatorKeys.text(message)));
     lastShown = fresh.get(fresh.size() - 1);
   }
 

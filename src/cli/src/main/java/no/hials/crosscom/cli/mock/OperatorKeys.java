@@ -1,0 +1,75 @@
+package no.hials.crosscom.cli.mock;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.Message;
+
+/**
+ * What the user types on the terminal of a simulated controller: the number of a key answers the
+ * oldest dialogue, an empty line confirms the messages. It never waits for input, because a
+ * background job that reads is stopped.
+ */
+final class OperatorKeys {
+  private final Reader in;
+  private final Controller controller;
+  private final Consumer<String> hints;
+  private final StringBuilder line = new StringBuilder();
+
+  /**
+   * @param hints gets what came of each line
+   */
+  OperatorKeys(Reader in, Controller controller, Consumer<String> hints) {
+    this.in = in;
+    this.controller = controller;
+    this.hints = hints;
+  }
+
+  /** Executes the lines that were typed since the last call. */
+  void poll() {
+    try {
+      while (in.ready()) {
+        int next = in.read();
+        if (next < 0) {
+          return;
+        }
+        if (next == '\n') {
+          execute(line.toString().strip());
+          line.setLength(0);
+        } else {
+          line.append((char) next);
+        }
+      }
+    } catch (IOException e) {
+      line.setLength(0); // no keys without a terminal; the messages can be read all the same
+    }
+  }
+
+  private void execute(String typed) {
+    if (typed.isEmpty()) {
+      hints.accept("confirmed messages: " + controller.confirmAll());
+      return;
+    }
+    try {
+      controller.answer(Integer.parseInt(typed));
+    } catch (NumberFormatException e) {
+      hints.accept("type the number of a key, or only Enter to confirm; was '" + typed + "'");
+    } catch (IllegalStateException | IllegalArgumentException e) {
+      hints.accept(String.valueOf(e.getMessage()));
+    }
+  }
+
+  /** Returns a message with its keys. */
+  static String text(Message message) {
+    List<String> keys = new ArrayList<>();
+    for (int i = 0; i < message.keys().size(); i++) {
+      if (!message.keys().get(i).isEmpty()) {
+        keys.add((i + 1) + " " + message.keys().get(i));
+      }
+    }
+    return message + (keys.isEmpty() ? "" : " [" + String.join(", ", keys) + "]");
+  }
+}

@@ -37,9 +37,9 @@ import org.jspecify.annotations.Nullable;
  * a program is like any other (a real controller moves to the first point slowly, and waits).
  *
  * <p>An error that stops a program is a {@link Message}, which has to be confirmed before the next
- * start; {@code $STOPMESS} is TRUE until then. The message numbers of KSS are not known; the
- * numbers from 9001 are this simulation's own. A target out of reach stops the program at its
- * motion statement; a path that cannot be followed to its end, after it.
+ * start; {@code $STOPMESS} is TRUE until then. Numbers below 9001 are KSS's own. A target out of
+ * reach stops the program at its motion statement; a path that cannot be followed to its end, after
+ * it. Programs show messages of their own, and dialogues for {@link #answer}.
  *
  * <p>Thread-safe. It has one daemon thread, unless the clock is stepped; {@link #close} ends it.
  */

@@ -7,7 +7,7 @@ import java.util.List;
  * A message of the simulated controller, as the pendant would show it.
  *
  * @param kind the kind, which tells whether the operator must act
- * @param number its number; few numbers of KSS are known, see {@link Controller}
+ * @param number its number, see {@link Controller}; that of a program is its own
  * @param text the text, with file and line if it concerns a program
  * @param time the simulated time of the message since the start
  * @param keys the labels of the keys of a dialogue, see {@link Controller#answer}; empty for a key

@@ -9,9 +9,9 @@ import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.Message;
 
 /**
- * What the user types on the terminal of a simulated controller: the number of a key answers the
- * oldest dialogue, an empty line confirms the messages. It never waits for input, because a
- * background job that reads is stopped.
+ * Reads the terminal of a simulated controller: the number of a key answers the oldest dialogue, an
+ * empty line confirms the messages. It never waits for input, because a background job that reads
+ * is stopped.
  */
 final class OperatorKeys {
   private final Reader in;
@@ -20,7 +20,7 @@ final class OperatorKeys {
   private final StringBuilder line = new StringBuilder();
 
   /**
-   * @param hints gets what came of each line
+   * @param hints gets a line if the typed one was wrong or has confirmed messages
    */
   OperatorKeys(Reader in, Controller controller, Consumer<String> hints) {
     this.in = in;

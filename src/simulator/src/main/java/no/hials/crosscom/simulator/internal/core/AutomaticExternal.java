@@ -11,7 +11,7 @@ import no.hials.crosscom.protocol.value.KrlBool;
 final class AutomaticExternal {
   private static final String ACTIVE = "$I_O_ACTCONF";
 
-  /** What the signals do. */
+  /** Called when a signal changes. */
   interface Actions {
     void confirm();
 

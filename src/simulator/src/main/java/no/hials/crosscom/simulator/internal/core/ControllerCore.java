@@ -35,7 +35,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Everything happens in cycles of 12 ms, one after the other: timers, submit interpreter, robot
  * interpreter, motion, system variables. One lock is held during a cycle and during every other
- * call. Clients that read between two cycles see the state after the last.
+ * call. Clients that read between two cycles see the state after the last. The class is long
+ * because all of these calls work under its one lock.
  */
 public final class ControllerCore {
   /**
@@ -489,7 +490,7 @@ public final class ControllerCore {
         external.drives());
   }
 
-  /** What a higher-level controller does with its signals. */
+  /** Executes the signals of a higher-level controller. */
   private final class PlcActions implements AutomaticExternal.Actions {
     @Override
     public void confirm() {

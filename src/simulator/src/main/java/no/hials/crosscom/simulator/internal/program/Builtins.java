@@ -161,7 +161,7 @@ final class Builtins {
 
   // errors
 
-  /** Raises the error of an ERROR_T; the number 0 is none. */
+  /** Raises the error of an ERROR_T, unless its number is 0. */
   private static @Nullable KrlValue raise(Call call) throws KrlExecutionException {
     KrlValue error = call.value(0);
     int number =

@@ -24,7 +24,7 @@ final class CyclicAssignments {
   private final Map<String, Active> active = new LinkedHashMap<>();
 
   /**
-   * What limits and delays the values.
+   * The limits and the delay of the values.
    *
    * @param delay in s
    */

@@ -17,7 +17,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Executes instructions. An instruction that has to wait is executed again in the next cycle, so it
- * must decide to wait before it has any effect.
+ * must decide to wait before it has any effect. The class is long because instructions, interrupts
+ * and errors work on its one stack of calls.
  */
 final class KrlVirtualMachine {
   /** The maximum depth of calls (assumed). */

@@ -1,0 +1,158 @@
+package no.hials.crosscom.simulator;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import no.hials.crosscom.lang.KrlEncoding;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.simulator.LoadReport.FileReport;
+import no.hials.crosscom.simulator.internal.files.ArchiveLayout;
+import no.hials.crosscom.simulator.internal.files.ArchiveReader;
+import no.hials.crosscom.simulator.internal.files.ArchivedFile;
+
+/**
+ * The files of a controller as its archive has them: data lists, programs, and what else is there.
+ * {@link Controller#load(Archive, LoadingMode)} loads them.
+ *
+ * <p>It is a zip or a folder in any layout (docs/reference/simulated-controller.md#archives):
+ * {@code KRC/R1/...}, {@code R1/...}, {@code Program/...}, or files without folders, in any case.
+ * The files are read once, into memory: nothing changes the zip or the folder.
+ *
+ * <p>Immutable.
+ */
+public final class Archive {
+  private static final Pattern SETTING = Pattern.compile("(?m)^\\s*(\\w+)\\s*=[ \\t]*(.*?)\\s*$");
+
+  /** The bytes that clients can add to the files, as in {@link FileTree#inMemory()}. */
+  private static final long ROOM = FileTree.DEFAULT_CAPACITY;
+
+  private static final int FILE_COST = 1024;
+
+  /** The files by their places below {@code KRC:\}. */
+  private final Map<String, ArchivedFile> files = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+
+  /** The files that cannot be used. */
+  private final List<FileReport> refused = new ArrayList<>();
+
+  private Archive(List<List<ArchivedFile>> places) {
+    places.forEach(this::add);
+  }
+
+  private void add(List<ArchivedFile> all) {
+    ArchiveLayout layout =
+        new ArchiveLayout(
+            all.stream().filter(f -> f.refusal() == null).map(ArchivedFile::path).toList());
+    for (ArchivedFile file : all) {
+      String refusal = file.refusal();
+      if (refusal != null) {
+        refuse(file, refusal);
+        continue;
+      }
+      ArchivedFile other = files.putIfAbsent(layout.place(file), file);
+      if (other != null) {
+        refuse(file, "the archive has this file already, as " + other.path());
+      }
+    }
+  }
+
+  private void refuse(ArchivedFile file, String reason) {
+    refused.add(FileReport.refused(file.path(), List.of(problem(file.name(), reason))));
+  }
+
+  static KrlError problem(String file, String reason) {
+    return new KrlError(new Position(file, 1, 1), reason);
+  }
+
+  /**
+   * Reads an archive. Files of more than 32 MiB, and all after 128 MiB in total, are left out, as
+   * are those with {@code ..} in their path in a zip; the report of loading names them.
+   *
+   * @param place a zip, a folder, or a single file
+   * @return the archive
+   * @throws IOException if it cannot be read
+   */
+  public static Archive open(Path place) throws IOException {
+    return open(List.of(place));
+  }
+
+  /**
+   * Reads several places as one archive, as {@link #open(Path)} does.
+   *
+   * @param places zips, folders and single files
+   * @return the archive
+   * @throws IOException if one cannot be read
+   */
+  public static Archive open(List<Path> places) throws IOException {
+    return new Archive(ArchiveReader.read(places));
+  }
+
+  /** Returns the files by their places below {@code KRC:\}, ignoring case. */
+  Map<String, ArchivedFile> files() {
+    return files;
+  }
+
+  /** Returns the reports of the files that cannot be used. */
+  List<FileReport> refused() {
+    return refused;
+  }
+
+  /**
+   * Returns what {@code am.ini} tells: the robot's name, its serial number, the version of KSS.
+   * Which of its settings these are is assumed: the first with a value whose name contains name,
+   * serial or version.
+   *
+   * @return such as {@code name Cell 4, serial 123456, version 8.3}; empty without that file
+   */
+  public Optional<String> description() {
+    ArchivedFile settings = files.get("am.ini");
+    if (settings == null) {
+      return Optional.empty();
+    }
+    Map<String, String> found = new TreeMap<>();
+    Matcher matcher = SETTING.matcher(KrlEncoding.decode(settings.content()));
+    while (matcher.find()) {
+      for (String kind : List.of("name", "serial", "version")) {
+        if (!matcher.group(2).isEmpty()
+            && matcher.group(1).toLowerCase(Locale.ROOT).contains(kind)) {
+          found.putIfAbsent(kind, kind + " " + matcher.group(2));
+        }
+      }
+    }
+    return found.isEmpty() ? Optional.empty() : Optional.of(String.join(", ", found.values()));
+  }
+
+  /**
+   * Creates a tree in memory with the files of this archive, byte for byte. Clients change the
+   * tree, never the archive. A file whose name a controller cannot have is left out. The data lists
+   * of {@link FileTree#inMemory()} stay where the archive has none.
+   *
+   * @return a new tree
+   */
+  public FileTree tree() {
+    long bytes = files.values().stream().mapToLong(file -> file.content().length).sum();
+    FileTree tree =
+        FileTree.inMemory(Clock.systemUTC(), bytes + (long) FILE_COST * files.size() + ROOM);
+    files.forEach(
+        (place, file) -> {
+          try {
+            tree.put(fullName(place), file.content());
+          } catch (IOException e) {
+            // the name of a file of another system
+          }
+        });
+    return tree;
+  }
+
+  static String fullName(String place) {
+    return "KRC:\\" + place.replace('/', '\\');
+  }
+}

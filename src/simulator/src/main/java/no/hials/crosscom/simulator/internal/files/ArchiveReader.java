@@ -1,0 +1,195 @@
+package no.hials.crosscom.simulator.internal.files;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Enumeration;
+import java.util.List;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipException;
+import java.util.zip.ZipFile;
+import no.hials.crosscom.protocol.value.PrintableText;
+
+/**
+ * Reads the files of an archive from zips, folders and single files. It reads at most {@link
+ * #MAX_TOTAL} bytes in all, so that a zip cannot fill the memory, programs and data lists first.
+ */
+public final class ArchiveReader {
+  /** The largest file that is read: 32 MiB. */
+  static final int MAX_FILE = 32 << 20;
+
+  /** The bytes that are read from an archive: 128 MiB; assumed. */
+  static final long MAX_TOTAL = 128L << 20;
+
+  private static final int MAX_FILES = 20_000;
+
+  /** Of names without the flag for UTF-8; not in every Java runtime. */
+  private static final String ZIP_NAMES = "IBM437";
+
+  private static final byte[] NOTHING = {};
+
+  private long left = MAX_TOTAL;
+
+  private ArchiveReader() {}
+
+  /** Opens the content of a file. */
+  @FunctionalInterface
+  private interface Opener {
+    InputStream open() throws IOException;
+  }
+
+  private record Source(String path, Opener opener) {}
+
+  /**
+   * Reads an archive. Folders and files whose names begin with a dot are left out, and links.
+   *
+   * @param places zips, folders and single files
+   * @return the files of each place, those that were refused too
+   * @throws IOException if it cannot be read, or has too many files
+   */
+  public static List<List<ArchivedFile>> read(List<Path> places) throws IOException {
+    ArchiveReader reader = new ArchiveReader();
+    List<List<ArchivedFile>> files = new ArrayList<>();
+    for (Path place : places) {
+      files.add(reader.read(place));
+    }
+    return files;
+  }
+
+  private List<ArchivedFile> read(Path place) throws IOException {
+    if (!Files.exists(place)) {
+      throw new NoSuchFileException(place.toString(), null, "there is no such file");
+    }
+    if (Files.isDirectory(place)) {
+      return readAll(sources(place));
+    }
+    if (!isZip(place)) {
+      return readAll(List.of(new Source(name(place), () -> Files.newInputStream(place))));
+    }
+    try (ZipFile zip = open(place)) {
+      return readAll(sources(zip));
+    }
+  }
+
+  private static String name(Path file) {
+    return String.valueOf(file.getFileName());
+  }
+
+  // zip
+
+  /** Tells a zip from its first bytes: its name can end in anything. */
+  private static boolean isZip(Path file) throws IOException {
+    try (InputStream in = Files.newInputStream(file)) {
+      return Arrays.equals(in.readNBytes(4), new byte[] {'P', 'K', 3, 4});
+    }
+  }
+
+  private static ZipFile open(Path file) throws IOException {
+    try {
+      return new ZipFile(file.toFile(), StandardCharsets.UTF_8);
+    } catch (ZipException e) {
+      boolean known = Charset.isSupported(ZIP_NAMES);
+      return new ZipFile(
+          file.toFile(), known ? Charset.forName(ZIP_NAMES) : StandardCharsets.ISO_8859_1);
+    }
+  }
+
+  private static List<Source> sources(ZipFile zip) throws IOException {
+    List<Source> sources = new ArrayList<>();
+    Enumeration<? extends ZipEntry> entries = zip.entries();
+    while (entries.hasMoreElements()) {
+      ZipEntry entry = entries.nextElement();
+      if (!entry.isDirectory()) {
+        add(sources, entry.getName().replace('\\', '/'), () -> zip.getInputStream(entry));
+      }
+    }
+    return sources;
+  }
+
+  // folder
+
+  private static List<Source> sources(Path folder) throws IOException {
+    List<Source> sources = new ArrayList<>();
+    Files.walkFileTree(
+        folder,
+        new SimpleFileVisitor<>() {
+          @Override
+          public FileVisitResult preVisitDirectory(Path each, BasicFileAttributes attributes) {
+            boolean hidden = !each.equals(folder) && name(each).startsWith(".");
+            return hidden ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
+          }
+
+          @Override
+          public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
+              throws IOException {
+            if (attributes.isRegularFile() && !name(file).startsWith(".")) {
+              String path = folder.relativize(file).toString().replace('\\', '/');
+              add(sources, path, () -> Files.newInputStream(file));
+            }
+            return FileVisitResult.CONTINUE;
+          }
+        });
+    return sources;
+  }
+
+  private static void add(List<Source> sources, String path, Opener opener) throws IOException {
+    if (sources.size() == MAX_FILES) {
+      throw new IOException("an archive has at most " + MAX_FILES + " files, has more");
+    }
+    sources.add(new Source(path, opener));
+  }
+
+  // both
+
+  private List<ArchivedFile> readAll(List<Source> sources) throws IOException {
+    List<ArchivedFile> files = new ArrayList<>();
+    for (boolean modules : new boolean[] {true, false}) {
+      for (Source source : sources) {
+        if (ArchivedFile.isModule(source.path()) == modules) {
+          files.add(read(source));
+        }
+      }
+    }
+    return files;
+  }
+
+  private ArchivedFile read(Source source) throws IOException {
+    if (!isInside(source.path())) {
+      return refused(source, "the path leads out of the archive");
+    }
+    if (left == 0) {
+      return refused(source, "the archive is too large");
+    }
+    int most = (int) Math.min(MAX_FILE, left);
+    byte[] content;
+    try (InputStream in = source.opener().open()) {
+      content = in.readNBytes(most);
+      left -= content.length;
+      if (content.length == most && in.read() >= 0) {
+        String limit = most == MAX_FILE ? "a file" : "what is left of the archive";
+        return refused(source, limit + " has at most " + most + " bytes, has more");
+      }
+    } catch (ZipException e) {
+      return refused(source, "the zip is damaged: " + e.getMessage());
+    }
+    return new ArchivedFile(source.path(), content, null);
+  }
+
+  /** Returns whether a path of a zip is what a folder could have. */
+  private static boolean isInside(String path) {
+    return !path.startsWith("/") && !Arrays.asList(path.split("/", -1)).contains("..");
+  }
+
+  private static ArchivedFile refused(Source source, String reason) {
+    return new ArchivedFile(PrintableText.of(source.path()), NOTHING, reason);
+  }
+}

@@ -58,6 +58,7 @@ public final class Controller implements AutoCloseable {
 
   private final ModuleLoader loader;
   private volatile @Nullable FileTreePrograms programFiles;
+  private volatile FileTreePrograms.Loaded loadedFiles = FileTreePrograms.Loaded.NOTHING;
 
   /**
    * Creates a controller. Its time starts now.
@@ -112,7 +113,7 @@ public final class Controller implements AutoCloseable {
    * @param files the files of the controller
    */
   public void connect(FileTree files) {
-    FileTreePrograms programs = new FileTreePrograms(files, loader);
+    FileTreePrograms programs = new FileTreePrograms(files, loader, loadedFiles);
     programFiles = programs;
     loader.listener(programs::show);
   }
@@ -190,6 +191,28 @@ public final class Controller implements AutoCloseable {
    */
   public LoadReport load(String fileName, String text, LoadingMode mode) {
     return loader.load(fileName, text, mode).report();
+  }
+
+  /**
+   * Loads the data lists and programs of an archive, and starts its submit program {@code sps.sub}.
+   * The data of the robot, and where it stands first, are those of its {@code $machine.dat} and
+   * {@code $config.dat}, as with {@link #load(String, String)}. No file prevents others from being
+   * loaded, and nothing of a refused file counts.
+   *
+   * <p>Connect {@link Archive#tree} after it: its programs are then loaded already.
+   *
+   * @param archive the files
+   * @param mode {@code LENIENT} keeps what is understood of each file
+   * @return a result for each program and data list, with the names that are missing as warnings,
+   *     and for each file that cannot be used
+   */
+  public LoadReport load(Archive archive, LoadingMode mode) {
+    ArchiveLoader files = new ArchiveLoader(archive, loader, mode);
+    files.load();
+    loadedFiles = new FileTreePrograms.Loaded(files.modules(), mode);
+    files.check(this::check);
+    files.start(submit);
+    return files.report();
   }
 
   ModuleLoader loader() {

@@ -57,26 +57,55 @@ final class FileTreePrograms {
 
   private final long maxTotal;
 
-  FileTreePrograms(FileTree files, ModuleLoader loader) {
-    this(files, loader, MAX_TOTAL);
+  private final LoadingMode mode;
+
+  /**
+   * The files that were loaded before.
+   *
+   * @param modules the names of their modules, by the full names of the files in capital letters
+   * @param mode how new and changed files are loaded
+   */
+  record Loaded(Map<String, String> modules, LoadingMode mode) {
+    static final Loaded NOTHING = new Loaded(Map.of(), LoadingMode.STRICT);
   }
 
-  FileTreePrograms(FileTree files, ModuleLoader loader, long maxTotal) {
+  FileTreePrograms(FileTree files, ModuleLoader loader, Loaded before) {
+    this(files, loader, before, MAX_TOTAL);
+  }
+
+  FileTreePrograms(FileTree files, ModuleLoader loader, Loaded before, long maxTotal) {
     this.files = ControllerFileSystem.of(files);
     this.loader = loader;
+    this.mode = before.mode();
     this.maxTotal = maxTotal;
     try {
-      modules().forEach(this::keepList);
+      modules().forEach((name, module) -> keep(name, module, before));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  private void keepList(String name, Module module) {
-    if (name.startsWith("$")) {
-      read(module);
-      loaded.put(name, module);
+  /** Keeps the lists of the controller, and what was loaded before, as it is now. */
+  private void keep(String name, Module module, Loaded before) {
+    List<String> modules =
+        module.items.values().stream()
+            .map(item -> before.modules().getOrDefault(upper(item.path().fullName()), ""))
+            .toList();
+    if (modules.contains("") && !name.startsWith("$")) {
+      return;
     }
+    read(module);
+    // that of the program, which comes after its list
+    module.name = modules.get(modules.size() - 1);
+    module.hadProgram = module.hasProgram();
+    if (!name.startsWith("$")) {
+      module.items.forEach((end, item) -> kept.put(part(module.name, end), item.size()));
+    }
+    loaded.put(name, module);
+  }
+
+  private static String upper(String text) {
+    return text.toUpperCase(Locale.ROOT);
   }
 
   /** The files of a module. */
@@ -214,7 +243,7 @@ final class FileTreePrograms {
         if (loaded.get(key) != old) {
           return List.of(); // loaded from elsewhere meanwhile
         }
-        module.name = loader.take(file, result, LoadingMode.STRICT).name();
+        module.name = loader.take(file, result, mode).name();
       }
       if (!module.name.startsWith("$")) {
         kept.put(part(module.name, end), (long) content.length);

@@ -23,7 +23,7 @@ final class FileTreeProgramsTest {
   void start() throws IOException {
     controller = Cell.stepped(VariableTable.krc4());
     tree = FileTree.inMemory();
-    programs = new FileTreePrograms(tree, controller.loader());
+    programs = new FileTreePrograms(tree, controller.loader(), FileTreePrograms.Loaded.NOTHING);
   }
 
   @AfterEach
@@ -241,7 +241,8 @@ final class FileTreeProgramsTest {
   private FileTreePrograms limited() throws IOException {
     long lists = tree.get("/R1/$config.dat").length;
     lists += tree.get("KRC:\\R1\\Mada\\$machine.dat").length;
-    return new FileTreePrograms(tree, controller.loader(), lists + 10_000);
+    return new FileTreePrograms(
+        tree, controller.loader(), FileTreePrograms.Loaded.NOTHING, lists + 10_000);
   }
 
   private static String large(String module, int bytes) {

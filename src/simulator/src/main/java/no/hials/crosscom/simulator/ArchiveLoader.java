@@ -1,0 +1,204 @@
+package no.hials.crosscom.simulator;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.Function;
+import no.hials.crosscom.lang.KrlEncoding;
+import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.lang.KrlParser;
+import no.hials.crosscom.lang.ParseResult;
+import no.hials.crosscom.simulator.LoadReport.FileReport;
+import no.hials.crosscom.simulator.LoadReport.Outcome;
+import no.hials.crosscom.simulator.internal.files.ArchivedFile;
+
+/**
+ * Loads the programs and data lists of an archive in this order
+ * (docs/reference/simulated-controller.md#archives): the lists of the controller, those of STEU
+ * first, so that those of R1 count; the lists of modules; the programs.
+ */
+final class ArchiveLoader {
+  private final Archive archive;
+  private final ModuleLoader loader;
+  private final LoadingMode mode;
+
+  /** The reports by the places of the files, in the order of loading. */
+  private final Map<String, FileReport> reports = new LinkedHashMap<>();
+
+  /** The names of the loaded modules, by the places of their files. */
+  private final Map<String, String> modules = new LinkedHashMap<>();
+
+  ArchiveLoader(Archive archive, ModuleLoader loader, LoadingMode mode) {
+    this.archive = archive;
+    this.loader = loader;
+    this.mode = mode;
+  }
+
+  /** The steps of loading, in their order. */
+  private enum Step {
+    CABINET,
+    GLOBALS,
+    ROBOT,
+    LISTS,
+    PROGRAMS
+  }
+
+  private static Step step(String place) {
+    String upper = place.toUpperCase(Locale.ROOT);
+    if (!upper.endsWith(".DAT")) {
+      return Step.PROGRAMS;
+    }
+    if (!upper.contains("/$")) {
+      return Step.LISTS;
+    }
+    if (!upper.startsWith("R1/")) {
+      return Step.CABINET;
+    }
+    return upper.endsWith("/$CONFIG.DAT") ? Step.GLOBALS : Step.ROBOT;
+  }
+
+  /** Returns whether a file is a program or a list that the controller uses. */
+  private static boolean isUsed(Map.Entry<String, ArchivedFile> file) {
+    String place = file.getKey().toUpperCase(Locale.ROOT);
+    return file.getValue().isModule()
+        && (place.startsWith("R1/") || (place.contains("/$") && place.endsWith(".DAT")));
+  }
+
+  /** Loads all files; their linking comes last, because each may use any other. */
+  void load() {
+    List<String> places =
+        archive.files().entrySet().stream()
+            .filter(ArchiveLoader::isUsed)
+            .map(Map.Entry::getKey)
+            // of several files of one name the first is used, as in the file tree
+            .sorted(
+                Comparator.comparing(ArchiveLoader::step)
+                    .thenComparing(place -> !place.toUpperCase(Locale.ROOT).contains("R1/PROGRAM/"))
+                    .thenComparing(String.CASE_INSENSITIVE_ORDER))
+            .toList();
+    Map<String, String> first = new HashMap<>();
+    for (String place : places) {
+      String other = first.putIfAbsent(name(place), place);
+      if (other == null) {
+        load(place);
+      } else {
+        ArchivedFile file = file(place);
+        String reason = "another file of this name is loaded: " + file(other).path();
+        put(place, FileReport.refused(file.path(), List.of(Archive.problem(file.name(), reason))));
+      }
+    }
+    // a list may use a type of a list that comes later
+    for (String place : List.copyOf(reports.keySet())) {
+      FileReport before = report(place);
+      if (step(place) == Step.LISTS && first.containsValue(place) && !before.problems().isEmpty()) {
+        load(place);
+        if (report(place).problems().size() > before.problems().size()) {
+          put(place, before);
+        }
+      }
+    }
+  }
+
+  /** Returns the name that must be unique: of a list of the controller, with STEU or R1. */
+  private static String name(String place) {
+    String upper = place.toUpperCase(Locale.ROOT);
+    String file = upper.substring(upper.lastIndexOf('/') + 1);
+    return file.startsWith("$") ? upper.substring(0, upper.indexOf('/') + 1) + file : file;
+  }
+
+  private ArchivedFile file(String place) {
+    return Objects.requireNonNull(archive.files().get(place));
+  }
+
+  private FileReport report(String place) {
+    return Objects.requireNonNull(reports.get(place));
+  }
+
+  private void put(String place, FileReport report) {
+    reports.put(place, report);
+  }
+
+  private void load(String place) {
+    ArchivedFile file = file(place);
+    try {
+      ModuleLoader.Loaded loaded = loader.take(file.name(), parsed(file), mode);
+      put(place, named(file, loaded.report().files().get(0)));
+      if (loaded.module() != null) {
+        modules.put(place, loaded.module().name());
+      }
+    } catch (KrlFileException e) {
+      put(place, FileReport.refused(file.path(), e.errors()));
+    } catch (RuntimeException | VirtualMachineError e) {
+      String reason = "the file cannot be loaded: " + e;
+      put(place, FileReport.refused(file.path(), List.of(Archive.problem(file.name(), reason))));
+    }
+  }
+
+  private static ParseResult parsed(ArchivedFile file) throws KrlFileException {
+    ModuleLoader.checkLength(file.name(), file.content().length);
+    return KrlParser.parse(file.name(), KrlEncoding.decode(file.content()));
+  }
+
+  private static FileReport named(ArchivedFile file, FileReport report) {
+    return new FileReport(file.path(), report.outcome(), report.problems());
+  }
+
+  /** Adds what a check of each program finds: routines and variables that are missing. */
+  void check(Function<String, List<KrlError>> checker) {
+    modules.forEach(
+        (place, module) -> {
+          if (step(place) == Step.PROGRAMS) {
+            warn(place, checker.apply(module));
+          }
+        });
+  }
+
+  private void warn(String place, List<KrlError> problems) {
+    FileReport before = report(place);
+    if (!problems.isEmpty()) {
+      List<KrlError> all = new ArrayList<>(before.problems());
+      all.addAll(problems);
+      put(place, new FileReport(before.path(), Outcome.WARNINGS, all));
+    }
+  }
+
+  /** Starts the submit program that a controller starts. */
+  void start(ProgramControl submit) {
+    modules.forEach(
+        (place, module) -> {
+          if (place.toUpperCase(Locale.ROOT).endsWith("/SPS.SUB")) {
+            start(submit, place, module);
+          }
+        });
+  }
+
+  private void start(ProgramControl submit, String place, String module) {
+    try {
+      submit.select(module);
+      submit.start();
+    } catch (KrlFileException | IllegalStateException e) {
+      // its errors are among the warnings already
+      String reason = "the submit interpreter cannot start it";
+      warn(place, List.of(Archive.problem(file(place).name(), reason)));
+    }
+  }
+
+  /** Returns the loaded modules by the full names of their files in capital letters. */
+  Map<String, String> modules() {
+    Map<String, String> names = new HashMap<>();
+    modules.forEach(
+        (place, name) -> names.put(Archive.fullName(place).toUpperCase(Locale.ROOT), name));
+    return names;
+  }
+
+  LoadReport report() {
+    List<FileReport> all = new ArrayList<>(archive.refused());
+    all.addAll(reports.values());
+    return new LoadReport(all);
+  }
+}

@@ -1,0 +1,353 @@
+package no.hials.crosscom.simulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.code.ProgramState;
+import no.hials.crosscom.simulator.LoadReport.FileReport;
+import no.hials.crosscom.simulator.LoadReport.Outcome;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+final class ArchiveTest {
+  private static final Charset WINDOWS = Charset.forName("windows-1252");
+
+  private static final String PLACE =
+      "&ACCESS RVP\r\n&REL 3\r\nDEF PLACE( ) ;ablegen, gr\u00F6\u00DFer\r\n;FOLD INI\r\n;ENDFOLD\r\n"
+          + "PARTS=PARTS+COUNT\r\nEND\r\n";
+
+  private static final String MAIN = "DEF MAIN( )\nPLACE()\nPARTS=PARTS+STEP\nEND\n";
+
+  @TempDir private Path folder;
+
+  private final VariableTable variables = VariableTable.krc4();
+  private Controller controller;
+
+  @BeforeEach
+  void start() {
+    controller =
+        new Controller(
+            variables, SimulationClock.stepped(), RobotModel.kr6r900sixx(), "archive-test");
+  }
+
+  @AfterEach
+  void end() {
+    controller.close();
+  }
+
+  /** Returns the files of a small cell by their places on a controller. */
+  private static Map<String, byte[]> cell() throws IOException {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    files.put("KRC/R1/Mada/$machine.dat", list("$machine.dat"));
+    files.put("KRC/R1/Mada/$robcor.dat", list("$robcor.dat"));
+    files.put("KRC/STEU/Mada/$custom.dat", list("$custom.dat"));
+    files.put("KRC/STEU/Mada/$option.dat", list("$option.dat"));
+    files.put(
+        "KRC/STEU/Mada/$machine.dat", text("DEFDAT $MACHINE PUBLIC\nINT $NUM_AX=4\nENDDAT\n"));
+    files.put("KRC/R1/System/$config.dat", list("$config.dat"));
+    files.put(
+        "KRC/R1/System/sps.sub",
+        text("DEF SPS( )\nDECL INT I\nI=1\nLOOP\nCYCLES=CYCLES+1\nENDLOOP\nEND\n"));
+    files.put(
+        "KRC/R1/Program/cell/globals.dat",
+        text("DEFDAT GLOBALS PUBLIC\nGLOBAL INT PARTS=100\nGLOBAL INT CYCLES=0\nENDDAT\n"));
+    files.put("KRC/R1/Program/cell/place.src", PLACE.getBytes(WINDOWS));
+    files.put("KRC/R1/Program/cell/place.dat", text("DEFDAT PLACE\r\nINT COUNT=20\r\nENDDAT\r\n"));
+    files.put("KRC/R1/Program/main.src", text(MAIN));
+    files.put(
+        "KRC/R1/TP/pack/main.dat", text("\uFEFFDEFDAT MAIN PUBLIC ;gr\u00F6\u00DFe\nINT STEP=3\n"));
+    files.put("KRC/R1/cell.src", text("DEF CELL( )\nMAIN()\nEND\n"));
+    files.put("KRC/R1/Program/readme.txt", "gr\u00FC\u00DFe".getBytes(WINDOWS));
+    files.put(
+        "am.ini",
+        text("[Archive]\r\nName=Cell 4\r\n[Robot]\r\nSerialNo=123456\r\nVersion=8.3.35\r\n"));
+    return files;
+  }
+
+  private static byte[] list(String name) throws IOException {
+    try (InputStream in = ArchiveTest.class.getResourceAsStream("lists/" + name)) {
+      return Objects.requireNonNull(in).readAllBytes();
+    }
+  }
+
+  private static byte[] text(String text) {
+    return text.getBytes(StandardCharsets.UTF_8);
+  }
+
+  private Path asFolder(Map<String, byte[]> files) throws IOException {
+    for (Map.Entry<String, byte[]> file : files.entrySet()) {
+      Path path = folder.resolve(file.getKey());
+      Files.createDirectories(path.getParent());
+      Files.write(path, file.getValue());
+    }
+    return folder;
+  }
+
+  private Path asZip(Map<String, byte[]> files, Charset names) throws IOException {
+    Path zip = folder.resolve("cell.zip");
+    try (OutputStream out = Files.newOutputStream(zip);
+        ZipOutputStream entries = new ZipOutputStream(out, names)) {
+      for (Map.Entry<String, byte[]> file : files.entrySet()) {
+        entries.putNextEntry(new ZipEntry(file.getKey()));
+        entries.write(file.getValue());
+      }
+    }
+    return zip;
+  }
+
+  private static Map<String, byte[]> renamed(Map<String, byte[]> files, String from, String to) {
+    Map<String, byte[]> renamed = new LinkedHashMap<>();
+    files.forEach((name, content) -> renamed.put(name.replaceFirst(from, to), content));
+    return renamed;
+  }
+
+  private LoadReport load(Path place) throws IOException {
+    return controller.load(Archive.open(place), LoadingMode.LENIENT);
+  }
+
+  private static FileReport report(LoadReport report, String name) {
+    return report.files().stream()
+        .filter(file -> file.path().endsWith(name))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private void runMain() throws KrlFileException {
+    controller.robot().select("MAIN");
+    controller.start();
+    assertThat(
+            controller.stepUntil(
+                () -> controller.robot().state() == ProgramState.END, Duration.ofMinutes(1)))
+        .isTrue();
+  }
+
+  private void assertIsTheCell(LoadReport report) throws KrlFileException {
+    assertThat(report.problems()).isEmpty();
+    assertThat(controller.programs()).contains("PLACE", "MAIN", "CELL", "SPS");
+    assertThat(variables.get("$TRAFONAME[]")).contains("SAMPLE6");
+    runMain();
+    assertThat(variables.get("PARTS")).isEqualTo("123");
+    assertThat(controller.submit().state()).isEqualTo(ProgramState.ACTIVE);
+    assertThat(Integer.parseInt(variables.get("CYCLES"))).isPositive();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"KRC/", "", "my cell/KRC/", "my cell/", "kRc/", "KRC/ROBOTER/KRC/"})
+  void aFolderLoadsInAnyLayout(String around) throws Exception {
+    assertIsTheCell(load(asFolder(renamed(cell(), "^KRC/", around))));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"KRC/,KRC/", "KRC/,''", "KRC/,backup/KRC/"})
+  void aZipLoadsInAnyLayout(String from, String to) throws Exception {
+    assertIsTheCell(load(asZip(renamed(cell(), "^" + from, to), StandardCharsets.UTF_8)));
+  }
+
+  @Test
+  void namesInAnyCaseAreFound() throws Exception {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    cell().forEach((name, content) -> files.put(name.toUpperCase(Locale.ROOT), content));
+    assertIsTheCell(load(asFolder(files)));
+  }
+
+  @Test
+  void filesWithoutFoldersAreLoaded() throws Exception {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    cell()
+        .forEach(
+            (name, content) -> {
+              if (!name.contains("STEU/Mada/$machine")) {
+                files.put(name.substring(name.lastIndexOf('/') + 1), content);
+              }
+            });
+    LoadReport report = load(asFolder(files));
+
+    assertIsTheCell(report);
+    FileTree tree = Archive.open(folder).tree();
+    assertThat(tree.exists("KRC:\\R1\\Mada\\$machine.dat")).isTrue();
+    assertThat(tree.exists("KRC:\\STEU\\Mada\\$custom.dat")).isTrue();
+    assertThat(tree.exists("KRC:\\R1\\System\\sps.sub")).isTrue();
+    assertThat(tree.exists("KRC:\\R1\\cell.src")).isTrue();
+    assertThat(tree.exists("KRC:\\R1\\Program\\main.src")).isTrue();
+  }
+
+  @Test
+  void theMachineDataOfR1CountNotThoseOfSteu() throws Exception {
+    load(asFolder(cell()));
+
+    assertThat(variables.get("$NUM_AX")).isEqualTo("6");
+  }
+
+  @Test
+  void theTreeHasTheFilesByteForByteAndWritesDoNotReachTheArchive() throws Exception {
+    Map<String, byte[]> files = cell();
+    Path place = asFolder(files);
+    FileTree tree = Archive.open(place).tree();
+
+    for (Map.Entry<String, byte[]> file : files.entrySet()) {
+      String name = "KRC:\\" + file.getKey().replaceFirst("^KRC/", "").replace('/', '\\');
+      assertThat(tree.get(name)).as(name).isEqualTo(file.getValue());
+    }
+    tree.put("KRC:\\R1\\Program\\main.src", "changed");
+    assertThat(Files.readAllBytes(place.resolve("KRC/R1/Program/main.src"))).isEqualTo(text(MAIN));
+  }
+
+  @Test
+  void amIniNamesTheRobot() throws Exception {
+    assertThat(Archive.open(asFolder(cell())).description())
+        .hasValue("name Cell 4, serial 123456, version 8.3.35");
+    assertThat(Archive.open(folder.resolve("KRC/R1/cell.src")).description()).isEmpty();
+  }
+
+  @Test
+  void aFileWithErrorsIsLoadedWithWarningsOrRefused() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/Program/bad.src", text("DEF BAD( )\nPARTS=\nPARTS=7\nEND\n"));
+    Path place = asFolder(files);
+
+    FileReport lenient = report(load(place), "bad.src");
+    assertThat(lenient.path()).isEqualTo("KRC/R1/Program/bad.src");
+    assertThat(lenient.outcome()).isEqualTo(Outcome.WARNINGS);
+    assertThat(lenient.problems().get(0).position().line()).isEqualTo(2);
+
+    start();
+    LoadReport strict = controller.load(Archive.open(place), LoadingMode.STRICT);
+    assertThat(report(strict, "bad.src").outcome()).isEqualTo(Outcome.REFUSED);
+    assertThat(controller.programs()).doesNotContain("BAD").contains("MAIN");
+  }
+
+  @Test
+  void aMissingRoutineIsAWarningOfTheFile() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/Program/weld.src", text("DEF WELD( )\nTORCH_ON()\nEND\n"));
+
+    FileReport report = report(load(asFolder(files)), "weld.src");
+
+    assertThat(report.outcome()).isEqualTo(Outcome.WARNINGS);
+    assertThat(report.problems().get(0).toString()).startsWith("weld.src:2:1").contains("TORCH_ON");
+  }
+
+  @Test
+  void ofTwoFilesOfOneNameThatInProgramIsLoaded() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/TP/other/main.src", text("DEF MAIN( )\nPARTS=0\nEND\n"));
+
+    LoadReport report = load(asFolder(files));
+
+    assertThat(report(report, "other/main.src").outcome()).isEqualTo(Outcome.REFUSED);
+    assertThat(report(report, "other/main.src").problems().get(0).message())
+        .contains("KRC/R1/Program/main.src");
+    runMain();
+    assertThat(variables.get("PARTS")).isEqualTo("123");
+  }
+
+  @Test
+  void aListMayUseTheTypesOfALaterOne() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put(
+        "KRC/R1/Program/a_parts.dat",
+        text("DEFDAT A_PARTS PUBLIC\nDECL GLOBAL SLOT_T FIRST={NO 4}\nENDDAT\n"));
+    files.put(
+        "KRC/R1/Program/z_types.dat",
+        text("DEFDAT Z_TYPES PUBLIC\nGLOBAL STRUC SLOT_T INT NO\nENDDAT\n"));
+
+    assertThat(load(asFolder(files)).problems()).isEmpty();
+    assertThat(variables.get("FIRST.NO")).isEqualTo("4");
+  }
+
+  // hostile and odd zips
+
+  @Test
+  void aPathOutOfTheZipIsRefused() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/../../../evil.src", text("DEF EVIL( )\nEND\n"));
+
+    LoadReport report = load(asZip(files, StandardCharsets.UTF_8));
+
+    assertThat(report(report, "evil.src").outcome()).isEqualTo(Outcome.REFUSED);
+    assertThat(controller.programs()).doesNotContain("EVIL").contains("MAIN");
+  }
+
+  @Test
+  void aFileThatUnpacksToTooMuchIsRefusedAndTheRestCounts() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/Program/huge.src", new byte[(32 << 20) + 1]);
+    Path zip = asZip(files, StandardCharsets.UTF_8);
+    assertThat(Files.size(zip)).isLessThan(1 << 20);
+
+    LoadReport report = load(zip);
+
+    assertThat(report(report, "huge.src").problems().get(0).message())
+        .isEqualTo("a file has at most 33554432 bytes, has more");
+    assertThat(controller.programs()).contains("MAIN");
+  }
+
+  @Test
+  void namesOfAnOldZipAreInItsCodePage() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/Program/gr\u00FC\u00DFe.src", text("DEF HELLO( )\nEND\n"));
+
+    FileTree tree = Archive.open(asZip(files, Charset.forName("IBM437"))).tree();
+
+    assertThat(tree.exists("KRC:\\R1\\Program\\gr\u00FC\u00DFe.src")).isTrue();
+  }
+
+  @Test
+  void aMissingOrDamagedArchiveIsAnError() throws Exception {
+    assertThatThrownBy(() -> Archive.open(folder.resolve("no.zip")))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("there is no such file");
+    Path damaged = Files.write(folder.resolve("damaged.zip"), new byte[] {'P', 'K', 3, 4, 0, 0});
+    assertThatThrownBy(() -> Archive.open(damaged)).isInstanceOf(IOException.class);
+  }
+
+  @Test
+  void aProgramOfTheTreeIsNotLoadedAgainByItsSelectionButAChangedOneIs() throws Exception {
+    Archive archive = Archive.open(asFolder(cell()));
+    controller.load(archive, LoadingMode.LENIENT);
+    FileTree tree = archive.tree();
+    controller.connect(tree);
+
+    assertThat(controller.loadFromFiles("/R1/MAIN.SRC")).isEqualTo("MAIN");
+    runMain();
+    assertThat(controller.loadFromFiles("/R1/MAIN.SRC")).isEqualTo("MAIN");
+    runMain();
+    assertThat(variables.get("PARTS")).as("the lists were not loaded again").isEqualTo("146");
+
+    tree.put("/R1/MAIN.SRC", "DEF MAIN( )\nPARTS=5\nUNKNOWN WORD\nEND\n");
+    assertThat(controller.loadFromFiles("/R1/MAIN.SRC")).as("lenient too").isEqualTo("MAIN");
+  }
+
+  @Test
+  void severalPlacesAreOneArchive() throws Exception {
+    asFolder(cell());
+    Path other = Files.writeString(folder.resolve("more.src"), "DEF MORE( )\nMAIN()\nEND\n");
+
+    LoadReport report =
+        controller.load(Archive.open(List.of(folder.resolve("KRC"), other)), LoadingMode.LENIENT);
+
+    assertThat(report.problems()).isEmpty();
+    assertThat(controller.programs()).contains("MORE", "MAIN");
+  }
+}

@@ -27,8 +27,10 @@ import no.hials.crosscom.mock.internal.RequestDispatcher;
 import no.hials.crosscom.mock.internal.RequestHandler;
 import no.hials.crosscom.mock.internal.RequestLog;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.simulator.Archive;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.FileTree;
+import no.hials.crosscom.simulator.LoadReport;
 import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -63,6 +65,8 @@ public final class MockServer implements AutoCloseable {
   private final MockServerConfig config;
   private final VariableTable variables;
   private final FileTree files;
+  private final @Nullable Archive archive;
+  private LoadReport archiveReport = new LoadReport(List.of());
   private final FaultScript faults = new FaultScript();
   private final RequestLog requests;
   private final RequestDispatcher service;
@@ -82,7 +86,8 @@ public final class MockServer implements AutoCloseable {
     this.config = config;
     variables = VariableTable.krc4(config.robot());
     requests = new RequestLog(config.recordedRequests(), config.recordedBytes());
-    files = config.files().orElseGet(FileTree::inMemory);
+    archive = config.openArchive();
+    files = archive == null ? config.files().orElseGet(FileTree::inMemory) : archive.tree();
     C3ProxyVariables bridge = new C3ProxyVariables(config, this::address);
     service = new RequestDispatcher(config, handlers(bridge), faults, requests);
     clients = ConnectionAcceptor.listen(config, service);
@@ -171,6 +176,9 @@ public final class MockServer implements AutoCloseable {
    */
   public static MockServer start(MockServerConfig config) throws IOException {
     MockServer server = new MockServer(Objects.requireNonNull(config, "config"));
+    if (server.archive != null) {
+      server.controller();
+    }
     server.clients.start();
     if (server.discovery != null) {
       server.clients.threads().start("discovery", server.discovery);
@@ -234,7 +242,8 @@ public final class MockServer implements AutoCloseable {
 
   /**
    * Returns the controller, which runs programs and moves the robot. The first call starts its
-   * clock; before, all variables stand still, including timers.
+   * clock; before, all variables stand still, including timers. With {@link
+   * MockServerConfig.Builder#archive} the clock starts with the server.
    *
    * @throws IllegalStateException if the server is closed
    */
@@ -247,12 +256,25 @@ public final class MockServer implements AutoCloseable {
         controller =
             new Controller(
                 variables, config.clock(), config.robot(), "mock-server-" + port() + "-clock");
+        if (archive != null) {
+          archiveReport = controller.load(archive, config.archiveMode());
+        }
         if (config.server() == ServerType.C3_BRIDGE) {
           controller.connect(files);
         }
       }
       return controller;
     }
+  }
+
+  /**
+   * Returns the result of loading {@link MockServerConfig.Builder#archive}.
+   *
+   * @return the result for each program and data list, and for files that cannot be used; no files
+   *     without an archive
+   */
+  public LoadReport archiveReport() {
+    return archiveReport;
   }
 
   // requests

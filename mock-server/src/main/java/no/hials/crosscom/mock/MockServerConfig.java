@@ -1,6 +1,8 @@
 package no.hials.crosscom.mock;
 
+import java.io.IOException;
 import java.net.InetAddress;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.Optional;
@@ -11,7 +13,9 @@ import no.hials.crosscom.mock.internal.CodePage;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.Version;
+import no.hials.crosscom.simulator.Archive;
 import no.hials.crosscom.simulator.FileTree;
+import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.SimulationClock;
 import org.jspecify.annotations.Nullable;
 
@@ -50,6 +54,10 @@ public final class MockServerConfig {
         oneAtATime() || pendingRequests() != PendingRequests.DROP,
         "pendingRequests DROP needs oneAtATime, without which no request is pending",
         oneAtATime());
+    check(
+        !hasArchive() || files().isEmpty(),
+        "archive and files exclude each other: an archive has its own files",
+        hasArchive());
   }
 
   /**
@@ -228,6 +236,26 @@ public final class MockServerConfig {
     return options.files;
   }
 
+  /** Returns whether the files of a controller are loaded when the server starts. */
+  public boolean hasArchive() {
+    return options.archive.isPresent();
+  }
+
+  /** Returns how the files of an archive are loaded. */
+  public LoadingMode archiveMode() {
+    return options.archiveMode;
+  }
+
+  @Nullable Archive openArchive() throws IOException {
+    return options.archive.isPresent() ? options.archive.get().open() : null;
+  }
+
+  /** Reads an archive, or returns one that was read before. */
+  @FunctionalInterface
+  private interface ArchiveOpener {
+    Archive open() throws IOException;
+  }
+
   /** The options as they were set; null stands for a default that depends on the server. */
   private static final class Options implements Cloneable {
     private InetAddress bindAddress = InetAddress.getLoopbackAddress();
@@ -258,6 +286,8 @@ public final class MockServerConfig {
     private SimulationClock clock = SimulationClock.real();
     private RobotModel robot = RobotModel.kr6r900sixx();
     private Optional<FileTree> files = Optional.empty();
+    private Optional<ArchiveOpener> archive = Optional.empty();
+    private LoadingMode archiveMode = LoadingMode.LENIENT;
 
     /** Whether an option that is null is as on a controller. */
     private boolean onTheController;
@@ -532,6 +562,34 @@ public final class MockServerConfig {
     /** Sets the files that C3 Bridge serves. By default each server has its own in memory. */
     public Builder files(FileTree value) {
       options.files = Optional.of(value);
+      return this;
+    }
+
+    /**
+     * Sets the archive of a controller to load when the server starts: a zip or a folder in any
+     * layout, see {@link Archive}. {@link MockServer#archiveReport} has the result for each file.
+     * What is not understood is a warning, and the rest counts. The archive's files are those that
+     * C3 Bridge serves, as a copy in memory: a client never changes the archive. Not together with
+     * {@link #files}.
+     */
+    public Builder archive(Path value) {
+      return archive(() -> Archive.open(value), LoadingMode.LENIENT);
+    }
+
+    /**
+     * Sets an archive that was read before, as {@link #archive(Path)} does.
+     *
+     * @param value the files
+     * @param mode {@code STRICT} to refuse each file that has an error
+     */
+    public Builder archive(Archive value, LoadingMode mode) {
+      Objects.requireNonNull(value, "archive");
+      return archive(() -> value, mode);
+    }
+
+    private Builder archive(ArchiveOpener opener, LoadingMode mode) {
+      options.archive = Optional.of(opener);
+      options.archiveMode = Objects.requireNonNull(mode, "mode");
       return this;
     }
 

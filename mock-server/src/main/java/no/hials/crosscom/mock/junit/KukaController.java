@@ -90,6 +90,13 @@ public @interface KukaController {
   int maxClients() default Integer.MIN_VALUE;
 
   /**
+   * The archive of a controller to load before everything else: the path of a zip or a folder, see
+   * {@link MockServerConfig.Builder#archive}; empty for none. Its programs can be started by {@link
+   * #start}.
+   */
+  String archive() default "";
+
+  /**
    * The data lists to load before the programs: paths of files such as {@code krl/config.dat}, or
    * {@code classpath:} and the name of a resource such as {@code classpath:/cell/config.dat}.
    */

@@ -5,9 +5,9 @@ import java.io.InputStream;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.Parameter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.function.Predicate;
+import no.hials.crosscom.lang.KrlEncoding;
 import no.hials.crosscom.mock.FaultRule;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
@@ -127,6 +127,9 @@ final class MockServerExtension
     if (settings.maxClients() != Integer.MIN_VALUE) {
       cfg.maxClients(settings.maxClients());
     }
+    if (!settings.archive().isEmpty()) {
+      cfg.archive(Path.of(settings.archive()));
+    }
     cfg.server(settings.server()).clock(SimulationClock.parse(settings.clock()));
   }
 
@@ -152,6 +155,7 @@ final class MockServerExtension
   /** Returns whether the attributes need the controller, not only variables. */
   private static boolean isController(KukaController settings) {
     return settings.programs().length > 0
+        || !settings.archive().isEmpty()
         || !settings.start().isEmpty()
         || !settings.submit().isEmpty()
         || settings.mode() != OperatingMode.T1;
@@ -199,7 +203,7 @@ final class MockServerExtension
       if (in == null) {
         throw new IllegalArgumentException("resource not found: " + name);
       }
-      texts.load(name, new String(in.readAllBytes(), StandardCharsets.ISO_8859_1));
+      texts.load(name, KrlEncoding.decode(in.readAllBytes()));
     }
   }
 }

@@ -106,6 +106,21 @@ public final class Archive {
   }
 
   /**
+   * Lists the programs in {@code KRC:\R1\Program} and its folders.
+   *
+   * @return the names of their files without {@code .src}, sorted
+   */
+  public List<String> programs() {
+    return files.entrySet().stream()
+        .filter(file -> file.getKey().toUpperCase(Locale.ROOT).startsWith("R1/PROGRAM/"))
+        .map(file -> file.getValue().name())
+        .filter(name -> name.toUpperCase(Locale.ROOT).endsWith(".SRC"))
+        .map(name -> name.substring(0, name.length() - ".src".length()))
+        .sorted(String.CASE_INSENSITIVE_ORDER)
+        .toList();
+  }
+
+  /**
    * Returns what {@code am.ini} tells: the robot's name, its serial number, the version of KSS.
    * Which of its settings these are is assumed: the first with a value whose name contains name,
    * serial or version.

@@ -145,7 +145,7 @@ final class ArchiveLoader {
   }
 
   private static FileReport named(ArchivedFile file, FileReport report) {
-    return new FileReport(file.path(), report.outcome(), report.problems());
+    return new FileReport(file.path(), report.module(), report.outcome(), report.problems());
   }
 
   /** Adds what a check of each program finds: routines and variables that are missing. */
@@ -163,7 +163,7 @@ final class ArchiveLoader {
     if (!problems.isEmpty()) {
       List<KrlError> all = new ArrayList<>(before.problems());
       all.addAll(problems);
-      put(place, new FileReport(before.path(), Outcome.WARNINGS, all));
+      put(place, new FileReport(before.path(), before.module(), Outcome.WARNINGS, all));
     }
   }
 

@@ -31,10 +31,11 @@ public record LoadReport(List<FileReport> files) {
    * The result of one file.
    *
    * @param path the name of the file
+   * @param module the name of its module; empty if it was refused
    * @param outcome whether it was loaded
    * @param problems the warnings, or the reasons of the refusal, in the order of the file
    */
-  public record FileReport(String path, Outcome outcome, List<KrlError> problems) {
+  public record FileReport(String path, String module, Outcome outcome, List<KrlError> problems) {
 
     /** Copies the list. */
     public FileReport {
@@ -42,13 +43,14 @@ public record LoadReport(List<FileReport> files) {
     }
 
     /** Returns the report of a file that was loaded. */
-    static FileReport loaded(String path, List<KrlError> warnings) {
-      return new FileReport(path, warnings.isEmpty() ? Outcome.LOADED : Outcome.WARNINGS, warnings);
+    static FileReport loaded(String path, String module, List<KrlError> warnings) {
+      return new FileReport(
+          path, module, warnings.isEmpty() ? Outcome.LOADED : Outcome.WARNINGS, warnings);
     }
 
     /** Returns the report of a file that was refused. */
     static FileReport refused(String path, List<KrlError> reasons) {
-      return new FileReport(path, Outcome.REFUSED, reasons);
+      return new FileReport(path, "", Outcome.REFUSED, reasons);
     }
   }
 

@@ -237,12 +237,14 @@ final class ModuleLoader {
                   : List.of(program, FileReport.refused(list.fileName(), errors))));
     }
     List<FileReport> files = new ArrayList<>();
-    files.add(FileReport.loaded(input.fileName(), DataLists.problems(input.parsed(), mode)));
+    files.add(
+        FileReport.loaded(
+            input.fileName(), source.name(), DataLists.problems(input.parsed(), mode)));
     if (list != null) {
       ofList.addAll(errors);
       files.add(
           own.isPresent()
-              ? FileReport.loaded(list.fileName(), DataLists.sorted(ofList))
+              ? FileReport.loaded(list.fileName(), own.get().name(), DataLists.sorted(ofList))
               : FileReport.refused(list.fileName(), ofList));
     }
     return new Loaded(source, new LoadReport(files));

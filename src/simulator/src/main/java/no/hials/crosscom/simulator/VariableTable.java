@@ -169,7 +169,7 @@ public final class VariableTable {
     return new LoadReport(
         List.of(
             loaded
-                ? LoadReport.FileReport.loaded(name, problems)
+                ? LoadReport.FileReport.loaded(name, parsed.get().name(), problems)
                 : LoadReport.FileReport.refused(name, problems)));
   }
 

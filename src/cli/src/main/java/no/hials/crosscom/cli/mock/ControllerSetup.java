@@ -9,12 +9,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cli.base.LoadedFiles;
 import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.simulator.Archive;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.FileTree;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.ProgramControl;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The operator's preparations at the pendant before the robot runs.
@@ -23,8 +26,16 @@ import no.hials.crosscom.simulator.ProgramControl;
  * @param programs modules, of which the first of each interpreter is selected
  * @param mode the operating mode
  * @param start whether to start the selected programs
+ * @param archive the files of a controller, which are loaded already; null for none
  */
-record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mode, boolean start) {
+record ControllerSetup(
+    List<Path> configs,
+    List<Path> programs,
+    OperatingMode mode,
+    boolean start,
+    @Nullable Archive archive) {
+
+  private static final String CELL = "CELL";
 
   private static final String PROGRAMS = "KRC:\\R1\\Program\\";
 
@@ -40,8 +51,8 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
         return Optional.of("--program needs a .src or .sub file, is " + file);
       }
     }
-    return start && programs.isEmpty()
-        ? Optional.of("--start needs a --program")
+    return start && programs.isEmpty() && archive == null
+        ? Optional.of("--start needs a --program or an --archive")
         : Optional.empty();
   }
 
@@ -53,17 +64,21 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
     return hasEnding(file, ".sub");
   }
 
-  /** Prepares the controller, and returns lines that report it. */
-  List<String> apply(Controller controller) throws FileException {
+  /**
+   * Prepares the controller, and returns lines that report it.
+   *
+   * @param files gets the results of loading
+   */
+  List<String> apply(Controller controller, LoadedFiles files) throws FileException {
     List<String> lines = new ArrayList<>();
     for (Path file : configs) {
-      lines.add("loaded " + load(controller, file) + " from " + file);
+      lines.add("loaded " + files.load(controller, file) + " from " + file);
     }
     // selected after all are loaded, since one may call another
     Optional<Module> submit = Optional.empty();
     Optional<Module> robot = Optional.empty();
     for (Path file : programs) {
-      Module module = new Module(load(controller, file), file);
+      Module module = new Module(files.loadOrFind(controller, file, archive != null), file);
       lines.add("loaded " + module.name() + " from " + file);
       if (isSubmit(file)) {
         submit = submit.or(() -> Optional.of(module));
@@ -71,8 +86,13 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
         robot = robot.or(() -> Optional.of(module));
       }
     }
+    files.check(controller);
+    if (start && programs.isEmpty() && archive != null) {
+      robot = Optional.of(ofArchive(controller, archive.programs()));
+    }
     controller.setMode(mode);
     if (submit.isPresent()) {
+      controller.submit().cancel(); // that of the archive
       select(controller.submit(), submit.get());
     }
     if (robot.isPresent()) {
@@ -92,6 +112,9 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
    */
   void addPrograms(FileTree files) throws FileException {
     for (Path program : programs) {
+      if (archive != null && !Files.exists(program)) {
+        continue; // it is there
+      }
       Path list = LocalFiles.dataListOf(program);
       if (list != null) {
         add(files, list);
@@ -123,14 +146,18 @@ record ControllerSetup(List<Path> configs, List<Path> programs, OperatingMode mo
    */
   private record Module(String name, Path file) {}
 
-  private static String load(Controller controller, Path file) throws FileException {
-    try {
-      return controller.load(file);
-    } catch (KrlFileException e) {
-      throw withErrors("cannot load " + file + ":", e);
-    } catch (IOException e) {
-      throw FileException.cannot("read", file, e);
+  /** Returns the program of an archive to start: its only one, or that of Automatic External. */
+  private static Module ofArchive(Controller controller, List<String> programs)
+      throws FileException {
+    String only = programs.size() == 1 ? programs.get(0) : CELL;
+    for (String known : controller.programs()) {
+      if (known.equalsIgnoreCase(only)) {
+        return new Module(known, Path.of(known));
+      }
     }
+    throw new FileException(
+        "--start needs a --program: the archive has no cell.src, and in Program "
+            + (programs.isEmpty() ? "nothing" : String.join(", ", programs)));
   }
 
   private static void select(ProgramControl interpreter, Module module) throws FileException {

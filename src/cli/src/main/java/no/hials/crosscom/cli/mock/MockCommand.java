@@ -17,6 +17,7 @@ import no.hials.crosscom.cli.base.CannotListenException;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.LoadedFiles;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.cli.base.Terminal;
@@ -27,7 +28,9 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.simulator.Archive;
 import no.hials.crosscom.simulator.FileTree;
+import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.SimulationClock;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -59,6 +62,7 @@ import picocli.CommandLine.Option;
       "  jopenshowvar mock",
       "  jopenshowvar mock --config krl/config.dat --program krl/actuator.src \\",
       "      --start --mode AUT",
+      "  jopenshowvar mock --archive cell.zip --start --server c3",
       "  jopenshowvar mock --server c3 --config krl/config.dat --files krc --create",
       "  jopenshowvar mock --port 0 --latency krc4 --fault drop%%0.01 --seed 7"
     })
@@ -140,6 +144,29 @@ public final class MockCommand extends ConsoleCommand {
   private boolean create;
 
   @Option(
+      names = "--archive",
+      paramLabel = "PATH",
+      description =
+          "Load the archive of a controller, a zip or a folder: its data lists, programs, submit"
+              + " program and robot. C3 Bridge serves a copy of its files. Stderr shows the result"
+              + " for each file.")
+  private @Nullable Path archive;
+
+  @Option(
+      names = "--strict",
+      description =
+          "End with an error if a file has one. Default: the rest of the file counts, and a program"
+              + " stops where it reaches what is not understood.")
+  private boolean strict;
+
+  @Option(
+      names = "--json",
+      description =
+          "Print the result for each loaded file to stdout, one JSON object a line; the other lines"
+              + " after the first go to stderr.")
+  private boolean json;
+
+  @Option(
       names = "--config",
       paramLabel = "FILE.dat",
       description = "Load a data list, such as $CONFIG.DAT. Can be repeated.")
@@ -150,11 +177,15 @@ public final class MockCommand extends ConsoleCommand {
       paramLabel = "FILE.src",
       description =
           "Load a program (.src, or .sub for the submit interpreter) and the data list of the"
-              + " same name next to it. Can be repeated; the first .src and the first .sub are"
-              + " selected.")
+              + " same name next to it, or use one of --archive. Can be repeated; the first .src and"
+              + " the first .sub are selected.")
   private List<Path> programs = new ArrayList<>();
 
-  @Option(names = "--start", description = "Start the selected programs.")
+  @Option(
+      names = "--start",
+      description =
+          "Start the selected programs; of an archive without --program its only program, else"
+              + " cell.src.")
   private boolean start;
 
   @Option(
@@ -203,7 +234,9 @@ public final class MockCommand extends ConsoleCommand {
       throw wrongUsage("--host must not be blank");
     }
     checkCombinations();
-    ControllerSetup setup = new ControllerSetup(configs, programs, mode, start);
+    LoadedFiles loaded = new LoadedFiles(strict);
+    Archive opened = archive == null ? null : LoadedFiles.open(List.of(archive));
+    ControllerSetup setup = new ControllerSetup(configs, programs, mode, start, opened);
     setup
         .mistake()
         .ifPresent(
@@ -225,17 +258,19 @@ public final class MockCommand extends ConsoleCommand {
             Robots.listen(
                 address,
                 port,
-                with()
+                with(opened, loaded.mode())
                     .andThen(cfg -> cfg.clock(speed).latency(times).codePage(page).robot(model)))) {
       rules.forEach(server::faults);
-      List<String> lines = setup.apply(server.controller());
+      loaded.add(server.archiveReport());
+      List<String> lines = setup.apply(server.controller(), loaded);
       if (serverType == ServerType.C3_BRIDGE) {
         setup.addPrograms(server.files());
       }
       warning(address).ifPresent(console()::error);
       console().print("listening on " + shown(server.host()) + ":" + server.port());
+      printLoaded(loaded, opened);
       printDiscovery(server);
-      lines.forEach(console()::print);
+      lines.forEach(this::print);
       // log messages would break the line, and a background job would overwrite what the user types
       boolean line = !isVerbose() && Terminal.isInteractive();
       try (StatusLine status =
@@ -257,6 +292,9 @@ public final class MockCommand extends ConsoleCommand {
     }
     if (serverType != ServerType.C3_BRIDGE && files != null) {
       throw wrongUsage("--files needs --server c3");
+    }
+    if (archive != null && files != null) {
+      throw wrongUsage("--archive and --files exclude each other");
     }
     if (create && files == null) {
       throw wrongUsage("--create needs --files");
@@ -292,7 +330,8 @@ public final class MockCommand extends ConsoleCommand {
   // the server
 
   /** Sets the type of the server, its ports for discovery, and its files. */
-  private Consumer<MockServerConfig.Builder> with() throws FileException {
+  private Consumer<MockServerConfig.Builder> with(@Nullable Archive opened, LoadingMode loading)
+      throws FileException {
     boolean bridge = serverType == ServerType.C3_BRIDGE;
     Optional<FileTree> tree = tree();
     return cfg -> {
@@ -308,6 +347,9 @@ public final class MockCommand extends ConsoleCommand {
         cfg.standardDiscoveryPortIfFree(STANDARD_DISCOVERY_PORT);
       }
       tree.ifPresent(cfg::files);
+      if (opened != null) {
+        cfg.archive(opened, loading);
+      }
     };
   }
 
@@ -326,6 +368,27 @@ public final class MockCommand extends ConsoleCommand {
     }
   }
 
+  /** Prints a line after the first: to stderr if stdout has JSON. */
+  private void print(String line) {
+    if (json) {
+      console().hint(line);
+    } else {
+      console().print(line);
+    }
+  }
+
+  private void printLoaded(LoadedFiles loaded, @Nullable Archive opened) {
+    if (json) {
+      loaded.reports().forEach(file -> console().print(LoadedFiles.json(file)));
+    } else if (opened != null) {
+      console()
+          .hint("archive " + archive + opened.description().map(text -> ": " + text).orElse(""));
+      loaded.lines().forEach(console()::hint);
+    } else {
+      loaded.warnings().forEach(console()::hint);
+    }
+  }
+
   /** Prints the ports on which the server answers discovery, or why it does not. */
   private void printDiscovery(MockServer server) {
     printPort("discovery", server.host(), server.discoveryPort(), DISCOVERY_PORT);
@@ -337,7 +400,7 @@ public final class MockCommand extends ConsoleCommand {
 
   private void printPort(String what, String host, OptionalInt port, int usual) {
     if (port.isPresent()) {
-      console().print(what + " on " + shown(host) + ":" + port.getAsInt());
+      print(what + " on " + shown(host) + ":" + port.getAsInt());
     } else if (!noDiscovery) {
       console().error("no " + what + ": UDP port " + usual + " is in use");
     }

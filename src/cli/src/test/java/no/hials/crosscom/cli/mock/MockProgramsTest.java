@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.cli.base.LoadedFiles;
 import no.hials.crosscom.cli.base.RunningMock;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
@@ -175,7 +176,7 @@ class MockProgramsTest {
     String program =
         file("bad.src", "DEF BAD ( )", "  MYINT = = 3", "  WAIT FOO", "  MYINT=1", "END");
 
-    Cli.Result result = refused("--program", program);
+    Cli.Result result = refused("--strict", "--program", program);
 
     result.failsInLines(2).hasSizeGreaterThanOrEqualTo(3);
     assertThat(result.errLines().get(0)).isEqualTo("jopenshowvar: cannot load " + program + ":");
@@ -187,7 +188,7 @@ class MockProgramsTest {
   void saysWhereTheErrorsOfADataListAre() throws Exception {
     String config = file("bad.dat", "DEFDAT $CONFIG", "DECL INT BAD=#A", "ENDDAT");
 
-    refused("--config", config)
+    refused("--strict", "--config", config)
         .failsInLines(2)
         .last()
         .asString()
@@ -198,7 +199,7 @@ class MockProgramsTest {
   void saysWhichRoutineAProgramLacks() throws Exception {
     String program = file("lacks.src", "DEF LACKS ( )", "  NOWHERE ( )", "END");
 
-    refused("--program", program, "--start")
+    refused("--strict", "--program", program, "--start")
         .failsInLines(2)
         .containsExactly(
             "jopenshowvar: " + program + " cannot be selected:",
@@ -212,8 +213,8 @@ class MockProgramsTest {
       server.controller().emergencyStop(true);
 
       List<String> lines =
-          new ControllerSetup(List.of(), List.of(program), OperatingMode.AUT, true)
-              .apply(server.controller());
+          new ControllerSetup(List.of(), List.of(program), OperatingMode.AUT, true, null)
+              .apply(server.controller(), new LoadedFiles(true));
 
       assertThat(lines)
           .contains("not started: start: the emergency stop is pressed")

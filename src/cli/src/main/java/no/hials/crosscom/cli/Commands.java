@@ -9,6 +9,7 @@ import no.hials.crosscom.cli.bridge.FileCommand;
 import no.hials.crosscom.cli.bridge.InfoCommand;
 import no.hials.crosscom.cli.bridge.ProgramCommands;
 import no.hials.crosscom.cli.drive.DriveCommand;
+import no.hials.crosscom.cli.krl.KrlCommand;
 import no.hials.crosscom.cli.lab.BenchCommand;
 import no.hials.crosscom.cli.lab.ExperimentCommand;
 import no.hials.crosscom.cli.lab.PlotCommand;
@@ -35,7 +36,7 @@ enum Commands {
   PROGRAMS("Programs and files:", "info", "discover", "program", "file", "confirm"),
   CONTROL("Control:", "drive"),
   MEASURING("Measuring:", "watch", "record", "plot", "bench"),
-  SIMULATION("Simulated controller:", "mock", "experiment"),
+  SIMULATION("Simulated controller:", "mock", "krl", "experiment"),
   HELP("Help:", "help");
 
   private final String title;
@@ -71,6 +72,7 @@ enum Commands {
       case "shell" -> new ShellCommand();
       case "run" -> new RunCommand();
       case "mock" -> new MockCommand();
+      case "krl" -> KrlCommand.commandLine();
       case "experiment" -> new ExperimentCommand();
       case "help" -> new HelpCommand();
       default -> throw new IllegalArgumentException("there is no command " + name);

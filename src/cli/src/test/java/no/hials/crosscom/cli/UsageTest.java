@@ -47,7 +47,10 @@ class UsageTest {
         "write MYPOS {X 1} --mock                | too many arguments: '1}'",
         "write MYINT 1 --host h --mock           | --host and --mock exclude each other",
         "mock --port -1                          | must be 0 to 65535, is -1",
-        "mock --json                             | unknown option: '--json'",
+        "mock --raw                              | unknown option: '--raw'",
+        "mock --archive a.zip --files b --server c3 | --archive and --files exclude each other",
+        "krl check                               | missing required parameter: 'PATH'",
+        "krl run                                 | missing required parameter: 'FILE.src'",
         "mock MYINT                              | too many arguments: 'MYINT'",
         "mock --discovery 65536                  | must be 0 to 65535, is 65536",
         "mock --discovery 0 --no-discovery       | --discovery and --no-discovery exclude",
@@ -78,7 +81,7 @@ class UsageTest {
         .failsInLines(2)
         .last()
         .asString()
-        .matches("try 'jopenshowvar( (read|write|mock|watch|bench))? --help'");
+        .matches("try 'jopenshowvar( (read|write|mock|watch|bench|krl check|krl run))? --help'");
     assertThat(result.errLines().get(0)).startsWith("jopenshowvar: ").contains(message);
   }
 

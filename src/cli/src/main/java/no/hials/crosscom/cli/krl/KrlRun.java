@@ -1,0 +1,196 @@
+package no.hials.crosscom.cli.krl;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.LoadedFiles;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.code.ProgramState;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.Message;
+import no.hials.crosscom.simulator.SimulationClock;
+import no.hials.crosscom.simulator.VariableTable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code krl run}. */
+@Command(
+    name = "run",
+    description = {
+      "Runs a program to its end on a simulated controller, and prints where the robot went.",
+      "The simulated time passes as fast as possible. Start is pressed again when the program"
+          + " halts without a message that stops it."
+    },
+    footer = {
+      "",
+      "The output is CSV. Each motion is a row: the time of its start in seconds, its target in"
+          + " $BASE, in mm and degrees, and the axes there. With --period a row is a position"
+          + " instead.",
+      "",
+      "Exit code 1 if the program does not reach its end; stderr has the messages.",
+      "",
+      "Examples:",
+      "  jopenshowvar krl run place.src --archive cell.zip",
+      "  jopenshowvar krl run place.src --period 12ms > path.csv"
+    })
+final class KrlRun extends ConsoleCommand {
+  private static final Duration CYCLE = Duration.ofMillis(12);
+
+  @Parameters(paramLabel = "FILE.src", description = "The program, or one of --archive.")
+  private Path file = Path.of("");
+
+  @Option(
+      names = "--archive",
+      paramLabel = "PATH",
+      description = "Load the archive of a controller first, a zip or a folder.")
+  private @Nullable Path archive;
+
+  @Option(
+      names = "--config",
+      paramLabel = "FILE.dat",
+      description = "Load a data list before the program. Can be repeated.")
+  private List<Path> configs = new ArrayList<>();
+
+  @Option(
+      names = "--robot",
+      paramLabel = "NAME",
+      description =
+          "The robot, such as \"KR 210 R2700-2\"; machine data of --archive replace it. Default:"
+              + " \"KR 6 R900 sixx\".")
+  private @Nullable String robot;
+
+  @Option(
+      names = "--mode",
+      paramLabel = "MODE",
+      converter = Converters.Mode.class,
+      description = "Operating mode: T1, T2, AUT (default) or EXT.")
+  private OperatingMode mode = OperatingMode.AUT;
+
+  @Option(
+      names = "--period",
+      paramLabel = "TIME",
+      description = "Print the position at this period, in steps of 12 ms, not the motions.")
+  private @Nullable Duration period;
+
+  @Option(
+      names = "--limit",
+      paramLabel = "TIME",
+      description = "The longest simulated time. Default: 1h.")
+  private Duration limit = Duration.ofHours(1);
+
+  @Option(names = "--strict", description = "End with an error if a file has one.")
+  private boolean strict;
+
+  private String last = "";
+
+  @Override
+  public ExitCode run() throws IOException {
+    RobotModel model =
+        robot == null ? RobotModel.kr6r900sixx() : argument("--robot", robot, RobotModel::named);
+    LoadedFiles loaded = new LoadedFiles(strict);
+    try (Controller controller =
+        new Controller(VariableTable.krc4(model), SimulationClock.stepped(), model, "krl-run")) {
+      String program = load(controller, loaded);
+      loaded.check(controller);
+      loaded.warnings().forEach(console()::hint);
+      controller.setMode(mode);
+      try {
+        controller.robot().select(program);
+      } catch (KrlFileException e) {
+        throw new FileException(
+            file + " cannot be selected:", String.valueOf(e.getMessage()).lines().toList(), e);
+      }
+      console().print(String.join(",", titles()));
+      boolean ended = runToEnd(controller);
+      controller.messages().forEach(message -> console().hint(message.toString()));
+      if (!ended) {
+        console().error("the program did not reach its end: " + controller);
+      }
+      return ended ? ExitCode.DONE : ExitCode.REFUSED;
+    }
+  }
+
+  private String load(Controller controller, LoadedFiles loaded) throws FileException {
+    if (archive != null) {
+      loaded.add(controller.load(LoadedFiles.open(List.of(archive)), loaded.mode()));
+    }
+    for (Path config : configs) {
+      loaded.load(controller, config);
+    }
+    return loaded.loadOrFind(controller, file, archive != null);
+  }
+
+  private boolean runToEnd(Controller controller) {
+    long rowCycles = period == null ? 1 : Math.max(1, period.dividedBy(CYCLE));
+    long cycles = limit.dividedBy(CYCLE);
+    for (long cycle = 0; cycle < cycles; cycle++) {
+      ProgramState state = controller.robot().state();
+      if (state == ProgramState.END && controller.standing()) {
+        return true;
+      }
+      if (state == ProgramState.RESET || state == ProgramState.STOP) {
+        if (isStopped(controller)) {
+          return false;
+        }
+        try {
+          controller.start();
+        } catch (IllegalStateException e) {
+          console().hint("not started: " + e.getMessage());
+          return false;
+        }
+      }
+      if (cycle % rowCycles == 0) {
+        print(controller);
+      }
+      controller.step(CYCLE);
+    }
+    return false;
+  }
+
+  private static boolean isStopped(Controller controller) {
+    return controller.messages().stream()
+        .anyMatch(message -> message.kind() == Message.Kind.ACKNOWLEDGEMENT);
+  }
+
+  private List<String> titles() {
+    return Stream.concat(Stream.of("time"), names()).toList();
+  }
+
+  private Stream<String> names() {
+    String kind = period == null ? "FOR" : "ACT";
+    return Stream.concat(
+        Stream.of("X", "Y", "Z", "A", "B", "C").map(field -> "$POS_" + kind + "." + field),
+        Stream.of("A1", "A2", "A3", "A4", "A5", "A6").map(field -> "$AXIS_" + kind + "." + field));
+  }
+
+  /** Prints a row, of motions only when the next has begun. */
+  private void print(Controller controller) {
+    VariableTable variables = controller.variables();
+    if (period == null) {
+      String motion = variables.get("$AXIS_BACK") + variables.get("$AXIS_FOR");
+      boolean isNew = !motion.equals(last) && !controller.standing();
+      if (!isNew) {
+        return;
+      }
+      last = motion;
+    }
+    String time = String.format(Locale.ROOT, "%.3f", controller.time().toMillis() / 1000.0);
+    console()
+        .print(
+            Stream.concat(Stream.of(time), names().map(variables::get))
+                .collect(Collectors.joining(",")));
+  }
+}

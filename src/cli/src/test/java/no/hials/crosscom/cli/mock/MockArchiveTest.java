@@ -1,0 +1,196 @@
+package no.hials.crosscom.cli.mock;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.Charset;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.cli.base.RunningMock;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The archive of {@code mock}, and the commands of {@code krl} on it. */
+@Timeout(60)
+class MockArchiveTest {
+  private static final Charset WINDOWS = Charset.forName("windows-1252");
+
+  private static final String PICK =
+      "&ACCESS RVP\r\nDEF PICK( ) ;Gr\u00F6\u00DFe\r\nDECL AXIS A\r\n"
+          + "A={A1 10,A2 -90,A3 90,A4 0,A5 0,A6 0}\r\nPTP A\r\nA.A1=20.0\r\nPTP A\r\nPARTS=PARTS+1\r\nEND\r\n";
+
+  @TempDir private Path dir;
+
+  private final Map<String, String> files = new LinkedHashMap<>();
+  private String zip = "";
+
+  @BeforeEach
+  void write() throws IOException {
+    files.put("am.ini", "[Archive]\r\nName=Cell 4\r\n");
+    files.put("KRC/R1/System/$config.dat", "DEFDAT $CONFIG\nINT PARTS=6\nINT CYCLES=0\nENDDAT\n");
+    files.put(
+        "KRC/R1/System/sps.sub",
+        "DEF SPS( )\nLOOP\nCYCLES=CYCLES+1\nWAIT SEC 0.012\nENDLOOP\nEND\n");
+    files.put("KRC/R1/Program/pick.src", PICK);
+    zip = zip();
+  }
+
+  private String zip() throws IOException {
+    Path path = dir.resolve("cell.zip");
+    try (OutputStream out = Files.newOutputStream(path);
+        ZipOutputStream entries = new ZipOutputStream(out)) {
+      for (Map.Entry<String, String> file : files.entrySet()) {
+        entries.putNextEntry(new ZipEntry(file.getKey()));
+        entries.write(file.getValue().getBytes(WINDOWS));
+      }
+    }
+    return path.toString();
+  }
+
+  private static RunningMock mock(String... options) throws InterruptedException {
+    return new RunningMock(
+        Stream.concat(Stream.of("--no-discovery"), Stream.of(options)).toArray(String[]::new));
+  }
+
+  private static void readUntil(String value, RunningMock mock, String name) {
+    assertThat(Stream.generate(() -> mock.read(name)).anyMatch(value::equals)).isTrue();
+  }
+
+  @Test
+  void startsTheProgramOfAnArchiveAndShowsItsFilesToC3() throws Exception {
+    try (RunningMock mock =
+        mock("--archive", zip, "--start", "--mode", "AUT", "--server", "c3", "--speed", "20")) {
+      readUntil("7", mock, "PARTS");
+      readUntil("#P_END", mock, "$PRO_STATE1");
+      assertThat(mock.run("program run", "/R1/PICK", "--yes").code()).isZero();
+      readUntil("8", mock, "PARTS");
+      assertThat(mock.read("$PRO_STATE0")).isEqualTo("#P_ACTIVE");
+
+      assertThat(mock.run("file ls", "KRC:\\R1\\Program").out()).containsIgnoringCase("pick.src");
+      Path copy = dir.resolve("copy.src");
+      assertThat(mock.run("file get", "/R1/PICK.SRC", copy.toString()).code()).isZero();
+      assertThat(Files.readAllBytes(copy)).isEqualTo(PICK.getBytes(WINDOWS));
+      assertThat(mock.run("watch", "PARTS", "--count", "2").code()).isZero();
+    }
+  }
+
+  @Test
+  void theSummaryIsOnStderrAndSaysWhatIsNotUnderstood() throws Exception {
+    files.put("KRC/R1/Program/bad.src", "DEF BAD( )\nPARTS=\nEND\n");
+    try (RunningMock mock = mock("--archive", zip())) {
+      assertThat(mock.nextLine()).startsWith("T1, no program, submit SPS #P_ACTIVE line ");
+      assertThat(mock.nextErrorLine()).startsWith("archive ").endsWith("cell.zip: name Cell 4");
+      assertThat(Stream.of(mock.nextErrorLine(), mock.nextErrorLine(), mock.nextErrorLine()))
+          .contains(
+              "loaded KRC/R1/System/$config.dat", "loaded with 1 warning KRC/R1/Program/bad.src");
+    }
+  }
+
+  @Test
+  void printsTheSummaryAsJsonAfterTheFirstLine() throws Exception {
+    try (RunningMock mock = mock("--archive", zip, "--json")) {
+      assertThat(mock.nextLine())
+          .isEqualTo(
+              "{\"file\":\"KRC/R1/System/$config.dat\",\"outcome\":\"loaded\",\"problems\":[]}");
+    }
+  }
+
+  @Test
+  void strictlyAFileWithAnErrorEndsTheCommand() throws Exception {
+    files.put("KRC/R1/Program/bad.src", "DEF BAD( )\nPARTS=\nEND\n");
+
+    Cli.Result result = Cli.run("mock", "--port", "0", "--archive", zip(), "--strict");
+
+    assertThat(result.code()).isEqualTo(2);
+    assertThat(result.errLines().get(0)).contains("the archive has files with errors:");
+    assertThat(result.errLines().get(1)).startsWith("KRC/R1/Program/bad.src:2:");
+  }
+
+  @Test
+  void saysThatThereIsNoArchive() {
+    Cli.run("mock", "--port", "0", "--archive", dir.resolve("no.zip").toString())
+        .failsInALine(2)
+        .contains("no.zip", "file not found");
+  }
+
+  // krl
+
+  @Test
+  void checkIsSilentAboutFilesWithoutProblems() {
+    Cli.Result result = Cli.run("krl", "check", zip);
+
+    assertThat(result.code()).as(result.err()).isZero();
+    assertThat(result.out()).isEmpty();
+    assertThat(result.errLines()).containsExactly("files: 3, problems: 0");
+  }
+
+  @Test
+  void checkNamesThePlaceOfEachProblem() throws Exception {
+    files.put("KRC/R1/Program/bad.src", "DEF BAD( )\nPARTS=\nNOWHERE()\nMISSING=1\nEND\n");
+
+    Cli.Result result = Cli.run("krl", "check", zip());
+
+    assertThat(result.code()).isEqualTo(1);
+    assertThat(result.lines())
+        .extracting(line -> line.split(": ")[0])
+        .containsExactly(
+            "KRC/R1/Program/bad.src:2:7",
+            "KRC/R1/Program/bad.src:3:1",
+            "KRC/R1/Program/bad.src:4:1");
+    assertThat(Cli.run("krl", "check", zip(), "--json").out())
+        .contains("\"outcome\":\"warnings\",\"problems\":[{\"line\":2,\"column\":7,");
+  }
+
+  @Test
+  void checkIncludesTheDataListNextToAProgram() throws Exception {
+    Path program = Files.writeString(dir.resolve("own.src"), "DEF OWN( )\nN=N+1\nEND\n");
+    assertThat(Cli.run("krl", "check", program.toString()).code()).isEqualTo(1);
+
+    Files.writeString(dir.resolve("own.dat"), "DEFDAT OWN\nINT N=1\nENDDAT\n");
+
+    assertThat(Cli.run("krl", "check", program.toString()).code()).isZero();
+  }
+
+  @Test
+  void runPrintsARowForEachMotionOfAProgramOfTheArchive() {
+    Cli.Result result = Cli.run("krl", "run", "pick.src", "--archive", zip);
+
+    assertThat(result.code()).as(result.err()).isZero();
+    assertThat(result.lines()).hasSize(3);
+    assertThat(result.lines().get(0))
+        .startsWith("time,$POS_FOR.X,")
+        .endsWith(",$AXIS_FOR.A5,$AXIS_FOR.A6");
+    assertThat(result.lines().get(1).split(",")[7]).isEqualTo("10.0000");
+    assertThat(result.lines().get(2).split(",")[7]).isEqualTo("20.0000");
+  }
+
+  @Test
+  void runEndsWithOneIfTheProgramStops() throws Exception {
+    Path program = Files.writeString(dir.resolve("stops.src"), "DEF STOPS( )\nNOWHERE()\nEND\n");
+
+    Cli.Result result = Cli.run("krl", "run", program.toString());
+
+    assertThat(result.code()).isEqualTo(1);
+    assertThat(result.err()).contains("stops.src:2:1", "the program did not reach its end");
+    assertThat(Cli.run("krl", "run", "pick.src", "--archive", zip, "--limit", "24ms").code())
+        .isEqualTo(1);
+  }
+
+  @Test
+  void runPrintsThePositionAtAPeriod() {
+    Cli.Result result = Cli.run("krl", "run", "pick.src", "--archive", zip, "--period", "24ms");
+
+    assertThat(result.code()).as(result.err()).isZero();
+    assertThat(result.lines().get(2)).startsWith("0.024,");
+    assertThat(result.lines().get(0)).contains("$AXIS_ACT.A1");
+  }
+}

@@ -140,7 +140,7 @@ final class ArchiveLoader {
   }
 
   private static ParseResult parsed(ArchivedFile file) throws KrlFileException {
-    ModuleLoader.checkLength(file.name(), file.content().length);
+    ModuleLoader.checkLength(file.name(), file.content().length, ModuleLoader.MAX_LENGTH);
     return KrlParser.parse(file.name(), KrlEncoding.decode(file.content()));
   }
 

@@ -40,6 +40,9 @@ final class FileTreePrograms {
    */
   static final long MAX_TOTAL = 8 << 20;
 
+  /** The largest file that a selection loads, so that a client cannot fill the memory; assumed. */
+  static final int MAX_LENGTH = 4 << 20;
+
   private final ControllerFileSystem files;
   private final ModuleLoader loader;
 
@@ -55,7 +58,8 @@ final class FileTreePrograms {
   /** Held while files are parsed and loaded, without the lock of this object. */
   private final Object loading = new Object();
 
-  private final long maxTotal;
+  /** {@link #MAX_TOTAL} in addition to the files that were loaded before, such as an archive. */
+  private long maxTotal;
 
   private final LoadingMode mode;
 
@@ -100,6 +104,7 @@ final class FileTreePrograms {
     module.hadProgram = module.hasProgram();
     if (!name.startsWith("$")) {
       module.items.forEach((end, item) -> kept.put(part(module.name, end), item.size()));
+      maxTotal += module.items.values().stream().mapToLong(FileItem::size).sum();
     }
     loaded.put(name, module);
   }
@@ -324,7 +329,7 @@ final class FileTreePrograms {
         (end, item) -> {
           String file = item.path().name();
           try {
-            ModuleLoader.checkLength(file, item.size());
+            ModuleLoader.checkLength(file, item.size(), MAX_LENGTH);
             module.parts.put(end, files.read(item.path().fullName()));
           } catch (IOException e) {
             module.unreadable =

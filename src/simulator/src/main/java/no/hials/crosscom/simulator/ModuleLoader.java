@@ -30,10 +30,10 @@ import org.jspecify.annotations.Nullable;
 /** Loads data lists and programs into the controller. Thread-safe. */
 final class ModuleLoader {
   /**
-   * The largest file that is loaded, so that a file that is not a program cannot fill the memory;
-   * assumed.
+   * The largest file of the user that is loaded: a program of 20 MB with the points of a CAM system
+   * fits. What clients write has a lower limit, {@link FileTreePrograms#MAX_LENGTH}; assumed.
    */
-  static final int MAX_LENGTH = 4 << 20;
+  static final int MAX_LENGTH = 32 << 20;
 
   /** Called after a file was loaded, without a lock of the controller. */
   @FunctionalInterface
@@ -87,7 +87,7 @@ final class ModuleLoader {
     }
 
     private static Input of(String fileName, String text, byte[] content) {
-      List<KrlError> tooLong = tooLong(fileName, content.length);
+      List<KrlError> tooLong = tooLong(fileName, content.length, MAX_LENGTH);
       return new Input(
           fileName,
           content,
@@ -101,7 +101,7 @@ final class ModuleLoader {
         throw new NoSuchFileException(file.toString(), null, "there is no such file");
       }
       String name = String.valueOf(file.getFileName());
-      List<KrlError> tooLong = tooLong(name, Files.size(file));
+      List<KrlError> tooLong = tooLong(name, Files.size(file), MAX_LENGTH);
       if (!tooLong.isEmpty()) {
         return new Input(name, NOTHING, new ParseResult(Optional.empty(), tooLong));
       }
@@ -139,21 +139,21 @@ final class ModuleLoader {
     return take(new Input(fileName, Input.NOTHING, parsed), null, mode);
   }
 
-  /** Checks the length of a file before it is parsed, because trees are much larger than texts. */
-  static void checkLength(String fileName, long bytes) throws KrlFileException {
-    List<KrlError> errors = tooLong(fileName, bytes);
+  /** Checks the length of a file before it is parsed, because code is much larger than texts. */
+  static void checkLength(String fileName, long bytes, int limit) throws KrlFileException {
+    List<KrlError> errors = tooLong(fileName, bytes, limit);
     if (!errors.isEmpty()) {
       throw new KrlFileException(errors);
     }
   }
 
-  private static List<KrlError> tooLong(String fileName, long bytes) {
-    return bytes <= MAX_LENGTH
+  private static List<KrlError> tooLong(String fileName, long bytes, int limit) {
+    return bytes <= limit
         ? List.of()
         : List.of(
             new KrlError(
                 new Position(fileName, 1, 1),
-                "a file of KRL has at most " + MAX_LENGTH + " bytes, has " + bytes));
+                "a file of KRL has at most " + limit + " bytes, has " + bytes));
   }
 
   /** Finds the data list of a source file; another case counts only if no other file matches. */

@@ -340,6 +340,23 @@ final class ArchiveTest {
   }
 
   @Test
+  void anArchiveMayBeLargerThanWhatClientsMayWrite() throws Exception {
+    Map<String, byte[]> files = cell();
+    String line = ";" + "x".repeat(1000) + "\n";
+    files.put("KRC/R1/Program/long.src", text("DEF LONG( )\n" + line.repeat(10_000) + "END\n"));
+    Archive archive = Archive.open(asFolder(files));
+    assertThat(controller.load(archive, LoadingMode.LENIENT).problems()).isEmpty();
+    FileTree tree = archive.tree();
+    controller.connect(tree);
+
+    assertThat(controller.loadFromFiles("LONG")).isEqualTo("LONG");
+    assertThat(controller.loadFromFiles("MAIN")).isEqualTo("MAIN");
+    tree.put("/R1/OTHER.SRC", "DEF OTHER( )\n" + line.repeat(5000) + "END\n");
+    assertThatThrownBy(() -> controller.loadFromFiles("OTHER"))
+        .hasMessageContaining("a file of KRL has at most 4194304 bytes");
+  }
+
+  @Test
   void severalPlacesAreOneArchive() throws Exception {
     asFolder(cell());
     Path other = Files.writeString(folder.resolve("more.src"), "DEF MORE( )\nMAIN()\nEND\n");

@@ -41,7 +41,7 @@ class ManPageTest {
 
       assertThat(groff.waitFor()).isZero();
       assertThat(lines)
-          .noneMatch(line -> line.contains("warning"))
+          .noneMatch(line -> line.contains(": warning"))
           .anyMatch(line -> line.contains(ManPage.name(command)));
     }
   }

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param content its bytes, which must not change any more; empty if it was refused
  * @param refusal the reason why it was not read; null if it was
  */
+@SuppressWarnings("ArrayRecordComponent") // never compared
 public record ArchivedFile(String path, byte[] content, @Nullable String refusal) {
 
   /** Returns the last part of the path. */

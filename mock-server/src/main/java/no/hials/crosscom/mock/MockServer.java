@@ -66,7 +66,7 @@ public final class MockServer implements AutoCloseable {
   private final VariableTable variables;
   private final FileTree files;
   private final @Nullable Archive archive;
-  private LoadReport archiveReport = new LoadReport(List.of());
+  private volatile LoadReport archiveReport = new LoadReport(List.of());
   private final FaultScript faults = new FaultScript();
   private final RequestLog requests;
   private final RequestDispatcher service;

@@ -181,15 +181,15 @@ final class HostileClientTest {
 
   @Test
   void aListThatIsTooLargeIsRefusedBeforeItIsParsed() throws Exception {
-    String large = "DEFDAT $CONFIG\n" + "\n".repeat(4 << 20) + "ENDDAT\n";
+    String large = "DEFDAT $CONFIG\n" + "\n".repeat(32 << 20) + "ENDDAT\n";
     try (MockServer server = MockServer.start()) {
       assertThatExceptionOfType(KrlFileException.class)
           .isThrownBy(() -> server.controller().load("$config.dat", large))
-          .withMessageContaining("at most 4194304 bytes");
+          .withMessageContaining("at most 33554432 bytes");
       Path file = Files.writeString(folder.resolve("$config.dat"), large);
       assertThatExceptionOfType(KrlFileException.class)
           .isThrownBy(() -> server.controller().load(file))
-          .withMessageContaining("at most 4194304 bytes");
+          .withMessageContaining("at most 33554432 bytes");
     }
   }
 }

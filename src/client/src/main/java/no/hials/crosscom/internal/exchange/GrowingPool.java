@@ -1,6 +1,7 @@
 package no.hials.crosscom.internal.exchange;
 
 import java.util.concurrent.Executor;
+import java.util.concurrent.Future;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
@@ -24,7 +25,12 @@ public final class GrowingPool implements Executor {
   /**
    * Starts a thread, because the queue refuses it; does nothing if there are as many as allowed.
    */
-  private static final Runnable START = () -> {};
+  private enum Starter implements Runnable {
+    START;
+
+    @Override
+    public void run() {}
+  }
 
   private final Waiting queue;
   private final ThreadPoolExecutor threads;
@@ -74,7 +80,7 @@ public final class GrowingPool implements Executor {
 
     @Override
     public boolean offer(Runnable task) {
-      return task != START && super.offer(task);
+      return task != Starter.START && super.offer(task);
     }
 
     @Override
@@ -99,7 +105,7 @@ public final class GrowingPool implements Executor {
   private void checkLater() {
     if (checking.compareAndSet(false, true)) {
       try {
-        timer.schedule(this::check, PATIENCE_NANOS, TimeUnit.NANOSECONDS);
+        Future<?> unused = timer.schedule(this::check, PATIENCE_NANOS, TimeUnit.NANOSECONDS);
       } catch (RejectedExecutionException e) {
         checking.set(false); // closed: the threads that there are run the rest
       }
@@ -110,7 +116,7 @@ public final class GrowingPool implements Executor {
     checking.set(false);
     if (queue.peek() instanceof Task oldest) {
       if (System.nanoTime() - oldest.since >= PATIENCE_NANOS) {
-        threads.execute(START);
+        threads.execute(Starter.START);
       }
       checkLater();
     }

@@ -159,6 +159,7 @@ class SharedWatchesTest extends RobotTest {
   }
 
   @Test
+  @SuppressWarnings("try") // closed while in use
   void ifAllListenersAreBlockedIteratorsAndFuturesGoOn() throws Exception {
     CountDownLatch release = new CountDownLatch(1);
     try (ClientRuntime one = ClientRuntime.create(cfg -> cfg.listenerThreads(1));
@@ -182,6 +183,7 @@ class SharedWatchesTest extends RobotTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
+  @SuppressWarnings("try") // closed while in use
   void noListenerGetsAWaitingSampleAfterTheWatchOrItsClientIsClosed(boolean closesClient)
       throws Exception {
     CountDownLatch called = new CountDownLatch(1);

@@ -188,6 +188,7 @@ class WatchTest extends RobotTest {
   }
 
   private record Strict(double z) {
+    @SuppressWarnings("UnusedMethod") // called by the client
     Strict {
       assertThat(z).isZero(); // throws an error
     }

@@ -98,7 +98,7 @@ final class Triggers {
           trigger.at = new PathPoint(0, trigger.at.mm());
           trigger.placed = next;
         } else {
-          trigger.there = Math.min(trigger.there, now);
+          trigger.there = Math.min(trigger.there, (double) now);
           trigger.passed = true;
         }
       }

@@ -41,6 +41,7 @@ sealed interface JointPath permits JointPath.OfAxes, JointPath.OfJoints, JointPa
   }
 
   /** A curve in the axes. */
+  @SuppressWarnings("ArrayRecordComponent") // neither compared nor changed
   record OfJoints(
       Function curve,
       Axis start,

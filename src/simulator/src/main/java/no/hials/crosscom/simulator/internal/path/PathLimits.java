@@ -10,6 +10,7 @@ import java.util.Arrays;
  * @param accelerations the highest acceleration at each point
  * @param stops the points at which the speed is 0
  */
+@SuppressWarnings("ArrayRecordComponent") // neither compared nor changed
 public record PathLimits(
     double[] parameters, double[] speeds, double[] accelerations, double[] stops) {
   public PathLimits(double[] parameters, double[] speeds, double[] accelerations) {

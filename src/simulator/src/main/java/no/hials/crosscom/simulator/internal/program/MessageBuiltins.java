@@ -17,7 +17,6 @@ import no.hials.crosscom.simulator.internal.data.Operators;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import no.hials.crosscom.simulator.internal.program.Builtin.Call;
 import no.hials.crosscom.simulator.internal.program.Builtin.Kind;
-import no.hials.crosscom.simulator.internal.program.ProgramMessage.Type;
 import org.jspecify.annotations.Nullable;
 
 /** The routines that show messages (docs/reference/krl-language.md#messages). */
@@ -81,9 +80,9 @@ final class MessageBuiltins {
     if (!(call.value(0) instanceof KrlEnum constant)) {
       throw Operators.wrongType("a type of message", call.value(0));
     }
-    Type type;
+    ProgramMessage.Type type;
     try {
-      type = Type.valueOf(constant.name().toUpperCase(Locale.ROOT));
+      type = ProgramMessage.Type.valueOf(constant.name().toUpperCase(Locale.ROOT));
     } catch (IllegalArgumentException e) {
       throw Operators.wrongType("#NOTIFY, #STATE, #QUIT or #WAITING", constant);
     }
@@ -102,11 +101,11 @@ final class MessageBuiltins {
     if (keys.isEmpty()) {
       return FAILED; // nobody could answer it
     }
-    return show(call, Type.DIALOGUE, call.value(0), 1, keys);
+    return show(call, ProgramMessage.Type.DIALOGUE, call.value(0), 1, keys);
   }
 
   private static KrlValue show(
-      Call call, Type type, KrlValue message, int parametersAt, List<String> keys)
+      Call call, ProgramMessage.Type type, KrlValue message, int parametersAt, List<String> keys)
       throws KrlExecutionException {
     if (!(message instanceof KrlStruct struct)) {
       throw Operators.wrongType("a KRLMSG_T", message);
@@ -198,7 +197,7 @@ final class MessageBuiltins {
     return new KrlInt(count);
   }
 
-  private static String bufferType(Type type) {
+  private static String bufferType(ProgramMessage.Type type) {
     return switch (type) {
       case QUIT -> "USR_QUIT";
       case WAITING -> "USR_WAIT";

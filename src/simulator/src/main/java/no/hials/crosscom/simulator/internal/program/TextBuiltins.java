@@ -226,7 +226,8 @@ final class TextBuiltins {
 
     /** Skips the characters of a format; a blank stands for any number of blanks. */
     boolean skip(String characters) {
-      for (char c : characters.toCharArray()) {
+      for (int i = 0; i < characters.length(); i++) {
+        char c = characters.charAt(i);
         if (c == ' ') {
           skipBlanks();
         } else if (at < text.length() && text.charAt(at) == c) {

@@ -130,8 +130,8 @@ class ExpressionTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "I = 1/0 | 9005 line 2: a divisor must not be 0, divided 1 by it",
-        "R = 1.0/0.0 | 9005 line 2: a divisor must not be 0, divided 1.00000 by it",
+        "I = 1/0 | 9005 line 2: a divisor must not be 0, the dividend is 1",
+        "R = 1.0/0.0 | 9005 line 2: a divisor must not be 0, the dividend is 1.00000",
         "I = 2147483647+1 | 9006 line 2: an INT has 32 bits, the result would be 2147483648",
         "I = 65536*65536 | 9006 line 2: an INT has 32 bits, the result would be 4294967296",
         "R = 1.0E30*1.0E30 | 9006 line 2: a REAL is at most 3.4E+38, the result would be",

@@ -1,7 +1,9 @@
 package no.hials.crosscom.simulator.internal.program;
 
+import java.util.List;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import org.jspecify.annotations.Nullable;
 
@@ -86,6 +88,30 @@ final class CallFrame {
     return code.steps().get(next++).instruction();
   }
 
+  /** Returns the index of the next instruction. */
+  int next() {
+    return next;
+  }
+
+  /** Returns whether the next instruction is the first of its statement. */
+  boolean atStatement() {
+    return code.steps().get(next).statement() == next;
+  }
+
+  /** Returns the first statement in or after a line; negative if the routine ends before it. */
+  int statementAt(int line) {
+    List<CompiledCode.Step> steps = code.steps();
+    if (line < routine.begin().line() - 1) {
+      return -1;
+    }
+    for (int i = 0; i < steps.size(); i++) {
+      if (steps.get(i).statement() == i && steps.get(i).position().line() >= line) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
   void jump(int target) {
     next = target;
   }
@@ -103,6 +129,11 @@ final class CallFrame {
   /** Returns the position of the last executed instruction. */
   Position executed() {
     return code.steps().get(next == 0 ? 0 : next - 1).position();
+  }
+
+  /** Returns the position of an instruction. */
+  Position position(int instruction) {
+    return code.steps().get(instruction).position();
   }
 
   /** Returns the position of the next instruction. */
@@ -130,10 +161,13 @@ final class CallFrame {
     references[slot] = reference;
   }
 
-  KrlValue temporary(int slot) {
+  /** Returns a value that a loop or a branch keeps. */
+  KrlValue temporary(int slot) throws KrlExecutionException {
     KrlValue value = temporaries[slot];
     if (value == null) {
-      throw new IllegalStateException("temporary value " + slot + " is not set");
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED,
+          "a FOR or SWITCH cannot be continued after the selection of a line in it");
     }
     return value;
   }

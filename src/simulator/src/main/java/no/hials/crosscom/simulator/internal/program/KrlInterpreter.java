@@ -72,6 +72,7 @@ public final class KrlInterpreter {
     if (state != ProgramState.RESET && state != ProgramState.STOP) {
       return false;
     }
+    machine.beginLine();
     state = ProgramState.ACTIVE;
     return true;
   }
@@ -126,7 +127,16 @@ public final class KrlInterpreter {
    * @return the number of executed instructions
    */
   public int run(int maxInstructions) {
-    return run(() -> machine.run(maxInstructions));
+    return run(maxInstructions, false);
+  }
+
+  /**
+   * Executes the program as {@link #run(int)} does, but stops it at its next line.
+   *
+   * @param oneLine whether to stop there
+   */
+  public int run(int maxInstructions, boolean oneLine) {
+    return run(() -> machine.run(maxInstructions, oneLine));
   }
 
   /**
@@ -158,6 +168,25 @@ public final class KrlInterpreter {
       environment.fault(fault, machine.faultPosition());
     }
     return machine.executed();
+  }
+
+  /**
+   * Sets the program pointer to the first statement in or after a line of a routine that is being
+   * executed; the routines it has called are left.
+   *
+   * @throws IllegalStateException if no program is selected or it is active
+   * @throws IllegalArgumentException if the line is in no such routine
+   */
+  public void selectLine(int line) {
+    if (state == ProgramState.FREE || state == ProgramState.ACTIVE) {
+      throw new IllegalStateException(
+          "select a line: a program must be selected and not active, is #P_" + state);
+    }
+    if (state == ProgramState.END) {
+      reset();
+    }
+    machine.selectLine(line);
+    state = ProgramState.STOP;
   }
 
   /**

@@ -48,6 +48,11 @@ final class KrlVirtualMachine {
   private boolean halted;
   private int executed;
 
+  /** The frame and the instruction at which the line began that is executed alone. */
+  private @Nullable CallFrame lineFrame;
+
+  private int lineInstruction;
+
   /** The position of a fault in a condition; null if the fault is in the current statement. */
   private @Nullable Position faultPosition;
 
@@ -98,20 +103,24 @@ final class KrlVirtualMachine {
     return halted;
   }
 
-  /** Executes instructions until one waits, the program halts or ends, or the limit is reached. */
-  void run(int maxInstructions) throws KrlExecutionException {
+  /**
+   * Executes instructions until one waits, the program halts or ends, or the limit is reached.
+   *
+   * @param oneLine whether to halt at the next line after {@link #beginLine}
+   */
+  void run(int maxInstructions, boolean oneLine) throws KrlExecutionException {
     beginCycle();
     cyclic.execute(this);
     interrupts.watch(this);
     interrupt();
-    execute(maxInstructions, false);
+    execute(maxInstructions, false, oneLine);
   }
 
   /** Executes the triggers that have fired, as far as they do not wait. */
   void runTriggers(int maxInstructions) throws KrlExecutionException {
     beginCycle();
     interrupt();
-    execute(maxInstructions, true);
+    execute(maxInstructions, true, false);
   }
 
   private void beginCycle() {
@@ -121,13 +130,15 @@ final class KrlVirtualMachine {
     executed = 0;
   }
 
-  private void execute(int maxInstructions, boolean interruptions) throws KrlExecutionException {
+  private void execute(int maxInstructions, boolean interruptions, boolean oneLine)
+      throws KrlExecutionException {
     while (executed < maxInstructions && !waiting && !halted) {
       CallFrame frame = top;
       if (frame == null || (interruptions && interruption() == null)) {
         break;
       }
       executed++;
+      int instruction = frame.next();
       try {
         frame.fetch().execute(this);
       } catch (KrlExecutionException fault) {
@@ -135,6 +146,9 @@ final class KrlVirtualMachine {
           recover();
           throw fault;
         }
+      }
+      if (oneLine && isNextLine(frame, instruction)) {
+        halted = true;
       }
     }
   }
@@ -166,6 +180,41 @@ final class KrlVirtualMachine {
       }
     }
     throw fault;
+  }
+
+  /** Marks the line that is executed alone. */
+  void beginLine() {
+    lineFrame = top;
+    lineInstruction = top == null ? 0 : top.next();
+  }
+
+  /** Returns whether an instruction was the last of its line. */
+  private boolean isNextLine(CallFrame executedIn, int instruction) {
+    CallFrame frame = top;
+    if (frame == null || (frame == executedIn && frame.next() == instruction)) {
+      return false; // the end, or an instruction that waits
+    }
+    return frame.atStatement()
+        && (frame != lineFrame
+            || frame.next() == lineInstruction
+            || frame.position().line() != frame.position(lineInstruction).line());
+  }
+
+  void selectLine(int line) {
+    CallFrame frame = top;
+    while (frame != null && (frame.interruption() != null || frame.statementAt(line) < 0)) {
+      frame = frame.caller();
+    }
+    if (frame == null) {
+      throw new IllegalArgumentException(
+          "line " + line + " is in no routine that is being executed");
+    }
+    while (top != null && top != frame) {
+      leave(top);
+    }
+    drop(frame.stackBase());
+    next.clear();
+    frame.jump(frame.statementAt(line));
   }
 
   /** Returns the number of instructions that the last {@link #run} has executed. */

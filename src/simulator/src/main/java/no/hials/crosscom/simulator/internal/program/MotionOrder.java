@@ -90,4 +90,23 @@ public record MotionOrder(
   public boolean spline() {
     return form != Form.PLAIN;
   }
+
+  /** Returns the same motion of another kind and with other approximations. */
+  public MotionOrder with(MotionKind newKind, Set<Approximation> newApproximations) {
+    return new MotionOrder(
+        newKind,
+        auxiliary,
+        target,
+        circularAngle,
+        newApproximations,
+        coordinates,
+        pointName,
+        module,
+        position,
+        triggers,
+        stops,
+        form,
+        settings,
+        block);
+  }
 }

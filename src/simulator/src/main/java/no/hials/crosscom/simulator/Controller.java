@@ -33,8 +33,12 @@ import org.jspecify.annotations.Nullable;
  * <p>Operating modes: in T1 the robot is slow ({@code $RED_T1}, {@code $VEL_CP_T1}, {@code
  * $SPEED_LIMIT_TEACH_MODE}). In T1 and T2 {@link ProgramControl#start} means holding the enabling
  * switch and the start key, in AUT pressing the start key. In EXT only {@link #externalStart}
- * starts. A change of the mode stops the robot's program. There is no BCO run: the first motion of
- * a program is like any other (a real controller moves to the first point slowly, and waits).
+ * starts. A change of the mode stops the robot's program.
+ *
+ * <p>After the selection of a program, its reset, or the selection of a line, the first motion in
+ * T1, T2 and AUT is a BCO run: it is slow, and the program stops at its end until it is started
+ * again. {@link #runProgram} does both. {@code $PRO_MODE1} {@code #MSTEP} stops a program after
+ * each motion, {@code #ISTEP} after each line.
  *
  * <p>An error that stops a program is a {@link Message}, which has to be confirmed before the next
  * start; {@code $STOPMESS} is TRUE until then. Numbers below 9001 are KSS's own. A target out of
@@ -56,6 +60,7 @@ public final class Controller implements AutoCloseable {
   private final ProgramControl submit;
   private final @Nullable Pacemaker pacemaker;
 
+  private volatile JogCoordinates jogCoordinates = JogCoordinates.AXIS;
   private final ModuleLoader loader;
   private volatile @Nullable FileTreePrograms programFiles;
   private volatile FileTreePrograms.Loaded loadedFiles = FileTreePrograms.Loaded.NOTHING;
@@ -259,7 +264,8 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
-   * Starts the robot's program: in EXT as {@link #externalStart}, else with the start key.
+   * Starts the robot's program: in EXT as {@link #externalStart}, else by pressing the start key
+   * once.
    *
    * @throws IllegalStateException if it cannot be started now
    */
@@ -269,6 +275,26 @@ public final class Controller implements AutoCloseable {
     } else {
       robot.start();
     }
+  }
+
+  /**
+   * Starts the robot's program as {@link #start} does, and presses Start again when its BCO run has
+   * ended, so that the program runs on.
+   *
+   * @throws IllegalStateException if it cannot be started now
+   */
+  public void runProgram() {
+    core.runRobot(mode() == OperatingMode.EXT);
+  }
+
+  /**
+   * Sets whether BCO runs are simulated. Without them the first motion of a program is as fast as
+   * any other, and one start is enough: for tests of the motions themselves.
+   *
+   * @param simulated whether they are; true at first
+   */
+  public void simulateBco(boolean simulated) {
+    core.simulateBco(simulated);
   }
 
   /**
@@ -311,7 +337,7 @@ public final class Controller implements AutoCloseable {
   /**
    * Returns the messages.
    *
-   * @return the last 1000, the oldest first
+   * @return the last 1000, the oldest first; after them the state messages of the present state
    */
   public List<Message> messages() {
     return core.messages();
@@ -366,6 +392,41 @@ public final class Controller implements AutoCloseable {
    */
   public void jog(MotionKind kind, KrlStruct target) throws KrlExecutionException {
     core.jog(kind, target);
+  }
+
+  /**
+   * Presses a jog key: in T1 and T2 the robot moves at {@code $OV_JOG} % until {@link #releaseJog},
+   * at most to the end of its reach.
+   *
+   * @param coordinates the direction of the keys
+   * @param number 1 to 6: A1 to A6, or X, Y, Z, A, B and C
+   * @param positive the direction
+   * @throws KrlExecutionException if the robot cannot start to move there
+   * @throws IllegalArgumentException if there is no such key
+   * @throws IllegalStateException if a program is active, the mode is not T1 or T2, or the
+   *     emergency stop or a message stops the robot
+   */
+  public void jog(JogCoordinates coordinates, int number, boolean positive)
+      throws KrlExecutionException {
+    core.jog(coordinates, number, positive);
+  }
+
+  /**
+   * Returns the directions of the jog keys of the pendant.
+   *
+   * @return {@link JogCoordinates#AXIS} at first
+   */
+  public JogCoordinates jogCoordinates() {
+    return jogCoordinates;
+  }
+
+  /**
+   * Selects the directions of the jog keys on the pendant, which C3 Bridge's keys use too.
+   *
+   * @param coordinates the directions
+   */
+  public void setJogCoordinates(JogCoordinates coordinates) {
+    jogCoordinates = coordinates;
   }
 
   /** Releases the jog key: a jogged robot slows down and stops. */

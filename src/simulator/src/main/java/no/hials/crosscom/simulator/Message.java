@@ -24,7 +24,7 @@ public record Message(Kind kind, int number, String text, Duration time, List<St
   public enum Kind {
     /** No action needed. */
     NOTIFICATION,
-    /** A program is waiting. */
+    /** A state that lasts, such as a BCO run that is due; it disappears with the state. */
     STATUS,
     /** The robot was stopped, and the message has to be confirmed. */
     ACKNOWLEDGEMENT,

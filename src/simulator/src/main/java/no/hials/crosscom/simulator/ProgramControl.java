@@ -52,6 +52,22 @@ public final class ProgramControl {
     core.start(kind, false);
   }
 
+  /**
+   * Sets the program pointer to a line, as a block selection does. The program stays stopped, and a
+   * BCO run is due. A FOR or SWITCH that is not running cannot be continued from a line in it.
+   *
+   * @param line a line of a routine that is being executed, or of the main routine; without a
+   *     statement, the next one with a statement
+   * @throws IllegalArgumentException if the line is in no such routine
+   * @throws IllegalStateException if this is the submit interpreter
+   */
+  public void selectLine(int line) {
+    if (kind == Interpreter.SUBMIT) {
+      throw new IllegalStateException("select a line: only in the robot interpreter");
+    }
+    core.selectLine(line);
+  }
+
   /** Stops the program if it is active; the robot slows down on its path. */
   public void stop() {
     core.stop(kind);

@@ -24,9 +24,10 @@ final class Cell implements AutoCloseable {
     controller.place(START);
   }
 
-  /** Creates a cell of another controller, in mode AUT. */
+  /** Creates a cell of another controller, in mode AUT and without BCO runs. */
   Cell(Controller controller) {
     this.controller = controller;
+    controller.simulateBco(false);
     controller.setMode(OperatingMode.AUT);
   }
 
@@ -42,8 +43,12 @@ final class Cell implements AutoCloseable {
     return with(variables, SimulationClock.stepped());
   }
 
+  /** Creates a controller without BCO runs, which have a test of their own. */
   static Controller with(VariableTable variables, SimulationClock clock) {
-    return new Controller(variables, clock, RobotModel.kr6r900sixx(), "simulator-test-clock");
+    Controller controller =
+        new Controller(variables, clock, RobotModel.kr6r900sixx(), "simulator-test-clock");
+    controller.simulateBco(false);
+    return controller;
   }
 
   /** Creates a module of statements; they begin in line 2. */

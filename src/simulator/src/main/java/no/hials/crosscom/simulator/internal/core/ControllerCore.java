@@ -18,6 +18,7 @@ import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.JogCoordinates;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.Message;
@@ -61,6 +62,7 @@ public final class ControllerCore {
   private final OperatorPanel panel;
   private final ManualMotion manual;
   private final AutomaticExternal external;
+  private final BlockCoincidence coincidence;
   private final SpeedReduction speed;
   private final Timers timers;
   private final AdvanceRun motions;
@@ -98,7 +100,8 @@ public final class ControllerCore {
     submit = interpreter(Interpreter.SUBMIT, access);
     manual = new ManualMotion(robot, motions, panel);
     external = new AutomaticExternal(access, new PlcActions());
-    speed = new SpeedReduction(access, motions, panel, manual);
+    coincidence = new BlockCoincidence(robot, motions, panel, new StepModeVariable(access));
+    speed = new SpeedReduction(access, motions, panel, manual, coincidence);
     variables = new SystemVariables(globals, access, model, robot, submit, state());
     robots = new RobotChanger(access, motions, variables, panel);
     publish();
@@ -114,9 +117,15 @@ public final class ControllerCore {
             this::time,
             timers,
             motions,
+            this::coincidence,
             panel.programs(),
             this::showError,
             this::failed));
+  }
+
+  /** Returns the BCO run, which is created after the interpreters. */
+  private BlockCoincidence coincidence() {
+    return coincidence;
   }
 
   // calls from outside
@@ -170,6 +179,7 @@ public final class ControllerCore {
       interpreter.select(library.program(name), arguments);
       if (kind == Interpreter.ROBOT) {
         motions.discardAll();
+        coincidence.require();
       }
       publish();
     } finally {
@@ -193,10 +203,15 @@ public final class ControllerCore {
    * @param external whether the higher-level controller starts it, not the pendant
    */
   public void start(Interpreter kind, boolean external) {
-    change(() -> startLocked(kind, external));
+    change(() -> startLocked(kind, external, false));
   }
 
-  private void startLocked(Interpreter kind, boolean external) {
+  /** Starts the robot's program and presses Start again at the end of its BCO run. */
+  public void runRobot(boolean external) {
+    change(() -> startLocked(Interpreter.ROBOT, external, true));
+  }
+
+  private void startLocked(Interpreter kind, boolean external, boolean pressAgain) {
     if (failure != null) {
       throw new IllegalStateException("start: the simulation has failed: " + failure, failure);
     }
@@ -211,6 +226,12 @@ public final class ControllerCore {
       if (manual.active()) {
         throw new IllegalStateException("start: the robot is moved without a program");
       }
+    }
+    if (kind == Interpreter.ROBOT) {
+      if (interpreter.state() == ProgramState.END) {
+        coincidence.require();
+      }
+      coincidence.started(pressAgain);
     }
     interpreter.start();
   }
@@ -235,6 +256,7 @@ public final class ControllerCore {
           }
           if (kind == Interpreter.ROBOT) {
             motions.discardAll();
+            coincidence.require();
           }
         });
   }
@@ -247,6 +269,7 @@ public final class ControllerCore {
           interpreter.cancel();
           if (kind == Interpreter.ROBOT) {
             motions.discardAll();
+            coincidence.forget();
           }
         });
   }
@@ -262,6 +285,22 @@ public final class ControllerCore {
   /** Returns the calls of the selected program, the innermost first. */
   public List<KrlInterpreter.Level> levels(Interpreter kind) {
     return locked(() -> interpreter(kind).levels());
+  }
+
+  /** Sets whether the first motion of a program is a BCO run. */
+  public void simulateBco(boolean simulated) {
+    change(() -> coincidence.simulate(simulated));
+  }
+
+  /** Sets the pointer of the robot's program to a line. */
+  public void selectLine(int line) {
+    change(
+        () -> {
+          requireIdle(robot, "select a line");
+          robot.selectLine(line);
+          motions.discardAll();
+          coincidence.require();
+        });
   }
 
   public OperatingMode mode() {
@@ -386,6 +425,12 @@ public final class ControllerCore {
     change(() -> manual.jog(kind, target));
   }
 
+  /** Jogs in a direction: 1 to 6 for A1 to A6, or X, Y, Z, A, B and C. */
+  public void jog(JogCoordinates coordinates, int number, boolean positive)
+      throws KrlExecutionException {
+    change(() -> manual.jog(coordinates, number, positive));
+  }
+
   public void releaseJog() {
     change(
         () -> {
@@ -406,11 +451,13 @@ public final class ControllerCore {
       external.cycle(panel.mode());
       submit.run(SUBMIT_INSTRUCTIONS);
       motions.settle(robot.state() == ProgramState.ACTIVE || manual.active());
-      robot.run(ROBOT_INSTRUCTIONS);
+      coincidence.prepare();
+      robot.run(ROBOT_INSTRUCTIONS, coincidence.lineByLine());
       if (motions.cycle(time, speed.override(), released(), speed.limit())) {
         robot.runTriggers(ROBOT_INSTRUCTIONS);
       }
       manual.cycle();
+      coincidence.cycle();
       publish();
     } catch (RuntimeException e) {
       failure = failure == null ? e : failure;
@@ -470,6 +517,7 @@ public final class ControllerCore {
   }
 
   private void publish() {
+    coincidence.show();
     variables.publish(state());
   }
 
@@ -487,7 +535,9 @@ public final class ControllerCore {
         panel.emergency(),
         panel.stopMessage(),
         motions.idle(),
-        external.drives());
+        external.drives(),
+        coincidence.due(),
+        coincidence.running());
   }
 
   /** Executes the signals of a higher-level controller. */
@@ -506,7 +556,7 @@ public final class ControllerCore {
         if (!external.drives()) {
           throw new IllegalStateException("start: the drives are off");
         }
-        startLocked(Interpreter.ROBOT, true);
+        startLocked(Interpreter.ROBOT, true, false);
       } catch (IllegalStateException e) {
         panel.show(
             Message.Kind.NOTIFICATION, OperatorPanel.NOT_STARTED, "$EXT_START: " + e.getMessage());
@@ -525,6 +575,7 @@ public final class ControllerCore {
     public void failed(int number, String text) {
       boolean jogged = manual.jogging();
       manual.end();
+      coincidence.lost();
       // a robot that is jogged to the end of its reach simply stands
       if (!jogged) {
         stopFor(number, text);

@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator.internal.core;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import no.hials.crosscom.kinematics.UnreachableException;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.protocol.code.Interpreter;
@@ -36,6 +37,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
   private final LongSupplier time;
   private final Timers timers;
   private final AdvanceRun motions;
+  private final Supplier<BlockCoincidence> coincidence;
   private final MessageWindow messages;
   private final ErrorListener errors;
   private final FaultListener listener;
@@ -47,6 +49,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
       LongSupplier time,
       Timers timers,
       AdvanceRun motions,
+      Supplier<BlockCoincidence> coincidence,
       MessageWindow messages,
       ErrorListener errors,
       FaultListener listener) {
@@ -55,6 +58,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
     this.time = time;
     this.timers = timers;
     this.motions = motions;
+    this.coincidence = coincidence;
     this.messages = messages;
     this.errors = errors;
     this.listener = listener;
@@ -68,7 +72,9 @@ final class InterpreterEnvironment implements ProgramEnvironment {
 
   @Override
   public int advance() {
-    return (int) Math.max(0, Math.min(MAX_ADVANCE, access.number("$ADVANCE", 0)));
+    return coincidence.get().oneByOne()
+        ? 0
+        : (int) Math.max(0, Math.min(MAX_ADVANCE, access.number("$ADVANCE", 0)));
   }
 
   @Override
@@ -83,7 +89,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
 
   @Override
   public void move(MotionOrder order) throws KrlExecutionException {
-    motions.move(order);
+    motions.move(coincidence.get().planned(order));
   }
 
   @Override
@@ -109,6 +115,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
   @Override
   public void discardMotion(int holds) {
     motions.discard(holds);
+    coincidence.get().lost();
   }
 
   @Override

@@ -3,13 +3,19 @@ package no.hials.crosscom.simulator.internal.core;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
+import no.hials.crosscom.kinematics.Frames;
+import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.protocol.code.ProgramState;
+import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.simulator.JogCoordinates;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
+import org.jspecify.annotations.Nullable;
 
 /** Moves the robot without a program, as messages 11 and 12 of C3 Bridge ask for. */
 final class ManualMotion {
@@ -18,6 +24,14 @@ final class ManualMotion {
     MOTION,
     JOG
   }
+
+  /** A distance beyond the reach of the arm, mm, and an angle below half a turn, degrees. */
+  private static final double FAR = 2500;
+
+  private static final double FAR_TURN = 170;
+
+  /** The number of X, Y and Z, which come before the angles. */
+  private static final int LENGTHS = 3;
 
   private final KrlInterpreter robot;
   private final AdvanceRun motions;
@@ -43,20 +57,61 @@ final class ManualMotion {
     if (jogging()) {
       throw new IllegalStateException("move: a jog key is pressed");
     }
-    begin(State.MOTION, kind, target);
+    begin(State.MOTION, kind, target, null);
   }
 
   void jog(MotionKind kind, KrlStruct target) throws KrlExecutionException {
+    jog(kind, target, null);
+  }
+
+  private void jog(MotionKind kind, KrlStruct target, @Nullable String coordinates)
+      throws KrlExecutionException {
     requireReleased("jog");
     if (!panel.mode().manual()) {
       throw new IllegalStateException(
           "jog: the operating mode must be T1 or T2, is " + panel.mode());
     }
     end();
-    begin(State.JOG, kind, target);
+    begin(State.JOG, kind, target, coordinates);
   }
 
-  private void begin(State next, MotionKind kind, KrlStruct target) throws KrlExecutionException {
+  void jog(JogCoordinates coordinates, int number, boolean positive) throws KrlExecutionException {
+    if (number < 1 || number > PositionValues.ROBOT_AXES) {
+      throw new IllegalArgumentException(
+          "jog: the number of the axis must be 1 to "
+              + PositionValues.ROBOT_AXES
+              + ", is "
+              + number);
+    }
+    if (coordinates == JogCoordinates.AXIS) {
+      motions.readLimits();
+      RobotModel robot = motions.model();
+      double end = positive ? robot.maximum(number - 1) : robot.minimum(number - 1);
+      KrlStruct.Field angle = new KrlStruct.Field("A" + number, KrlReal.of(end));
+      jog(MotionKind.PTP, new KrlStruct("E6AXIS", List.of(angle)));
+      return;
+    }
+    double far = (number <= LENGTHS ? FAR : FAR_TURN) * (positive ? 1 : -1);
+    Frame increment = increment(number, far);
+    if (coordinates == JogCoordinates.WORLD) {
+      Frame base = motions.resolver().base();
+      Frame turn = new Frame(0, 0, 0, base.a(), base.b(), base.c());
+      increment = Frames.product(Frames.inverse(turn), increment, turn);
+    }
+    jog(
+        MotionKind.LIN_REL,
+        PositionValues.frame(increment),
+        coordinates == JogCoordinates.TOOL ? "TOOL" : null);
+  }
+
+  private static Frame increment(int number, double value) {
+    double[] parts = new double[PositionValues.ROBOT_AXES];
+    parts[number - 1] = value;
+    return new Frame(parts[0], parts[1], parts[2], parts[3], parts[4], parts[5]);
+  }
+
+  private void begin(State next, MotionKind kind, KrlStruct target, @Nullable String coordinates)
+      throws KrlExecutionException {
     motions.move(
         new MotionOrder(
             kind,
@@ -64,7 +119,7 @@ final class ManualMotion {
             target,
             OptionalDouble.empty(),
             Set.of(),
-            null,
+            coordinates,
             "",
             "",
             new Position(kind.name(), 1, 1),

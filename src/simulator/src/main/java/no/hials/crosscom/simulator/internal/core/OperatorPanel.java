@@ -2,8 +2,11 @@ package no.hials.crosscom.simulator.internal.core;
 
 import java.time.Duration;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.protocol.code.OperatingMode;
@@ -41,6 +44,7 @@ final class OperatorPanel {
   private final LongSupplier time;
   private final Deque<Message> messages = new ArrayDeque<>();
   private final MessageWindow programs = new MessageWindow(this::show);
+  private final Map<Integer, Message> states = new LinkedHashMap<>();
   private int unconfirmed;
   private OperatingMode mode = OperatingMode.T1;
   private boolean emergency;
@@ -138,13 +142,25 @@ final class OperatorPanel {
     }
   }
 
+  /** Shows a state message, or removes it when its state has ended. */
+  void state(boolean present, int number, String text) {
+    if (present) {
+      Duration now = Duration.ofMillis(time.getAsLong());
+      states.put(number, new Message(Message.Kind.STATUS, number, text, now, List.of()));
+    } else {
+      states.remove(number);
+    }
+  }
+
   /** Returns whether a message has to be confirmed. */
   boolean stopMessage() {
     return unconfirmed + programs.unconfirmed() > 0;
   }
 
   List<Message> messages() {
-    return List.copyOf(messages);
+    List<Message> all = new ArrayList<>(messages);
+    all.addAll(states.values());
+    return List.copyOf(all);
   }
 
   int confirmAll() {

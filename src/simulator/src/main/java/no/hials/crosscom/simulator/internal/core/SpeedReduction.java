@@ -16,20 +16,31 @@ final class SpeedReduction {
   private final AdvanceRun motions;
   private final OperatorPanel panel;
   private final ManualMotion manual;
+  private final BlockCoincidence coincidence;
 
   SpeedReduction(
-      SystemVariableAccess access, AdvanceRun motions, OperatorPanel panel, ManualMotion manual) {
+      SystemVariableAccess access,
+      AdvanceRun motions,
+      OperatorPanel panel,
+      ManualMotion manual,
+      BlockCoincidence coincidence) {
     this.access = access;
     this.motions = motions;
     this.panel = panel;
     this.manual = manual;
+    this.coincidence = coincidence;
   }
 
   /** Returns the part of the programmed speed, 0 to 1. */
   double override() {
     double override = part(manual.jogging() ? "$OV_JOG" : "$OV_PRO");
-    boolean reduced = panel.mode() == OperatingMode.T1 && isPointToPoint();
+    boolean reduced = slow() && isPointToPoint();
     return reduced ? override * Math.min(1, access.number("$RED_T1", PERCENT) / PERCENT) : override;
+  }
+
+  /** A BCO run is as slow as a motion in T1 (assumed). */
+  private boolean slow() {
+    return panel.mode() == OperatingMode.T1 || coincidence.running();
   }
 
   private double part(String percentage) {
@@ -46,7 +57,7 @@ final class SpeedReduction {
 
   /** Returns the limits of T1 for TCP and flange, and on a path for the axes. */
   SpeedLimit limit() {
-    if (panel.mode() != OperatingMode.T1) {
+    if (!slow()) {
       return SpeedLimit.NONE;
     }
     double limit = access.number("$SPEED_LIMIT_TEACH_MODE", Double.POSITIVE_INFINITY);

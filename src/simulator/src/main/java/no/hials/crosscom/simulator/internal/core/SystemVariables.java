@@ -84,6 +84,8 @@ final class SystemVariables {
    * @param stopMessage whether a message has to be confirmed
    * @param idle whether all motions have ended
    * @param drives whether the signals of a higher-level controller leave the drives on
+   * @param coincidenceDue whether the robot has not reached its programmed path
+   * @param coincidenceRunning whether it is on its way there
    */
   record State(
       Joints axes,
@@ -97,7 +99,9 @@ final class SystemVariables {
       boolean emergency,
       boolean stopMessage,
       boolean idle,
-      boolean drives) {}
+      boolean drives,
+      boolean coincidenceDue,
+      boolean coincidenceRunning) {}
 
   /** The state of an interpreter. */
   private record Pointer(ProgramState state, String program, List<KrlInterpreter.Level> levels) {}
@@ -171,6 +175,7 @@ final class SystemVariables {
     bind("$DIST_NEXT", () -> KrlReal.of(-state.distanceToEnd()));
     bind("$ACT_ADVANCE", () -> new KrlInt(state.planned()));
     // the brakes of a robot that waits for a program stay open (assumed)
+    bind("$MOVE_BCO", () -> new KrlBool(state.coincidenceRunning()));
     bind("$BRAKE_SIG", () -> new KrlInt(drivesOn() ? BRAKES_OPEN : 0));
     bind("$MODE_OP", () -> new KrlEnum(state.mode().constant()));
     bind("$ROB_TIMER", () -> new KrlInt((int) (counted + time.getAsLong())));
@@ -361,6 +366,7 @@ final class SystemVariables {
     signal("$ROB_STOPPED", newState.standing());
     signal("$PRO_ACT", active);
     signal("$PRO_MOVE", !newState.idle() && active);
+    signal("$ON_PATH", !newState.coincidenceDue());
     signal("$STOPMESS", newState.stopMessage());
     signal("$ALARM_STOP", !newState.emergency());
     signal("$PERI_RDY", drivesOn());

@@ -29,11 +29,13 @@ import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.JogCoordinates;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the messages of C3 Bridge for programs, motions and keys. */
@@ -392,6 +394,23 @@ final class C3ControlTest {
       untilStanding();
       assertThat(tcp("X")).isEqualTo(x, within(0.01));
       assertThat(tcp("Y")).isLessThan(y - 10);
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"JOG", "MOUSE"})
+    void movesTheToolInTheDirectionsThatArePressed(PendantKey key) throws IOException {
+      server.variables().set("$BASE", "{X 0,Y 0,Z 0,A 90,B 0,C 0}");
+      controller.setJogCoordinates(JogCoordinates.WORLD);
+      controller.step(SHORT);
+      double x = tcp("X");
+      double y = tcp("Y");
+      // X of the world is -Y of the base
+      assertThat(press(key, 1, false)).isEqualTo(ErrorCode.SUCCESS);
+      controller.step(Duration.ofSeconds(2));
+      assertThat(release(key, 1)).isEqualTo(ErrorCode.SUCCESS);
+      untilStanding();
+      assertThat(tcp("X")).isEqualTo(x, within(0.01));
+      assertThat(tcp("Y")).isGreaterThan(y + 10);
     }
 
     @Test

@@ -23,11 +23,11 @@ import no.hials.crosscom.protocol.program.ProgramRequest.ProgramControlRequest;
 import no.hials.crosscom.protocol.program.ProgramRequest.ProgramSelectRequest;
 import no.hials.crosscom.protocol.program.ProgramResponse;
 import no.hials.crosscom.protocol.server.ServerRequest;
-import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.JogCoordinates;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.ProgramControl;
@@ -59,14 +59,6 @@ public final class C3ProgramHandler {
 
   /** Version 1.0 refuses empty parameters (docs/reference/c3-messages.md#program-control-10). */
   private static final Version PARAMETERS_OPTIONAL = new Version(1, 1, 0);
-
-  private static final String[] MOUSE = {"X", "Y", "Z", "A", "B", "C"};
-
-  /** A distance beyond the reach of the arm, mm, and an angle below half a turn, degrees. */
-  private static final double FAR = 2500;
-
-  private static final double FAR_TURN = 170;
-  private static final int FIRST_ANGLE = 3;
 
   private final Supplier<Controller> controller;
   private final Version version;
@@ -248,9 +240,10 @@ public final class C3ProgramHandler {
 
   /**
    * Assumed: as on the pendant, the start key must be held in T1 and T2, and the robot can be
-   * jogged only in these, with {@code $OV_JOG}. The numbers 1 to 6 of the 6D mouse stand for X, Y,
-   * Z, A, B and C in {@code $BASE}. If the connection ends, a jog key stays pressed until any
-   * client releases it.
+   * jogged only in these, with {@code $OV_JOG}. The numbers 1 to 6 stand for A1 to A6, or for X, Y,
+   * Z, A, B and C in the coordinates selected on the pendant; those of the 6D mouse never for axes,
+   * but for {@code $BASE} instead. If the connection ends, a jog key stays pressed until any client
+   * releases it.
    */
   private ErrorCode press(PendantKeyRequest request) throws KrlExecutionException {
     PendantKey key = request.key().known().orElse(null);
@@ -260,11 +253,10 @@ public final class C3ProgramHandler {
     return switch (key) {
       case START -> startKey(request);
       case STOP -> stopKey(request);
-      case JOG -> jog(request, MotionKind.PTP, axis(request));
+      case JOG -> jog(request, controller.get().jogCoordinates());
       // only the release itself reaches the controller, not the number of the axis
       // (docs/reference/c3-messages.md#pendant-keys-12)
-      case MOUSE ->
-          request.released() ? releaseJog() : jog(request, MotionKind.LIN_REL, difference(request));
+      case MOUSE -> request.released() ? releaseJog() : jog(request, mouseCoordinates());
     };
   }
 
@@ -291,12 +283,18 @@ public final class C3ProgramHandler {
     return ErrorCode.SUCCESS;
   }
 
-  private ErrorCode jog(PendantKeyRequest request, MotionKind kind, KrlStruct target)
+  private JogCoordinates mouseCoordinates() {
+    JogCoordinates selected = controller.get().jogCoordinates();
+    return selected == JogCoordinates.AXIS ? JogCoordinates.BASE : selected;
+  }
+
+  private ErrorCode jog(PendantKeyRequest request, JogCoordinates coordinates)
       throws KrlExecutionException {
+    requireAxis(request);
     if (request.released()) {
       return releaseJog();
     }
-    controller.get().jog(kind, target);
+    controller.get().jog(coordinates, request.number(), request.direction());
     return ErrorCode.SUCCESS;
   }
 
@@ -305,29 +303,10 @@ public final class C3ProgramHandler {
     return ErrorCode.SUCCESS;
   }
 
-  private static int axisIndex(PendantKeyRequest request) {
+  private static void requireAxis(PendantKeyRequest request) {
     if (request.number() < 1 || request.number() > ROBOT_AXES) {
       throw new IllegalArgumentException(
           "the axis must be 1 to " + ROBOT_AXES + ", is " + request.number());
     }
-    return request.number() - 1;
-  }
-
-  private KrlStruct axis(PendantKeyRequest request) {
-    int axis = axisIndex(request);
-    Controller machine = controller.get();
-    double end =
-        request.direction() ? machine.model().maximum(axis) : machine.model().minimum(axis);
-    return position("E6AXIS", "A" + (axis + 1), end);
-  }
-
-  private static KrlStruct difference(PendantKeyRequest request) {
-    int axis = axisIndex(request);
-    double far = axis < FIRST_ANGLE ? FAR : FAR_TURN;
-    return position("FRAME", MOUSE[axis], request.direction() ? far : -far);
-  }
-
-  private static KrlStruct position(String type, String field, double value) {
-    return new KrlStruct(type, List.of(new KrlStruct.Field(field, KrlReal.of(value))));
   }
 }

@@ -53,7 +53,7 @@ final class Cell implements Closeable {
     Cell cell = new Cell(mock, mock.host(), mock.port());
     String before = cell.client.readText(ready);
     controller.robot().select(controller.load(KrlFolder.file(program)));
-    controller.robot().start();
+    controller.runProgram();
     cell.awaitOther(ready, before);
     return cell;
   }

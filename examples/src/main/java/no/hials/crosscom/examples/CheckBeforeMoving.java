@@ -41,7 +41,7 @@ public final class CheckBeforeMoving {
       controller.load(KrlFolder.file("config.dat"));
       controller.robot().select(controller.load(KrlFolder.file("follow_axis.src")));
       turn(client, 10);
-      controller.robot().start();
+      controller.runProgram();
       await(client, "the program's target is where the robot stands", () -> isReady(client));
       turn(client, 168);
       turn(client, 10);

@@ -48,7 +48,7 @@ public final class DigitalTwin {
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       String program = "DEF GO ( )\n  PTP {A1 60, A2 -70, A5 30}\nEND\n";
       robot.controller().robot().select(robot.controller().load("go.src", program));
-      robot.controller().robot().start();
+      robot.controller().runProgram();
       mirror(client, () -> robot.controller().step(Duration.ofMillis(300)));
     }
   }

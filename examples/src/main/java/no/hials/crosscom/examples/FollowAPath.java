@@ -46,7 +46,7 @@ public final class FollowAPath {
       controller.load(KrlFolder.file("config.dat"));
       controller.setMode(OperatingMode.AUT);
       controller.robot().select(controller.load(KrlFolder.file("play_path.src")));
-      controller.robot().start();
+      controller.runProgram();
       follow(robot.host(), robot.port());
     }
   }

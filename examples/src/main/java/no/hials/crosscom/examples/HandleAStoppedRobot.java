@@ -31,12 +31,15 @@ public final class HandleAStoppedRobot {
   public static void main(String[] args) throws IOException, KrlFileException {
     try (MockServer robot =
             MockServer.start(
-                cfg -> cfg.server(ServerType.C3_BRIDGE).clock(SimulationClock.stepped()));
+                cfg ->
+                    cfg.server(ServerType.C3_BRIDGE)
+                        .clock(SimulationClock.stepped())
+                        .bco(false)); // the first motion needs no second start
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
       Controller controller = robot.controller();
       controller.setMode(OperatingMode.AUT);
       controller.robot().select(controller.load("swing.src", PROGRAM));
-      controller.robot().start();
+      controller.start();
       controller.step(Duration.ofMillis(240));
       print("it moves", client);
 

@@ -82,7 +82,7 @@ public final class MeasureTheSimulation {
       Controller controller = robot.controller();
       controller.setMode(OperatingMode.AUT);
       controller.robot().select(controller.load("program.src", program));
-      controller.robot().start();
+      controller.runProgram();
       long begin = System.nanoTime();
       controller.step(time);
       double seconds = (System.nanoTime() - begin) / 1e9;

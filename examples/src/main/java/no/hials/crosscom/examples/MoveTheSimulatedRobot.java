@@ -31,7 +31,7 @@ public final class MoveTheSimulatedRobot {
       controller.load(KrlFolder.file("config.dat"));
       controller.setMode(OperatingMode.AUT);
       controller.robot().select(controller.load(KrlFolder.file("actuator.src")));
-      controller.robot().start();
+      controller.runProgram();
       controller.step(Duration.ofMillis(120)); // until the program is in its loop
       try (CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
         move(controller, client);

@@ -35,7 +35,7 @@ public final class ReadAndMove {
       Controller controller = robot.controller();
       controller.load(KrlFolder.file("config.dat"));
       controller.robot().select(controller.load(KrlFolder.file("follow_axis.src")));
-      controller.robot().start();
+      controller.runProgram();
       run(robot.host(), robot.port());
     } finally {
       robot.close();

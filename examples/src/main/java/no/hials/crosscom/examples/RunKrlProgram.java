@@ -92,9 +92,7 @@ public final class RunKrlProgram {
 
   private static void move(CrossComClient client) throws IOException {
     double z = height(client);
-    while (client.readInt("JOV_STEPS") == 0) {
-      checkActive(client); // until the program is in its loop
-    }
+    awaitLoop(client);
     client.writeVariable(new KRLPos("MYPOS").setZ(1)); // mm per step
     while (height(client) < z + 40) {
       checkActive(client);
@@ -103,12 +101,30 @@ public final class RunKrlProgram {
     System.out.println("moved up by 40 mm or more");
   }
 
+  /** Waits until the program is in its loop, and starts it again at the end of its BCO run. */
+  private static void awaitLoop(CrossComClient client) throws IOException {
+    boolean again = false;
+    while (client.readInt("JOV_STEPS") == 0) {
+      String state = client.readText("$PRO_STATE1");
+      boolean reached = state.equals("#P_STOP") && client.readText("$ON_PATH").equals("TRUE");
+      if (reached && !again) {
+        client.programs().start(Interpreter.ROBOT); // moves a machine
+        again = true;
+      } else {
+        requireActive(state);
+      }
+    }
+  }
+
   private static double height(CrossComClient client) throws IOException {
     return client.readReal("$POS_ACT.Z");
   }
 
   private static void checkActive(CrossComClient client) throws IOException {
-    String state = client.readText("$PRO_STATE1");
+    requireActive(client.readText("$PRO_STATE1"));
+  }
+
+  private static void requireActive(String state) {
     if (!state.equals("#P_ACTIVE")) {
       throw new IllegalStateException("the program must be active, is " + state);
     }

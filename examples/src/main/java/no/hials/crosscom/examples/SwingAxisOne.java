@@ -54,7 +54,7 @@ public final class SwingAxisOne {
       controller.submit().select(controller.load(KrlFolder.file("jov_sps.sub")));
       controller.submit().start();
       controller.robot().select(controller.load(KrlFolder.file("ext_move_axis.src")));
-      controller.robot().start();
+      controller.runProgram();
       run(client, OperatingMode.AUT);
     }
   }

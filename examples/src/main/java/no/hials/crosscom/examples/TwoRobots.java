@@ -39,8 +39,10 @@ public final class TwoRobots {
    */
   public static void main(String[] args)
       throws IOException, KrlFileException, ExecutionException, InterruptedException {
-    try (MockServer first = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
-        MockServer second = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
+    try (MockServer first =
+            MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()).bco(false));
+        MockServer second =
+            MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()).bco(false));
         CrossComClient leader = new CrossComClient(first.host(), first.port());
         CrossComClient follower = new CrossComClient(second.host(), second.port())) {
       run(first.controller(), first.controller().load("lead.src", LEAD));
@@ -58,7 +60,7 @@ public final class TwoRobots {
   private static void run(Controller controller, String program) throws KrlFileException {
     controller.setMode(OperatingMode.AUT);
     controller.robot().select(program);
-    controller.robot().start();
+    controller.start();
   }
 
   private static void follow(CrossComClient leader, CrossComClient follower, boolean print)

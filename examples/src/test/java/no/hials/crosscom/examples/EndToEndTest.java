@@ -87,6 +87,9 @@ class EndToEndTest {
     assertThat(state()).isEqualTo("#P_RESET");
     client.programs().start(Interpreter.ROBOT);
     assertThat(state()).isEqualTo("#P_ACTIVE");
+    controller.step(Duration.ofMillis(120));
+    assertThat(state()).isEqualTo("#P_STOP"); // at the end of its BCO run
+    client.programs().start(Interpreter.ROBOT);
     controller.step(Duration.ofMillis(120)); // until the program is in its loop
 
     KRLE6Pos begin = position();

@@ -295,7 +295,8 @@ class ExamplesTest {
   @Test
   void handleAStoppedRobotBringsItsProgramToTheEnd() {
     assertThat(run(() -> HandleAStoppedRobot.main(new String[0])).lines())
-        .hasSize(6)
+        .hasSize(7)
+        .contains("  1200 emergency stop", "  1 the emergency stop is pressed")
         .anyMatch(line -> line.startsWith("emergency stop: program #P_STOP, stop message TRUE"))
         .anyMatch(line -> line.startsWith("confirmed: program #P_STOP, stop message FALSE"))
         .endsWith("started again: program #P_END, stop message FALSE, A1 at 0.0 degrees");

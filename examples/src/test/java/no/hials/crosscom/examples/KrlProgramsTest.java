@@ -38,7 +38,7 @@ class KrlProgramsTest {
 
   @BeforeEach
   void start() throws Exception {
-    server = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()));
+    server = MockServer.start(cfg -> cfg.clock(SimulationClock.stepped()).bco(false));
     controller = server.controller();
     controller.load(KRL.resolve("config.dat"));
     controller.setMode(OperatingMode.AUT);

@@ -256,6 +256,7 @@ public final class MockServer implements AutoCloseable {
         controller =
             new Controller(
                 variables, config.clock(), config.robot(), "mock-server-" + port() + "-clock");
+        controller.simulateBco(config.bco());
         if (archive != null) {
           archiveReport = controller.load(archive, config.archiveMode());
         }

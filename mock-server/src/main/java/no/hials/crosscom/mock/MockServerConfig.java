@@ -14,6 +14,7 @@ import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.Version;
 import no.hials.crosscom.simulator.Archive;
+import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.FileTree;
 import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.SimulationClock;
@@ -231,6 +232,11 @@ public final class MockServerConfig {
     return options.robot;
   }
 
+  /** Returns whether the first motion of a program is a BCO run. */
+  public boolean bco() {
+    return options.bco;
+  }
+
   /** Returns the files that C3 Bridge serves, empty for files in memory. */
   public Optional<FileTree> files() {
     return options.files;
@@ -285,6 +291,7 @@ public final class MockServerConfig {
     private @Nullable Boolean joinSplitRequests;
     private SimulationClock clock = SimulationClock.real();
     private RobotModel robot = RobotModel.kr6r900sixx();
+    private boolean bco = true;
     private Optional<FileTree> files = Optional.empty();
     private Optional<ArchiveOpener> archive = Optional.empty();
     private LoadingMode archiveMode = LoadingMode.LENIENT;
@@ -559,6 +566,15 @@ public final class MockServerConfig {
       return this;
     }
 
+    /**
+     * Sets whether the first motion of a program is a BCO run, at whose end it has to be started
+     * again, as {@link Controller#simulateBco} does. The default is true.
+     */
+    public Builder bco(boolean value) {
+      options.bco = value;
+      return this;
+    }
+
     /** Sets the files that C3 Bridge serves. By default each server has its own in memory. */
     public Builder files(FileTree value) {
       options.files = Optional.of(value);
@@ -614,6 +630,7 @@ public final class MockServerConfig {
       options.onTheController = true;
       return maxAggregateLength(MAX_AGGREGATE)
           .ping(true)
+          .bco(true)
           .oneAtATime(true)
           .latency(Latency.krc4(seed));
     }

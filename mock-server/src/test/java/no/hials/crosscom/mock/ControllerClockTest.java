@@ -31,7 +31,7 @@ class ControllerClockTest {
     controller.setMode(OperatingMode.AUT);
     controller.load("test.src", "DEF TEST()\n" + body + "\nEND\n");
     controller.robot().select("TEST");
-    controller.robot().start();
+    controller.runProgram();
   }
 
   private static boolean hasClockThread(int port) {

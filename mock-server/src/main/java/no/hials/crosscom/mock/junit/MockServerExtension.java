@@ -177,7 +177,7 @@ final class MockServerExtension
     }
     if (!settings.start().isEmpty()) {
       controller.robot().select(settings.start());
-      controller.start();
+      controller.runProgram();
     }
   }
 

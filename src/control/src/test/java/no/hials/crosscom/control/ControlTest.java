@@ -53,7 +53,7 @@ abstract class ControlTest {
   }
 
   void configure(MockServerConfig.Builder cfg) {
-    cfg.clock(SimulationClock.stepped());
+    cfg.clock(SimulationClock.stepped()).bco(false);
   }
 
   @AfterEach

@@ -179,7 +179,7 @@ record ControllerSetup(
     }
     try {
       if (robot) {
-        controller.start();
+        controller.runProgram();
       }
       return List.of();
     } catch (IllegalStateException e) {

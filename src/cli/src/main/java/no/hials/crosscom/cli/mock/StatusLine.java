@@ -1,5 +1,6 @@
 package no.hials.crosscom.cli.mock;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -37,6 +38,7 @@ final class StatusLine implements AutoCloseable {
           });
 
   private @Nullable Message lastShown;
+  private List<Message> shownStates = List.of();
   private boolean closed;
 
   /**
@@ -70,16 +72,26 @@ final class StatusLine implements AutoCloseable {
   }
 
   private void showMessages() {
-    List<Message> messages = server.controller().messages();
+    List<Message> all = server.controller().messages();
+    List<Message> states = all.stream().filter(StatusLine::isState).toList();
+    List<Message> messages = all.stream().filter(message -> !isState(message)).toList();
     // the controller keeps only the last messages; if the shown ones are gone, all are new
     int from = lastShown == null ? 0 : messages.lastIndexOf(lastShown) + 1;
     List<Message> fresh = messages.subList(from, messages.size());
-    if (fresh.isEmpty()) {
+    List<Message> freshStates = new ArrayList<>(states);
+    freshStates.removeAll(shownStates);
+    shownStates = states;
+    if (fresh.isEmpty() && freshStates.isEmpty()) {
       return;
     }
     line.clear();
     fresh.forEach(message -> console.hint(OperatorKeys.text(message)));
-    lastShown = fresh.get(fresh.size() - 1);
+    freshStates.forEach(message -> console.hint(OperatorKeys.text(message)));
+    lastShown = fresh.isEmpty() ? lastShown : fresh.get(fresh.size() - 1);
+  }
+
+  private static boolean isState(Message message) {
+    return message.kind() == Message.Kind.STATUS;
   }
 
   /** Returns the line: simulated time, mode and programs, axes, clients and requests. */

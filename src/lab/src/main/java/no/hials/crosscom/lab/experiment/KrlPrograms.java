@@ -40,7 +40,7 @@ public final class KrlPrograms {
       throw new IllegalStateException("the programs of this build have errors", e);
     }
     controller.submit().start();
-    controller.start();
+    controller.runProgram();
   }
 
   private static String load(Controller controller, String name)

@@ -88,7 +88,7 @@ class ControllerModesTest {
     controller.setMode(OperatingMode.T1);
 
     assertThat(controller.robot().state()).isEqualTo(ProgramState.STOP);
-    assertThat(cell.message()).startsWith("9104").contains("from AUT to T1");
+    assertThat(cell.message()).startsWith("1362").contains("from AUT to T1");
     cell.untilStanding();
     assertThat(controller.axes().get(0)).isBetween(1.0, 89.0);
     controller.robot().start(); // a notification needs no confirmation
@@ -159,7 +159,9 @@ class ControllerModesTest {
     controller.emergencyStop(true);
     controller.emergencyStop(true); // pressed already
 
-    assertThat(cell.message()).isEqualTo("9105 emergency stop");
+    assertThat(controller.messages())
+        .extracting(Message::toString)
+        .containsExactly("1200 emergency stop", "1 the emergency stop is pressed");
     assertThat(cell.get("$ALARM_STOP")).isEqualTo("FALSE");
     assertThat(cell.get("$PERI_RDY")).isEqualTo("FALSE");
     assertThat(cell.get("$STOPMESS")).isEqualTo("TRUE");
@@ -170,6 +172,7 @@ class ControllerModesTest {
         .hasMessage("start: the emergency stop is pressed");
 
     controller.emergencyStop(false);
+    assertThat(cell.message()).isEqualTo("1200 emergency stop");
     assertThat(cell.get("$ALARM_STOP")).isEqualTo("TRUE");
     assertThatThrownBy(() -> controller.robot().start())
         .hasMessage("start: a message has to be confirmed first");

@@ -258,7 +258,7 @@ final class ExternalAxesTest {
     cell.cycles(5);
 
     assertThat(cell.message())
-        .isEqualTo("9102 test.src:2:1: E1 must be at most 3000.000, would be 3001.000");
+        .isEqualTo("1211 test.src:2:1: E1 must be at most 3000.000, would be 3001.000");
     assertThat(now().e1()).isZero();
   }
 

@@ -17,14 +17,16 @@ import no.hials.crosscom.simulator.internal.program.ProgramMessage;
 
 /** The key switch, the emergency stop and the message window of the pendant. */
 final class OperatorPanel {
-  // the numbers are this simulation's own, as are those of the interpreter and of motions: KSS's
-  // are not known
+  // numbers below 9000 are those of KSS (docs/reference/simulated-controller.md#messages)
 
   /** The operating mode was changed while a program ran. */
-  static final int MODE_CHANGED = 9104;
+  static final int MODE_CHANGED = 1362;
 
-  /** The emergency stop was pressed. */
-  static final int EMERGENCY_STOP = 9105;
+  /** The state message while the emergency stop is pressed. */
+  static final int EMERGENCY_STOP = 1;
+
+  /** The message to confirm after an emergency stop. */
+  static final int EMERGENCY_STOPPED = 1200;
 
   /** The simulation itself has failed. */
   static final int FAILED = 9107;
@@ -92,7 +94,10 @@ final class OperatorPanel {
   void emergencyStop(boolean pressed, BooleanSupplier stopRobot) {
     if (pressed && !emergency) {
       boolean unused = stopRobot.getAsBoolean();
-      show(Message.Kind.ACKNOWLEDGEMENT, EMERGENCY_STOP, "emergency stop");
+      show(Message.Kind.ACKNOWLEDGEMENT, EMERGENCY_STOPPED, "emergency stop");
+    }
+    if (pressed != emergency) {
+      state(pressed, EMERGENCY_STOP, "the emergency stop is pressed");
     }
     emergency = pressed;
   }

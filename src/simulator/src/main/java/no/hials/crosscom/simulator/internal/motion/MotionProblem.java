@@ -13,10 +13,13 @@ public sealed interface MotionProblem extends Serializable {
   int WORK_ENVELOPE = 9101;
 
   /** The number of the message for {@link AxisLimit}. */
-  int SOFTWARE_LIMIT = 9102;
+  int SOFTWARE_LIMIT = 1211;
 
   /** The number of the message for {@link Singularity}. */
   int SINGULARITY = 9103;
+
+  /** The number of the message for {@link NotACircle}, the first of the three of KSS (assumed). */
+  int NO_CIRCLE = 1456;
 
   /** The number of the message for a motion statement that makes no sense. */
   int BAD_MOTION = 9106;
@@ -90,7 +93,7 @@ public sealed interface MotionProblem extends Serializable {
 
     @Override
     public int number() {
-      return BAD_MOTION;
+      return NO_CIRCLE;
     }
   }
 }

@@ -65,6 +65,7 @@ public final class ControllerCore {
   private final BlockCoincidence coincidence;
   private final SpeedReduction speed;
   private final Timers timers;
+  private final MotorLoad motors = new MotorLoad();
   private final AdvanceRun motions;
   private final SystemVariables variables;
   private final RobotChanger robots;
@@ -456,6 +457,7 @@ public final class ControllerCore {
       if (motions.cycle(time, speed.override(), released(), speed.limit())) {
         robot.runTriggers(ROBOT_INSTRUCTIONS);
       }
+      motors.cycle(motions.interpolator().axisVelocity(), motions.model(), Interpolator.CYCLE);
       manual.cycle();
       coincidence.cycle();
       publish();
@@ -536,6 +538,9 @@ public final class ControllerCore {
         panel.stopMessage(),
         motions.idle(),
         external.drives(),
+        motors.torques(),
+        motors.currents(),
+        motors.temperatureRises(),
         coincidence.due(),
         coincidence.running());
   }

@@ -17,6 +17,7 @@ import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -84,6 +85,9 @@ final class SystemVariables {
    * @param stopMessage whether a message has to be confirmed
    * @param idle whether all motions have ended
    * @param drives whether the signals of a higher-level controller leave the drives on
+   * @param torques of the axes, Nm
+   * @param currents %
+   * @param temperatureRises K since the start
    * @param coincidenceDue whether the robot has not reached its programmed path
    * @param coincidenceRunning whether it is on its way there
    */
@@ -100,6 +104,9 @@ final class SystemVariables {
       boolean stopMessage,
       boolean idle,
       boolean drives,
+      double[] torques,
+      double[] currents,
+      double[] temperatureRises,
       boolean coincidenceDue,
       boolean coincidenceRunning) {}
 
@@ -172,6 +179,9 @@ final class SystemVariables {
     bindPositions();
     bind("$VEL_ACT", () -> KrlReal.of(state.pathVelocity()));
     bind("$VEL_AXIS_ACT", this::axisVelocity);
+    bind("$TORQUE_AXIS_ACT", () -> PositionValues.axisArray(state.torques()));
+    bind("$CURR_ACT", () -> PositionValues.axisArray(state.currents()));
+    bindTemperatures();
     bind("$DIST_NEXT", () -> KrlReal.of(-state.distanceToEnd()));
     bind("$ACT_ADVANCE", () -> new KrlInt(state.planned()));
     // the brakes of a robot that waits for a program stay open (assumed)
@@ -184,6 +194,24 @@ final class SystemVariables {
     bindPointer("", () -> robotPointer);
     bindPointer("0", () -> submitPointer);
     bindPointer("1", () -> robotPointer);
+  }
+
+  /** The first temperatures are those of the data list. */
+  private void bindTemperatures() {
+    double[] first = new double[PositionValues.AXES];
+    for (int i = 0; i < first.length; i++) {
+      first[i] = access.number("$MOT_TEMP[" + (i + 1) + "]", 0);
+    }
+    bind(
+        "$MOT_TEMP",
+        () -> {
+          List<KrlValue> kelvin = new ArrayList<>();
+          double[] rises = state.temperatureRises();
+          for (int i = 0; i < first.length; i++) {
+            kelvin.add(new KrlInt((int) Math.round(first[i] + (i < rises.length ? rises[i] : 0))));
+          }
+          return new KrlArray(kelvin);
+        });
   }
 
   private void bindPositions() {

@@ -21,6 +21,9 @@ import picocli.CommandLine.Parameters;
           + " bash, a name with backslashes needs single quotes; PowerShell and cmd.exe need"
           + " none.",
       "",
+      "'run' starts the program again when it stops at the end of its BCO run, the slow first"
+          + " motion after a selection in T1, T2 and AUT.",
+      "",
       "Prints $PRO_NAME1[] and $PRO_STATE1, read directly after the command. JSON: one object"
           + " with command, interpreter, program and state; a variable that cannot be read is"
           + " null.",
@@ -78,6 +81,9 @@ final class ProgramChoice extends BridgeCommand {
     try (RobotConnection controller = open(writeOptions, what)) {
       ask(writeOptions, controller, what, MessageType.PROGRAM_CONTROL);
       choice.send(controller.client().programs(), name, arguments, force);
+      if (verb.equals("run")) {
+        BcoRun.complete(controller.client());
+      }
       ProgramStatus.read(controller.client(), Interpreter.ROBOT).print(this, verb);
       return ExitCode.DONE;
     } catch (CrossComRefusedException e) {

@@ -12,6 +12,7 @@ import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.program.ProgramRequest.ProgramControlRequest;
 import no.hials.crosscom.protocol.program.ProgramRequest.ProgramSelectRequest;
+import no.hials.crosscom.simulator.Message;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -71,6 +72,21 @@ class ProgramCommandsTest {
                 .orElseThrow();
     assertThat(request.parameters()).isEqualTo("5");
     assertThat(request.force()).isFalse();
+  }
+
+  @Test
+  void runStartsTheProgramAgainAfterItsBcoRun() throws IOException {
+    try (MockServer moving = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
+      moving.controller().setMode(OperatingMode.AUT);
+      moving.files().put("/R1/MOVES.SRC", "DEF MOVES ( )\n  PTP {A1 1}\n  WAIT FOR FALSE\nEND\n");
+
+      assertThat(Cli.runOn(moving, "program run", "/R1/MOVES", "--yes").lines())
+          .containsExactly("robot: MOVES #P_ACTIVE");
+
+      assertThat(moving.controller().messages())
+          .extracting(Message::toString)
+          .containsExactly("1350 programmed path reached (BCO)");
+    }
   }
 
   @Test

@@ -1,0 +1,50 @@
+package no.hials.crosscom.cli.bridge;
+
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.time.Duration;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.protocol.code.Interpreter;
+
+/** Presses Start again at the end of the BCO run, the first motion of a selected program. */
+final class BcoRun {
+  /** The time in which a program reaches its first motion. */
+  private static final Duration BEGIN = Duration.ofMillis(500);
+
+  private static final Duration LONGEST = Duration.ofMinutes(2);
+  private static final Duration PERIOD = Duration.ofMillis(40);
+
+  private BcoRun() {}
+
+  /**
+   * Waits for the end of the BCO run, and starts the program once more. Does nothing if the program
+   * has no first motion soon, or has stopped for another reason.
+   */
+  static void complete(CrossComClient client) throws IOException {
+    if (await(client, "TRUE", BEGIN)
+        && await(client, "FALSE", LONGEST)
+        && client.readText("$PRO_STATE1").equals("#P_STOP")
+        && client.readText("$ON_PATH").equals("TRUE")
+        && client.readText("$STOPMESS").equals("FALSE")) {
+      client.programs().start(Interpreter.ROBOT);
+    }
+  }
+
+  /** Waits until {@code $MOVE_BCO} has a value; returns false after the time. */
+  private static boolean await(CrossComClient client, String value, Duration limit)
+      throws IOException {
+    long end = System.nanoTime() + limit.toNanos();
+    while (!client.readText("$MOVE_BCO").equals(value)) {
+      if (System.nanoTime() >= end || !client.readText("$PRO_STATE1").equals("#P_ACTIVE")) {
+        return client.readText("$MOVE_BCO").equals(value);
+      }
+      try {
+        Thread.sleep(PERIOD.toMillis());
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        throw new InterruptedIOException("interrupted during the BCO run");
+      }
+    }
+    return true;
+  }
+}

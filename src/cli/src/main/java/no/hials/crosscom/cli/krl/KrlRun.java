@@ -146,7 +146,7 @@ final class KrlRun extends ConsoleCommand {
           return false;
         }
         try {
-          controller.start();
+          controller.runProgram();
         } catch (IllegalStateException e) {
           console().hint("not started: " + e.getMessage());
           return false;

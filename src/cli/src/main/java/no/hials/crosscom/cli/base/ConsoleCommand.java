@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import no.hials.crosscom.cell.Printable;
+import no.hials.crosscom.kinematics.RobotModel;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -83,8 +85,8 @@ public abstract class ConsoleCommand implements Callable<Integer> {
   public static String message(ParameterException e) {
     String first =
         e instanceof UnmatchedArgumentException unmatched ? unmatched.getUnmatched().get(0) : "";
-    if (first.startsWith("--robot=")) {
-      return "this command takes no robot: @" + first.substring("--robot=".length());
+    if (first.startsWith("--robot=@")) {
+      return "this command takes no robot: " + first.substring("--robot=".length());
     }
     if (e instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
       String argument = "'" + first + "'";
@@ -100,6 +102,18 @@ public abstract class ConsoleCommand implements Callable<Integer> {
     String text = String.join(" ", description);
     int end = text.indexOf(". ");
     return end < 0 ? text : text.substring(0, end + 1);
+  }
+
+  /**
+   * Returns the model of a simulated robot.
+   *
+   * @param name the argument of {@code --robot}; null for the default
+   */
+  protected final RobotModel model(@Nullable String name) {
+    if (name != null && name.startsWith("@")) { // a robot of the configuration file
+      throw wrongUsage("this command takes no robot: " + name);
+    }
+    return name == null ? RobotModel.kr6r900sixx() : argument("--robot", name, RobotModel::named);
   }
 
   /** Parses the argument of an option as picocli does, after all options are known. */

@@ -88,7 +88,7 @@ public abstract class ControllerCommand extends ConsoleCommand {
     boolean options = true;
     for (String arg : args) {
       options &= !arg.equals("--");
-      result.add(options && isRobot(arg) ? "--robot=" + arg.substring(1) : arg);
+      result.add(options && isRobot(arg) ? "--robot=" + arg : arg);
     }
     return result.toArray(String[]::new);
   }
@@ -131,7 +131,7 @@ public abstract class ControllerCommand extends ConsoleCommand {
     if (!robots.isEmpty()) {
       if (host != null || mock) {
         String other = mock ? "--mock" : "--host";
-        throw wrongUsage(other + " and @" + robots.get(0) + " exclude each other");
+        throw wrongUsage(other + " and @" + names().get(0) + " exclude each other");
       }
       return named();
     }
@@ -155,13 +155,19 @@ public abstract class ControllerCommand extends ConsoleCommand {
     return List.of(profiles.robot(profiles.defaultRobot()));
   }
 
+  /** Returns the names of {@code --robot NAME} and {@code @NAME}. */
+  private List<String> names() {
+    return robots.stream().map(name -> name.startsWith("@") ? name.substring(1) : name).toList();
+  }
+
   private List<Robot> named() throws FileException {
-    if (robots.contains("")) {
+    List<String> names = names();
+    if (names.contains("")) {
       throw wrongUsage("the name of the robot is missing: @NAME, without a blank after @");
     }
     Profiles profiles = Profiles.read(console()::environment, simulated());
     List<Robot> result = new ArrayList<>();
-    for (String name : robots) {
+    for (String name : names) {
       if (profiles == null) {
         throw new FileException(
             "no robot is named " + name + ": there is no " + Profiles.path(console()::environment));

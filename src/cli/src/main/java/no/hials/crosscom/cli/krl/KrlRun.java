@@ -98,8 +98,7 @@ final class KrlRun extends ConsoleCommand {
 
   @Override
   public ExitCode run() throws IOException {
-    RobotModel model =
-        robot == null ? RobotModel.kr6r900sixx() : argument("--robot", robot, RobotModel::named);
+    RobotModel model = model(robot);
     LoadedFiles loaded = new LoadedFiles(strict);
     try (Controller controller =
         new Controller(VariableTable.krc4(model), SimulationClock.stepped(), model, "krl-run")) {

@@ -243,8 +243,7 @@ public final class MockCommand extends ConsoleCommand {
             mistake -> {
               throw wrongUsage(mistake);
             });
-    RobotModel model =
-        robot == null ? RobotModel.kr6r900sixx() : argument("--robot", robot, RobotModel::named);
+    RobotModel model = model(robot);
     int page = argument("--code-page", codePage, MockCommand::codePage);
     Latency times = argument("--latency", latency, text -> Latency.parse(text, seed));
     List<FaultRule> rules = new ArrayList<>();

@@ -45,8 +45,7 @@ final class ArchiveServerTest {
 
   @Test
   void variablesOfTheArchiveAreThereWhenTheServerStarts() throws Exception {
-    try (MockServer server = MockServer.start(cfg -> cfg.archive(folder));
-        RawClient client = new RawClient(server)) {
+    try (MockServer server = MockServer.start(cfg -> cfg.archive(folder))) {
       assertThat(server.variables().get("TOTAL")).isEqualTo("41");
       assertThat(server.archiveReport().files()).hasSize(3);
       assertThat(server.archiveReport().problems()).hasSize(1);

@@ -111,6 +111,7 @@ final class UserProgramTest {
             "12 Pick: 3 parts, 2.5 kg",
             "0 Pick: take 7 out",
             "0 go on?",
-            "9010 Pick_Parts.src:36:3: no routine spot_gun is known");
+            "9010 Pick_Parts.src:36:3: no routine spot_gun is known",
+            "309 a BCO run is due: the next motion is slow, then it stops");
   }
 }

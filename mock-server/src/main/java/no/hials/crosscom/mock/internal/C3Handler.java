@@ -17,7 +17,7 @@ import no.hials.crosscom.protocol.variable.VariableRequest;
 
 /** Executes requests as a version of C3 Bridge does (docs/reference/c3-messages.md). */
 public final class C3Handler implements RequestHandler {
-  private static final TypeSwitch<C3Handler, Request, Outcome, RuntimeException> REQUESTS =
+  private static final TypeSwitch<C3Handler, Request, Handled, RuntimeException> REQUESTS =
       TypeSwitch.create(
           Request.class,
           cases ->
@@ -25,7 +25,7 @@ public final class C3Handler implements RequestHandler {
                   .on(VariableRequest.class, (it, request) -> it.variables.handle(request))
                   .on(
                       ProgramRequest.class,
-                      (it, request) -> new Outcome(it.control.handle(request), null))
+                      (it, request) -> new Handled(it.control.handle(request), null))
                   .on(FileRequest.class, C3Handler::answer)
                   .on(ServerRequest.class, C3Handler::answer));
 
@@ -59,16 +59,16 @@ public final class C3Handler implements RequestHandler {
   }
 
   @Override
-  public Outcome handle(Request request) {
+  public Handled handle(Request request) {
     return REQUESTS.apply(this, request);
   }
 
-  private Outcome answer(FileRequest request) {
+  private Handled answer(FileRequest request) {
     control.watchFiles();
-    return new Outcome(files.handle(request), null);
+    return new Handled(files.handle(request), null);
   }
 
-  private Outcome answer(ServerRequest request) {
+  private Handled answer(ServerRequest request) {
     int id = request.id();
     Response response =
         switch (request.type()) {
@@ -76,7 +76,7 @@ public final class C3Handler implements RequestHandler {
           case FEATURES -> new FeaturesResponse(id, bridge.features(), Tail.SUCCESS);
           default -> control.confirmAll(request);
         };
-    return new Outcome(response, null);
+    return new Handled(response, null);
   }
 
   /** Types 0 and 1 have only the codes 0 and 1 (docs/reference/c3-messages.md#error-codes). */

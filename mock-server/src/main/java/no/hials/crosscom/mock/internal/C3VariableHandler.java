@@ -5,7 +5,7 @@ import java.util.List;
 import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.mock.MockServerConfig;
-import no.hials.crosscom.mock.internal.RequestHandler.Outcome;
+import no.hials.crosscom.mock.internal.RequestHandler.Handled;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
@@ -45,7 +45,7 @@ public final class C3VariableHandler {
 
   private static final int NANOS_PER_MILLI = 1_000_000;
 
-  private static final TypeSwitch<C3VariableHandler, VariableRequest, Outcome, RuntimeException>
+  private static final TypeSwitch<C3VariableHandler, VariableRequest, Handled, RuntimeException>
       REQUESTS =
           TypeSwitch.create(
               VariableRequest.class,
@@ -90,11 +90,11 @@ public final class C3VariableHandler {
   }
 
   /** Messages 2 and 3 are KUKAVARPROXY's: C3 Bridge does not know them. */
-  private Outcome unknown(Request request) {
+  private Handled unknown(Request request) {
     throw new IllegalArgumentException("not a request for C3 Bridge: " + request);
   }
 
-  Outcome handle(VariableRequest request) {
+  Handled handle(VariableRequest request) {
     return REQUESTS.apply(this, request);
   }
 
@@ -137,26 +137,26 @@ public final class C3VariableHandler {
 
   // types 0, 1, 4 and 5
 
-  private Outcome read(ReadRequest request) {
+  private Handled read(ReadRequest request) {
     Result result = read(codePage.decode(request.name()));
     String value = codePage.encode(result.value());
     if (value.length() > KukavarproxyHandler.MAX_VALUE) {
       return tooLong();
     }
     Tail tail = result.refused() == null ? Tail.SUCCESS : config.failedRead().tail();
-    return new Outcome(
+    return new Handled(
         new ValueResponse(request.id(), request.type(), value, tail), result.refused());
   }
 
-  private static Outcome tooLong() {
-    return new Outcome(
+  private static Handled tooLong() {
+    return new Handled(
         null, new RefusedException(Refusal.TOO_LONG, "the value must fit into the answer"));
   }
 
-  private Outcome write(WriteRequest request) {
+  private Handled write(WriteRequest request) {
     Result result = write(codePage.decode(request.name()), codePage.decode(request.value()));
     boolean done = result.refused() == null;
-    return new Outcome(
+    return new Handled(
         new ValueResponse(
             request.id(),
             request.type(),
@@ -165,7 +165,7 @@ public final class C3VariableHandler {
         result.refused());
   }
 
-  private Outcome read(ReadUtf16Request request) {
+  private Handled read(ReadUtf16Request request) {
     Result result = read(request.name());
     if (2 + 2L * result.value().length() > C3Answers.FIELDS) {
       return tooLong();
@@ -173,7 +173,7 @@ public final class C3VariableHandler {
     return text(request, result.value(), result.code(), result.refused());
   }
 
-  private Outcome write(WriteUtf16Request request) {
+  private Handled write(WriteUtf16Request request) {
     Result result = write(request.name(), request.value());
     // the value that was sent, not the value that the controller stored
     // (docs/reference/c3-messages.md#one-variable-0-1-4-and-5)
@@ -181,15 +181,15 @@ public final class C3VariableHandler {
     return text(request, value, result.code(), result.refused());
   }
 
-  private static Outcome text(
+  private static Handled text(
       Request request, String value, ErrorCode code, @Nullable RefusedException refused) {
-    return new Outcome(
+    return new Handled(
         new TextResponse(request.id(), request.type(), value, C3Answers.tail(code)), refused);
   }
 
   // types 6 and 7
 
-  private Outcome read(ReadMultipleRequest request) {
+  private Handled read(ReadMultipleRequest request) {
     if (!internal.supportsCorrectly(request.type())) {
       // see MockServerConfig.version
       return empty(request, ErrorCode.NOT_IMPLEMENTED, null);
@@ -201,7 +201,7 @@ public final class C3VariableHandler {
     return batch.answer(request);
   }
 
-  private Outcome write(WriteMultipleRequest request) {
+  private Handled write(WriteMultipleRequest request) {
     if (!internal.supportsCorrectly(request.type())) {
       // see MockServerConfig.version
       return empty(request, ErrorCode.NOT_IMPLEMENTED, null);
@@ -227,10 +227,10 @@ public final class C3VariableHandler {
     return new Result(read(item.name()).value());
   }
 
-  private static Outcome empty(
+  private static Handled empty(
       Request request, ErrorCode code, @Nullable RefusedException refused) {
     Tail tail = C3Answers.tail(code);
-    return new Outcome(C3Answers.empty(request.id(), request.type(), new byte[0], tail), refused);
+    return new Handled(C3Answers.empty(request.id(), request.type(), new byte[0], tail), refused);
   }
 
   /** The results of several accesses. */
@@ -247,7 +247,7 @@ public final class C3VariableHandler {
       }
     }
 
-    Outcome answer(Request request) {
+    Handled answer(Request request) {
       if (length > C3Answers.FIELDS) {
         // the items of type 7 are written (docs/reference/c3-messages.md#several-variables-6-and-7)
         return empty(request, ErrorCode.LONG_ANSWER, tooLong().refused());
@@ -255,7 +255,7 @@ public final class C3VariableHandler {
       // code 0 and flag false if some failed; assumed: also if all failed
       // (docs/reference/c3-messages.md#several-variables-6-and-7)
       Tail tail = refused == null ? Tail.SUCCESS : Tail.FAILURE_ZERO;
-      return new Outcome(
+      return new Handled(
           new MultipleResponse(request.id(), request.type(), results, tail), refused);
     }
   }
@@ -267,13 +267,13 @@ public final class C3VariableHandler {
     Result run();
   }
 
-  private Outcome benchmark(BenchmarkReadRequest request) {
+  private Handled benchmark(BenchmarkReadRequest request) {
     List<Trial> trials = new ArrayList<>();
     request.names().forEach(name -> trials.add(() -> read(name)));
     return benchmark(request, false, request.iterations(), trials);
   }
 
-  private Outcome benchmark(BenchmarkWriteRequest request) {
+  private Handled benchmark(BenchmarkWriteRequest request) {
     List<Trial> trials = new ArrayList<>();
     request.assignments().forEach(item -> trials.add(() -> write(item.name(), item.value())));
     return benchmark(request, true, request.iterations(), trials);
@@ -283,7 +283,7 @@ public final class C3VariableHandler {
    * A refused access does not end the run, which is a success
    * (docs/reference/c3-messages.md#benchmark-17). The end of the server ends it.
    */
-  private static Outcome benchmark(Request request, boolean write, long asked, List<Trial> all) {
+  private static Handled benchmark(Request request, boolean write, long asked, List<Trial> all) {
     List<Trial> trials = all.subList(0, Math.min(BENCHMARKED, all.size()));
     long iterations = Math.min(asked, MAX_ITERATIONS);
     RefusedException refused = null;
@@ -308,7 +308,7 @@ public final class C3VariableHandler {
             stop,
             (stop - start) & U32,
             Tail.SUCCESS);
-    return new Outcome(response, refused);
+    return new Handled(response, refused);
   }
 
   /** Returns the time since an arbitrary moment, in 32 bits as Windows does. */

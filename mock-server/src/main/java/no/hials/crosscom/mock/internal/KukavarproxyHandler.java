@@ -33,7 +33,7 @@ public final class KukavarproxyHandler implements RequestHandler {
 
   private static final int WORD = 0xFFFF;
 
-  private static final TypeSwitch<KukavarproxyHandler, Request, Outcome, RuntimeException>
+  private static final TypeSwitch<KukavarproxyHandler, Request, Handled, RuntimeException>
       REQUESTS =
           TypeSwitch.create(
               Request.class,
@@ -68,21 +68,21 @@ public final class KukavarproxyHandler implements RequestHandler {
   }
 
   @Override
-  public Outcome handle(Request request) {
+  public Handled handle(Request request) {
     return REQUESTS.apply(this, request);
   }
 
   /** The codec decodes only the messages that KUKAVARPROXY knows. */
-  private Outcome unknown(Request request) {
+  private Handled unknown(Request request) {
     throw new IllegalArgumentException("not a request for KUKAVARPROXY: " + request);
   }
 
-  private static Outcome answer(
+  private static Handled answer(
       Request request, String value, Tail tail, @Nullable RefusedException refused) {
-    return new Outcome(new ValueResponse(request.id(), request.type(), value, tail), refused);
+    return new Handled(new ValueResponse(request.id(), request.type(), value, tail), refused);
   }
 
-  private Outcome read(ReadRequest request) {
+  private Handled read(ReadRequest request) {
     if (isForServer(request)) {
       return answer(request, "PONG", Tail.SUCCESS, null);
     }
@@ -112,7 +112,7 @@ public final class KukavarproxyHandler implements RequestHandler {
     }
   }
 
-  private Outcome write(WriteRequest request) {
+  private Handled write(WriteRequest request) {
     RefusedException refused = null;
     String echo = request.value();
     try {
@@ -132,17 +132,17 @@ public final class KukavarproxyHandler implements RequestHandler {
     return answer(request, echo, tail, refused);
   }
 
-  private Outcome readArray(ReadArrayRequest request) {
+  private Handled readArray(ReadArrayRequest request) {
     try {
       KrlValue value = variables.readValue(request.name());
       // of a single element empty (docs/reference/wire-format.md#integer-arrays); the tail is
       // assumed
       List<Integer> words = value instanceof KrlArray ? words(value) : List.of();
       checkLength(2 * words.size());
-      return new Outcome(new ReadArrayResponse(request.id(), words, Tail.SUCCESS), null);
+      return new Handled(new ReadArrayResponse(request.id(), words, Tail.SUCCESS), null);
     } catch (RefusedException e) {
       // assumed: the same as for a failed read of a text
-      return new Outcome(
+      return new Handled(
           new ReadArrayResponse(request.id(), List.of(), config.failedRead().tail()), e);
     }
   }
@@ -165,7 +165,7 @@ public final class KukavarproxyHandler implements RequestHandler {
    * Writes one element after the other. Assumed: the first refused element ends the write; the
    * elements before it stay written.
    */
-  private Outcome writeArray(WriteArrayRequest request) {
+  private Handled writeArray(WriteArrayRequest request) {
     String name = request.name().strip();
     if (name.endsWith("[]")) {
       name = name.substring(0, name.length() - 2);

@@ -155,7 +155,7 @@ public final class RequestDispatcher {
           closes ? Fault.closeBefore() : Fault.none(), new EmptyResponse(unknown.id()), null, 0);
     }
     if (executes && decoded instanceof Message message) {
-      RequestHandler.Outcome outcome = handler.handle(message.request());
+      RequestHandler.Handled outcome = handler.handle(message.request());
       return new Served(
           outcome.response() == null ? Fault.closeBefore() : Fault.none(),
           outcome.response(),

@@ -19,7 +19,7 @@ public interface RequestHandler extends AutoCloseable {
    * @param response the answer; null if the server closes the connection instead
    * @param refused the reason why the controller refused the access, if it did
    */
-  record Outcome(@Nullable Response response, @Nullable RefusedException refused) {}
+  record Handled(@Nullable Response response, @Nullable RefusedException refused) {}
 
   /** Returns whether the server knows a type. */
   boolean knows(MessageType type);
@@ -31,7 +31,7 @@ public interface RequestHandler extends AutoCloseable {
   default void prepare(Request request) {}
 
   /** Executes a request of a type that the server knows. */
-  Outcome handle(Request request);
+  Handled handle(Request request);
 
   /** Returns the answer to a request of a known type with malformed fields, null for none. */
   @Nullable Response malformed(MalformedRequestException request);

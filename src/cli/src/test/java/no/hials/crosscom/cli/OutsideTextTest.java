@@ -97,7 +97,10 @@ class OutsideTextTest {
   @Test
   void escapesNamesInMessages() {
     assertThat(output(runInLatin1("read", "A" + UNSAFE)))
-        .startsWith("jopenshowvar: the controller refused to read A" + SAFE);
+        .startsWith(
+            "jopenshowvar: a variable's name must not have a line break or NUL, has U+000D at index"
+                + " 10: A"
+                + SAFE);
   }
 
   @Test
@@ -179,7 +182,7 @@ class OutsideTextTest {
     Path program = dir.resolve("BAD.SRC");
     Files.writeString(program, "DEF BAD ( )\n  X = \u001B[2J\u009B\nEND\n");
 
-    Cli.Result result = Cli.run("mock", "--port", "0", "--program", program.toString());
+    Cli.Result result = Cli.run("mock", "--port", "0", "--strict", "--program", program.toString());
 
     assertThat(result.errLines()).hasSizeGreaterThan(1);
     assertThat(List.of(output(result))).allMatch(text -> text.contains("BAD.SRC"));

@@ -41,7 +41,8 @@ import org.jspecify.annotations.Nullable;
  * keep to the ranges of {@code $OV_PRO}, {@code $ADVANCE} and some other variables of {@link
  * #krc4}. An impossible access throws an {@link IllegalArgumentException}.
  *
- * <p>Thread-safe; every access is atomic. The table starts no thread.
+ * <p>Thread-safe; every access is atomic. The table starts no thread. The class is long, because
+ * most of it is documentation.
  */
 public final class VariableTable {
   private final Scope scope = new Scope();

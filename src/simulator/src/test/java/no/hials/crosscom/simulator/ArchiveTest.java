@@ -34,8 +34,16 @@ final class ArchiveTest {
   private static final Charset WINDOWS = Charset.forName("windows-1252");
 
   private static final String PLACE =
-      "&ACCESS RVP\r\n&REL 3\r\nDEF PLACE( ) ;ablegen, gr\u00F6\u00DFer\r\n;FOLD INI\r\n;ENDFOLD\r\n"
-          + "PARTS=PARTS+COUNT\r\nEND\r\n";
+      """
+      &ACCESS RVP
+      &REL 3
+      DEF PLACE( ) ;ablegen, gr\u00F6\u00DFer
+      ;FOLD INI
+      ;ENDFOLD
+      PARTS=PARTS+COUNT
+      END
+      """
+          .replace("\n", "\r\n");
 
   private static final String MAIN = "DEF MAIN( )\nPLACE()\nPARTS=PARTS+STEP\nEND\n";
 

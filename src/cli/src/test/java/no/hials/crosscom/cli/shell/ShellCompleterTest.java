@@ -43,7 +43,7 @@ class ShellCompleterTest {
             ENDDAT
             """);
     Robot target =
-        new Robot("", server.host(), server.port(), null, null, ServerType.KUKAVARPROXY, null);
+        new Robot("", server.host(), server.port(), null, null, ServerType.C3_BRIDGE, null);
     controller = Robots.open(target, Robot.LASTING);
     symbols = new ShellSymbols(controller);
     Console console = new Console(new StringWriter(), new StringWriter(), Map.of());

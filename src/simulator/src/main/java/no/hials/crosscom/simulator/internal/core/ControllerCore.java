@@ -36,7 +36,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Everything happens in cycles of 12 ms, one after the other: timers, submit interpreter, robot
  * interpreter, motion, system variables. One lock is held during a cycle and during every other
- * call. Clients that read between two cycles see the state after the last. The class is long
+ * call. Clients that read between two cycles see the state after the last. The class is long,
  * because all of these calls work under its one lock.
  */
 public final class ControllerCore {

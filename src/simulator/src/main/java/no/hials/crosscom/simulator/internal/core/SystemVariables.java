@@ -91,6 +91,7 @@ final class SystemVariables {
    * @param coincidenceDue whether the robot has not reached its programmed path
    * @param coincidenceRunning whether it is on its way there
    */
+  @SuppressWarnings("ArrayRecordComponent") // neither compared nor changed
   record State(
       Joints axes,
       Axis axisVelocity,

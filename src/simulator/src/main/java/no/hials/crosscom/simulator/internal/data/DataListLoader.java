@@ -36,6 +36,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>{@code EXT} and {@code EXTFCT} declare nothing here. {@code IMPORT} neither: the imported
  * variable must already be global, under the same name.
+ *
+ * <p>The class is long, because it has a method for each kind of declaration.
  */
 public final class DataListLoader {
   private static final TypeSwitch<DataListLoader, Declaration, Void, KrlErrorException>

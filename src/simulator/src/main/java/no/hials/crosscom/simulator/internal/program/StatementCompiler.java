@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Compiles the statements of a routine. Each statement leaves the stack as it was. The class is
- * long because it has a method for each kind of statement.
+ * long, because it has a method for each kind of statement.
  */
 final class StatementCompiler {
   private static final TypeSwitch<StatementCompiler, Statement, Void, RuntimeException> STATEMENTS =

@@ -8,6 +8,7 @@ import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
@@ -25,8 +26,18 @@ class MockArchiveTest {
   private static final Charset WINDOWS = Charset.forName("windows-1252");
 
   private static final String PICK =
-      "&ACCESS RVP\r\nDEF PICK( ) ;Gr\u00F6\u00DFe\r\nDECL AXIS A\r\n"
-          + "A={A1 10,A2 -90,A3 90,A4 0,A5 0,A6 0}\r\nPTP A\r\nA.A1=20.0\r\nPTP A\r\nPARTS=PARTS+1\r\nEND\r\n";
+      """
+      &ACCESS RVP
+      DEF PICK( ) ;Gr\u00F6\u00DFe
+      DECL AXIS A
+      A={A1 10,A2 -90,A3 90,A4 0,A5 0,A6 0}
+      PTP A
+      A.A1=20.0
+      PTP A
+      PARTS=PARTS+1
+      END
+      """
+          .replace("\n", "\r\n");
 
   @TempDir private Path dir;
 
@@ -141,7 +152,7 @@ class MockArchiveTest {
 
     assertThat(result.code()).isEqualTo(1);
     assertThat(result.lines())
-        .extracting(line -> line.split(": ")[0])
+        .extracting(line -> line.substring(0, line.indexOf(": ")))
         .containsExactly(
             "KRC/R1/Program/bad.src:2:7",
             "KRC/R1/Program/bad.src:3:1",
@@ -169,8 +180,8 @@ class MockArchiveTest {
     assertThat(result.lines().get(0))
         .startsWith("time,$POS_FOR.X,")
         .endsWith(",$AXIS_FOR.A5,$AXIS_FOR.A6");
-    assertThat(result.lines().get(1).split(",")[7]).isEqualTo("10.0000");
-    assertThat(result.lines().get(2).split(",")[7]).isEqualTo("20.0000");
+    assertThat(List.of(result.lines().get(1).split(",", -1)).get(7)).isEqualTo("10.0000");
+    assertThat(List.of(result.lines().get(2).split(",", -1)).get(7)).isEqualTo("20.0000");
   }
 
   @Test

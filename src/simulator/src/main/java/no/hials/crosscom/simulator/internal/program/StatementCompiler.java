@@ -23,8 +23,9 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Compiles the statements of a routine. Each statement leaves the stack as it was. The class is
- * long, because it has a method for each kind of statement.
+ * Compiles the statements of a routine. Each statement leaves the stack as it was.
+ *
+ * <p>The class is long, because it has a method for each kind of statement.
  */
 final class StatementCompiler {
   private static final TypeSwitch<StatementCompiler, Statement, Void, RuntimeException> STATEMENTS =

@@ -164,6 +164,25 @@ class FollowingTest extends ControlTest {
     assertStands();
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {10, 20, 40, 60})
+  void aSlowPointIsFollowedWithoutAStopBetweenTargets(double speed) throws Exception {
+    run("follow_pos.src");
+    Frame start = position();
+
+    List<Trace.Cycle> cycles =
+        follow(
+            oneTurn(),
+            Law.cartesianPosition(s -> Twist.linear(0, 0, -speed * s.time()).move(start, 1)));
+
+    double period = 0.012;
+    for (int i = 50; i < cycles.size(); i++) {
+      double step = cycles.get(i - 1).actual().get(2) - cycles.get(i).actual().get(2);
+      assertThat(step / period).isCloseTo(speed, within(0.02 * speed));
+    }
+    assertStands();
+  }
+
   @Test
   void aCartesianPositionLawIsFollowedByIncrements() throws Exception {
     run("actuator.src");

@@ -33,6 +33,12 @@ final class Blend {
    */
   private static final double AXIS_DISTANCE = 90;
 
+  /**
+   * The time of the blend where a corner cannot be cut, s: the robot slows down to the target, but
+   * does not stay there.
+   */
+  private static final double TURN = 1e-6;
+
   /** How exactly the time of a blend is found: halvings of the longest time. */
   private static final int HALVINGS = 20;
 
@@ -91,20 +97,24 @@ final class Blend {
    * leaves the segment before at the distance before its end, and joins the next at the distance
    * after its start, each at most at half. The rest of the one and the done part of the next add
    * up: of straight lines to a parabola within their triangle. Empty if it cannot.
+   *
+   * @param earliest the first position at which the robot can still leave the segment before
    */
-  Optional<PathSegment> joined(PathSegment before, PathSegment next) {
+  Optional<PathSegment> joined(PathSegment before, double earliest, PathSegment next) {
     if (before.motion() == null
         || !(before.motion().approximation() instanceof Distance distance)
         || before.problem() != null
         || next.problem() != null
         || before.duration() == 0
         || next.duration() == 0
-        || distance.mm() == 0) {
+        || distance.mm() == 0
+        || earliest >= 1) {
       return Optional.empty();
     }
     try {
-      double leave =
+      double nominal =
           Math.max(before.path().earliestLeave(), lengths.fromEnd(before, distance.mm()));
+      double leave = Math.max(nominal, earliest);
       double join = Math.min(next.path().latestJoin(), lengths.fromStart(next, distance.mm()));
       return Optional.of(joined(before, leave, next, join));
     } catch (MotionRefusedException e) {
@@ -255,8 +265,11 @@ final class Blend {
 
   private double kept(
       ApproximationZone approximation, PathSegment segment, PathSegment next, double longest) {
-    if (approximation instanceof Exact || approximation instanceof Distance) {
+    if (approximation instanceof Exact) {
       return 0;
+    }
+    if (approximation instanceof Distance distance) {
+      return distance.mm() == 0 ? 0 : Math.min(longest, TURN);
     }
     if (approximation instanceof Speed speed) {
       return Math.min(longest, segment.profile().rampDown() * speed.percent() / 100);

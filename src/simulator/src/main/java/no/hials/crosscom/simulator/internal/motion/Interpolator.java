@@ -111,7 +111,9 @@ public final class Interpolator {
 
   /**
    * Adds a motion after the planned ones. It blends with the one before unless the robot has
-   * already passed the start of the blend, as on a real controller whose advance run is too late.
+   * already passed the start of the blend, as on a real controller whose advance run is too late. A
+   * corner that is cut is then smaller: it starts where the robot is; if it is too fast for that,
+   * it turns at the target itself (assumed).
    *
    * @throws MotionRefusedException if an axis target is outside the limits, or the points define no
    *     circle
@@ -166,7 +168,8 @@ public final class Interpolator {
    * possible, or too late.
    */
   private @Nullable PlannedPath joined(PathSegment before, PathSegment segment) {
-    PathSegment joined = blend.joined(before, segment).orElse(null);
+    double earliest = planned.isEmpty() ? path().earliestLeave() : 0;
+    PathSegment joined = blend.joined(before, earliest, segment).orElse(null);
     Corner corner = joined == null ? null : joined.corner();
     if (joined == null || corner == null) {
       return null;

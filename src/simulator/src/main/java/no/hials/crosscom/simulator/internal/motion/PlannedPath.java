@@ -19,6 +19,9 @@ record PlannedPath(@Nullable PathSegment running, double time, List<PathSegment>
   /** How much faster than planned the first speed may be, so that rounding does not matter. */
   private static final double TOLERANCE = 1 + 1e-6;
 
+  /** The part of the rest of a segment before which the robot cannot leave it any more. */
+  private static final double AHEAD = 0.01;
+
   /**
    * A place on a segment.
    *
@@ -34,6 +37,12 @@ record PlannedPath(@Nullable PathSegment running, double time, List<PathSegment>
   /** Returns the last segment; null without one. */
   @Nullable PathSegment last() {
     return segment(planned.size() - 1);
+  }
+
+  /** Returns the first position at which the robot can still leave the running segment. */
+  double earliestLeave() {
+    double position = running == null ? 0 : running.profile().position(time);
+    return position + (1 - position) * AHEAD;
   }
 
   /** Returns the same path with another segment, or with one more. */

@@ -90,6 +90,41 @@ class BlendTest {
     assertThat(ride.peakPathAcceleration()).isLessThan(2.3 * 1.01);
   }
 
+  @ParameterizedTest
+  @CsvSource({"0.02", "0.04", "0.09", "0.2"})
+  void keepsMovingWhileTargetsFollowASlowPoint(double speed) throws MotionRefusedException {
+    Ride ride = new Ride(START);
+    for (int i = 1; i <= 120; i++) {
+      // a client writes a target in every cycle, and the program takes it when it can
+      if (ride.system.planned() < 1) {
+        ride.lin(moved(FROM, 0, i * speed * 1000 * Interpolator.CYCLE, 0), new Distance(3));
+      }
+      ride.cycle();
+    }
+
+    assertThat(ride.flangeSpeeds().subList(10, 120))
+        .allSatisfy(v -> assertThat(v).isBetween(0.5 * speed, 1.5 * speed));
+    assertThat(ride.peakPathAcceleration()).isLessThan(2.3 * 1.05);
+  }
+
+  @Test
+  void cutsASmallerCornerIfTheNextMotionComesLate() throws MotionRefusedException {
+    Ride ride = new Ride(START);
+    Frame corner = moved(FROM, 0, 100, 0);
+    PathRates rates = new PathRates(0.1, 2.3, 200, 100);
+    ride.lin(corner, Frame.IDENTITY, rates, OrientationControl.VAR, new Distance(40));
+    while (ride.system.distanceToEnd() > 20) {
+      ride.cycle();
+    }
+    ride.lin(moved(corner, -100, 0, 0), Frame.IDENTITY, rates, OrientationControl.VAR, new Exact());
+    ride.toTheEnd();
+
+    assertThat(ride.flanges()).noneMatch(flange -> flange.distance(corner) < 3);
+    assertThat(ride.flangeSpeeds().subList(3, ride.flangeSpeeds().size() - 3))
+        .allMatch(speed -> speed > 0.05);
+    assertThat(ride.peakPathAcceleration()).isLessThan(2.3 * 1.05);
+  }
+
   @Test
   void passesACornerOfAxesWithoutStanding() throws MotionRefusedException {
     Ride ride = Ride.fromHome();
@@ -342,6 +377,24 @@ class BlendTest {
     assertThat(left).isGreaterThan(50);
     ride.toTheEnd();
     assertThat(ride.events).last().isEqualTo(new Passed(second));
+  }
+
+  @Test
+  void turnsBackWithoutStandingIfTheRobotIsTooFastForACorner() throws MotionRefusedException {
+    Ride ride = new Ride(START);
+    Frame corner = moved(FROM, 0, 10, 0);
+    ride.lin(corner, new Distance(3));
+    while (ride.system.distanceToEnd() > 2) {
+      ride.cycle();
+    }
+    ride.lin(FROM);
+    do {
+      ride.cycle();
+    } while (!ride.system.standing());
+
+    assertThat(ride.system.finished()).isTrue();
+    assertThat(ride.system.flange().distance(FROM)).isLessThan(1e-6);
+    assertThat(ride.peakPathAcceleration()).isLessThan(2.3 * 1.05);
   }
 
   @Test

@@ -113,9 +113,9 @@ class BlendTest {
     Frame corner = moved(FROM, 0, 100, 0);
     PathRates rates = new PathRates(0.1, 2.3, 200, 100);
     ride.lin(corner, Frame.IDENTITY, rates, OrientationControl.VAR, new Distance(40));
-    while (ride.system.distanceToEnd() > 20) {
+    do {
       ride.cycle();
-    }
+    } while (ride.system.distanceToEnd() > 20);
     ride.lin(moved(corner, -100, 0, 0), Frame.IDENTITY, rates, OrientationControl.VAR, new Exact());
     ride.toTheEnd();
 
@@ -384,9 +384,9 @@ class BlendTest {
     Ride ride = new Ride(START);
     Frame corner = moved(FROM, 0, 10, 0);
     ride.lin(corner, new Distance(3));
-    while (ride.system.distanceToEnd() > 2) {
+    do {
       ride.cycle();
-    }
+    } while (ride.system.distanceToEnd() > 2);
     ride.lin(FROM);
     do {
       ride.cycle();

@@ -185,7 +185,9 @@ class ExamplesTest {
         .satisfiesExactly(
             line -> assertThat(line).contains("the outcome is unknown"),
             line -> assertThat(line).isEqualTo("it was written"),
-            line -> assertThat(line).contains("losses=1, reconnects=1"));
+            line -> assertThat(line).contains("the outcome is unknown"),
+            line -> assertThat(line).isEqualTo("it had been written"),
+            line -> assertThat(line).contains("timeouts=1, losses=1, reconnects=2"));
   }
 
   @Test

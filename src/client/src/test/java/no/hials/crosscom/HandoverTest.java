@@ -48,6 +48,7 @@ class HandoverTest extends RobotTest {
 
   @Test
   void closingAClientWhoseConnectionTheLoopHasClosesIt() throws Exception {
+    assertThat(client.readInt("MYINT")).as("the other client is counted").isZero();
     int before = robot.clientCount();
     CrossComClient its = client(cfg -> cfg.keepAlive(Duration.ofMillis(1)));
     awaitPing(pings());
@@ -59,6 +60,7 @@ class HandoverTest extends RobotTest {
 
   @Test
   void closingAClientJustAfterAThreadTookOverItsConnectionClosesIt() throws Exception {
+    assertThat(client.readInt("MYINT")).as("the other client is counted").isZero();
     int before = robot.clientCount();
     CrossComClient its = client(cfg -> cfg.keepAlive(Duration.ofMillis(1)));
     awaitPing(pings());

@@ -485,11 +485,12 @@ public final class CrossComClient extends OriginalAccess {
 
   /**
    * Checks a write like {@link #writeText}, without sending it, so that mistakes show before a
-   * person confirms the write.
+   * person confirms the write. How a name or value with quotes or characters beyond ASCII is
+   * encoded depends on the server, so its length and characters are only checked by the write.
    *
    * @param name the variable's name
    * @param value KRL text
-   * @throws CrossComValueException if the text is too long to be sent
+   * @throws CrossComValueException if the text has several lines or is too long to be sent
    * @throws IllegalArgumentException if the name is blank
    */
   public void checkText(String name, String value) throws CrossComValueException {

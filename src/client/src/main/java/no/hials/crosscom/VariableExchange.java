@@ -111,7 +111,7 @@ final class VariableExchange {
     }
   }
 
-  /** Refuses what {@link #write(String, String)} would refuse before it sends anything. */
+  /** Refuses what {@link #write(String, String)} refuses before it knows the server. */
   void checkWrite(String name, String value) throws CrossComValueException {
     check(name, value);
     if (isPlain(name, value)) {

@@ -36,7 +36,7 @@ final class FileTreePrograms {
 
   /**
    * The bytes of all files that a selection loads, and of the programs and lists that are still
-   * loaded from others: their trees take many times as much; assumed.
+   * loaded from others: their trees take as much again; assumed.
    */
   static final long MAX_TOTAL = 8 << 20;
 

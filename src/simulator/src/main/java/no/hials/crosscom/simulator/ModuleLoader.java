@@ -139,7 +139,7 @@ final class ModuleLoader {
     return take(new Input(fileName, Input.NOTHING, parsed), null, mode);
   }
 
-  /** Checks the length of a file before it is parsed, because code is much larger than texts. */
+  /** Checks the length of a file before it is parsed, because its tree takes as much again. */
   static void checkLength(String fileName, long bytes, int limit) throws KrlFileException {
     List<KrlError> errors = tooLong(fileName, bytes, limit);
     if (!errors.isEmpty()) {

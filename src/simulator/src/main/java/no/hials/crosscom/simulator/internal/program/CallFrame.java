@@ -18,7 +18,20 @@ final class CallFrame {
   private final Storage[] locals;
   private final @Nullable Reference[] references;
   private final @Nullable KrlValue[] temporaries;
+
+  /** The slot of the next instruction, and its index in there. */
   private int next;
+
+  private int index;
+
+  /** The instructions in the slot; null until they are needed. */
+  private @Nullable List<CompiledCode.Step> steps;
+
+  /** The last executed instruction and its place; null before the first. */
+  private CompiledCode.@Nullable Step executed;
+
+  private int executedSlot;
+  private int executedIndex;
   private long deadline;
   private int protectedStatement = -1;
   private int afterProtected;
@@ -85,60 +98,73 @@ final class CallFrame {
   }
 
   Instruction fetch() {
-    return code.steps().get(next++).instruction();
+    List<CompiledCode.Step> there = steps();
+    CompiledCode.Step step = there.get(index);
+    executed = step;
+    executedSlot = next;
+    executedIndex = index;
+    if (index + 1 < there.size()) {
+      index++;
+    } else {
+      jump(next + 1);
+    }
+    return step.instruction();
   }
 
-  /** Returns the index of the next instruction. */
+  private List<CompiledCode.Step> steps() {
+    List<CompiledCode.Step> known = steps;
+    if (known == null) {
+      known = code.steps(next);
+      steps = known;
+    }
+    return known;
+  }
+
+  /** Returns the slot of the next instruction. */
   int next() {
     return next;
   }
 
   /** Returns whether the next instruction is the first of its statement. */
   boolean atStatement() {
-    return code.steps().get(next).statement() == next;
+    return index == 0 && code.statement(next) == next;
   }
 
   /** Returns the first statement in or after a line; negative if the routine ends before it. */
   int statementAt(int line) {
-    List<CompiledCode.Step> steps = code.steps();
-    if (line < routine.begin().line() - 1) {
-      return -1;
-    }
-    for (int i = 0; i < steps.size(); i++) {
-      if (steps.get(i).statement() == i && steps.get(i).position().line() >= line) {
-        return i;
-      }
-    }
-    return -1;
+    return line < routine.begin().line() - 1 ? -1 : code.statementAt(line);
   }
 
   void jump(int target) {
     next = target;
+    index = 0;
+    steps = null;
   }
 
   /** Goes back to the current instruction. */
   void again() {
-    next--;
+    jump(executedSlot);
+    index = executedIndex;
   }
 
   /** Goes back to the first instruction of the current statement. */
   void statementAgain() {
-    next = code.steps().get(next - 1).statement();
+    jump(code.statement(executedSlot));
   }
 
   /** Returns the position of the last executed instruction. */
   Position executed() {
-    return code.steps().get(next == 0 ? 0 : next - 1).position();
+    return executed == null ? code.position(0) : executed.position();
   }
 
-  /** Returns the position of an instruction. */
-  Position position(int instruction) {
-    return code.steps().get(instruction).position();
+  /** Returns the position of the first instruction in a slot. */
+  Position position(int slot) {
+    return code.position(slot);
   }
 
   /** Returns the position of the next instruction. */
   Position position() {
-    return code.steps().get(next).position();
+    return steps().get(index).position();
   }
 
   Storage local(int slot) {
@@ -179,8 +205,8 @@ final class CallFrame {
   /**
    * Protects a statement, whose errors do not stop the program.
    *
-   * @param statement the index of its first instruction
-   * @param next the index of the instruction to continue with after an error
+   * @param statement the slot in which it begins
+   * @param next the slot to continue with after an error
    */
   void proceed(int statement, int next) {
     protectedStatement = statement;
@@ -189,12 +215,12 @@ final class CallFrame {
 
   /** Returns whether the current statement is protected. */
   boolean proceeds() {
-    return next > 0 && code.steps().get(next - 1).statement() == protectedStatement;
+    return executed != null && code.statement(executedSlot) == protectedStatement;
   }
 
   /** Continues after the protected statement. */
   void skip() {
-    next = afterProtected;
+    jump(afterProtected);
     protectedStatement = -1;
   }
 

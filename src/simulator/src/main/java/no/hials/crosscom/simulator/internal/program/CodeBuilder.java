@@ -8,8 +8,10 @@ import no.hials.crosscom.simulator.KrlExecutionException;
 
 /** Collects instructions. */
 final class CodeBuilder {
-  private final List<CompiledCode.Step> steps = new ArrayList<>();
+  private final List<CompiledCode.Slot> slots = new ArrayList<>();
   private int statement;
+  private boolean dropping;
+  private boolean dropped;
 
   /** A jump target, which can be set after the jump. */
   static final class Label {
@@ -21,16 +23,37 @@ final class CodeBuilder {
   }
 
   void statement() {
-    statement = steps.size();
+    statement = slots.size();
   }
 
   void emit(Position position, Instruction operation) {
-    steps.add(new CompiledCode.Step(operation, position, statement));
+    if (dropping) {
+      dropped = true;
+    } else {
+      slots.add(new CompiledCode.Step(operation, position, statement));
+    }
   }
 
-  /** Returns the number of instructions so far. */
+  /** Adds a statement that is compiled when it is reached. */
+  void emit(CompiledCode.Statements statements) {
+    slots.add(statements);
+  }
+
+  /** Checks a statement without keeping its instructions; returns whether it has any. */
+  boolean drop(Runnable compilation) {
+    dropping = true;
+    dropped = false;
+    try {
+      compilation.run();
+    } finally {
+      dropping = false;
+    }
+    return dropped;
+  }
+
+  /** Returns the number of slots so far. */
   int size() {
-    return steps.size();
+    return slots.size();
   }
 
   /** Replaces the code of a statement by a fault, which keeps the targets of jumps. */
@@ -39,10 +62,10 @@ final class CodeBuilder {
         machine -> {
           throw new KrlExecutionException(number, reason);
         };
-    if (begin == steps.size()) {
+    if (begin == slots.size()) {
       emit(position, fault);
     } else {
-      steps.set(begin, new CompiledCode.Step(fault, position, begin));
+      slots.set(begin, new CompiledCode.Step(fault, position, begin));
     }
   }
 
@@ -51,7 +74,7 @@ final class CodeBuilder {
   }
 
   void mark(Label label) {
-    label.target = steps.size();
+    label.target = slots.size();
   }
 
   void jump(Position position, Label label) {
@@ -80,7 +103,12 @@ final class CodeBuilder {
         });
   }
 
+  /** Returns the instructions, if no statement is left to compile. */
+  List<CompiledCode.Step> steps() {
+    return slots.stream().map(CompiledCode.Step.class::cast).toList();
+  }
+
   CompiledCode build() {
-    return new CompiledCode(List.copyOf(steps));
+    return new CompiledCode(slots);
   }
 }

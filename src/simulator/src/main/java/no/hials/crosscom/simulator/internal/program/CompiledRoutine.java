@@ -73,6 +73,6 @@ final class CompiledRoutine {
 
   /** Returns the position of the first statement. */
   Position begin() {
-    return body().code().steps().get(0).position();
+    return body().code().position(0);
   }
 }

@@ -465,7 +465,7 @@ final class KrlVirtualMachine {
     CallFrame frame = new CallFrame(owner, condition, interrupted, null, height);
     top = frame;
     try {
-      for (int i = 0; i < condition.steps().size(); i++) {
+      for (int i = 0; i < condition.size(); i++) {
         frame.fetch().execute(this);
       }
       return pop();

@@ -15,12 +15,15 @@ final class LinkErrors {
   private final Set<String> warned = new HashSet<>();
 
   private int invalid;
+  private boolean complete;
 
   /** The first error of the statement; null without one. */
   private @Nullable String ofStatement;
 
   void add(Position position, String message) {
-    all.add(new KrlError(position, message));
+    if (!complete) {
+      all.add(new KrlError(position, message));
+    }
     if (ofStatement == null) {
       ofStatement = message;
     }
@@ -28,7 +31,7 @@ final class LinkErrors {
 
   /** Adds an error once, with which the statement can be executed. */
   void warn(Position position, String message) {
-    if (warned.add(message)) {
+    if (!complete && warned.add(message)) {
       all.add(new KrlError(position, message));
     }
   }
@@ -54,8 +57,12 @@ final class LinkErrors {
     return all.size() + invalid;
   }
 
-  /** Returns the errors in the order of the file. */
-  List<KrlError> sorted() {
+  /**
+   * Returns the errors in the order of the file, and keeps no more of them: those of a statement
+   * that is compiled again are known.
+   */
+  List<KrlError> complete() {
+    complete = true;
     return all.stream()
         .sorted(
             Comparator.comparing((KrlError error) -> error.position().file())

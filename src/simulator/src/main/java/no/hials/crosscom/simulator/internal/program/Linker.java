@@ -191,7 +191,7 @@ final class Linker {
       Position position = module.source().position();
       errors.add(position, "the module cannot be compiled: " + e);
       return new Linked(
-          head(module, module.source().routines().get(0)), errors.sorted(), Set.of(), false);
+          head(module, module.source().routines().get(0)), errors.complete(), Set.of(), false);
     }
   }
 
@@ -218,7 +218,7 @@ final class Linker {
     if (main == null) {
       throw new IllegalStateException("module " + module.name() + " has no routine of its name");
     }
-    return new Linked(main, errors.sorted(), called, true);
+    return new Linked(main, errors.complete(), called, true);
   }
 
   /** Compiles a routine; returns the routines with a source that it calls. */

@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.Set;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Statement;
@@ -89,6 +90,25 @@ final class StatementCompiler {
                               c.expressions.call(it.position(), it.name(), it.arguments(), false))
                       .run(Statement.Pulse.class, StatementCompiler::sendPulse));
 
+  /** The statements without jumps, labels and temporary values. */
+  private static final Set<Class<? extends Statement>> STRAIGHT =
+      Set.of(
+          Statement.AssignmentStatement.class,
+          Statement.CallStatement.class,
+          Statement.Pulse.class,
+          Statement.Halt.class,
+          Statement.WaitSec.class,
+          Statement.InterruptDeclaration.class,
+          Statement.Interrupt.class,
+          Statement.MotionStatement.class,
+          Statement.Trigger.class,
+          Statement.SplineMotion.class,
+          Statement.SplineBlock.class,
+          Statement.StopOnPath.class,
+          Statement.Confirm.class,
+          Statement.AnalogInput.class,
+          Statement.AnalogOutput.class);
+
   private static final KrlInt ZERO = new KrlInt(0);
   private static final KrlInt ONE = new KrlInt(1);
 
@@ -139,9 +159,16 @@ final class StatementCompiler {
   private void statements(List<Statement> body) {
     goOn = false;
     CodeBuilder.Label afterProtected = null;
-    for (Statement statement : body) {
+    CompiledCode.@Nullable Statements straight = null;
+    for (int i = 0; i < body.size(); i++) {
+      Statement statement = body.get(i);
       code.statement();
-      stopAtError(statement.position(), () -> STATEMENTS.run(this, statement));
+      if (!goOn && STRAIGHT.contains(statement.getClass())) {
+        straight = straight(body, i, straight);
+      } else {
+        straight = null;
+        stopAtError(statement.position(), () -> STATEMENTS.run(this, statement));
+      }
       goOn = statement instanceof Statement.Continue;
       if (afterProtected != null) {
         code.mark(afterProtected);
@@ -151,6 +178,42 @@ final class StatementCompiler {
     if (afterProtected != null) {
       code.mark(afterProtected);
     }
+  }
+
+  /**
+   * Checks a statement without jumps, which is compiled when it is reached.
+   *
+   * @param before the statements before it; null if there are none
+   * @return the statements that the next one can join
+   */
+  private CompiledCode.@Nullable Statements straight(
+      List<Statement> body, int index, CompiledCode.@Nullable Statements before) {
+    Statement statement = body.get(index);
+    String around = context.exchangeError(null);
+    boolean executable = code.drop(() -> STATEMENTS.run(this, statement));
+    String error = context.exchangeError(around);
+    if (error != null) {
+      code.stop(code.size(), statement.position(), KrlExecutionException.NOT_ALLOWED, error);
+      return null;
+    } else if (!executable) {
+      return null;
+    }
+    int first = code.size() - index;
+    CompiledCode.Statements statements =
+        before == null
+            ? new CompiledCode.Statements(slot -> compile(body.get(slot - first)))
+            : before;
+    code.emit(statements);
+    return statements;
+  }
+
+  private List<CompiledCode.Step> compile(Statement statement) {
+    StatementCompiler compiler = new StatementCompiler(context, function);
+    compiler.stopAtError(statement.position(), () -> STATEMENTS.run(compiler, statement));
+    if (compiler.code.size() == 0) {
+      compiler.code.emit(statement.position(), machine -> {});
+    }
+    return compiler.code.steps();
   }
 
   /** Protects the next statement; returns where the program continues after an error in it. */

@@ -388,4 +388,28 @@ class RoutineTest {
 
     assertThat(rig.cycle().get("I")).isEqualTo("5");
   }
+
+  /** Such a routine has more statements than stay compiled, and each call replaces them. */
+  @Test
+  void aLongRoutineCallsItselfInTheMiddleOfAStatement() {
+    String call = "  J = J + SUM(N-1)\n  RETURN J\nENDFCT\n";
+    Rig rig =
+        new Rig()
+            .run(
+                "DEF TEST()\nK = SUM(3)\nEND\nDEFFCT INT SUM(N:IN)\nINT N,J\n"
+                    + "J = N\nIF N==0 THEN\nRETURN 0\nENDIF\n"
+                    + "I = I + 1\n".repeat(600)
+                    + call);
+
+    assertThat(rig.get("K")).isEqualTo("6");
+    assertThat(rig.get("I")).isEqualTo("1800");
+  }
+
+  @Test
+  void aLoopOfManyStatementsExecutesAllInEachTurn() {
+    Rig rig =
+        new Rig().run("DEF TEST()\nFOR J=1 TO 3\n" + "I = I + J\n".repeat(600) + "ENDFOR\nEND\n");
+
+    assertThat(rig.get("I")).isEqualTo("3600");
+  }
 }

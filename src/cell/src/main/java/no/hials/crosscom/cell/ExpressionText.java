@@ -43,6 +43,11 @@ final class ExpressionText implements ExpressionVisitor<String> {
   }
 
   @Override
+  public String visit(Expression.ChannelLiteral channel) {
+    return ":" + channel.name();
+  }
+
+  @Override
   public String visit(Expression.Aggregate aggregate) {
     String type = aggregate.type() == null ? "" : aggregate.type() + ": ";
     return aggregate.fields().stream()

@@ -81,6 +81,19 @@ public sealed interface Expression {
   }
 
   /**
+   * {@code :NAME}, a channel; only an argument of a call.
+   *
+   * @param position where it is
+   * @param name the channel, without the colon
+   */
+  record ChannelLiteral(Position position, String name) implements Literal {
+    @Override
+    public <R extends @Nullable Object> R accept(ExpressionVisitor<R> visitor) {
+      return visitor.visit(this);
+    }
+  }
+
+  /**
    * An aggregate: {@code {X 10,Y 2*I}} or {@code {POS: X 10}}.
    *
    * @param position where it begins

@@ -210,7 +210,10 @@ final class ExpressionBuilder {
   List<@Nullable Expression> arguments(ArgumentsContext context) {
     List<@Nullable Expression> arguments = new ArrayList<>();
     for (ArgumentContext argument : context.argument()) {
-      arguments.add(buildOptional(argument.expression()));
+      arguments.add(
+          argument.name() == null
+              ? buildOptional(argument.expression())
+              : new Expression.ChannelLiteral(at(argument), argument.name().getText()));
     }
     boolean none = arguments.size() == 1 && arguments.get(0) == null;
     return none ? List.of() : Collections.unmodifiableList(arguments);

@@ -23,6 +23,9 @@ public interface ExpressionVisitor<R extends @Nullable Object> {
   /** Handles a constant of an enumeration. */
   R visit(Expression.EnumLiteral constant);
 
+  /** Handles the name of a channel. */
+  R visit(Expression.ChannelLiteral channel);
+
   /** Handles an aggregate. */
   R visit(Expression.Aggregate aggregate);
 

@@ -68,6 +68,8 @@ final class Snippets {
       return c.name() + "(" + inside(c.arguments()) + ")";
     } else if (node instanceof Expression.EnumLiteral e) {
       return "#" + e.name();
+    } else if (node instanceof Expression.ChannelLiteral c) {
+      return ":" + c.name();
     } else if (node instanceof Expression.TextLiteral t) {
       return "\"" + t.text() + "\"";
     } else if (node instanceof Expression.Aggregate a) {

@@ -35,6 +35,7 @@ class StatementTest {
         "FOO( )                | CallStatement(FOO, [])",
         "BAS (#INITMOV,0 )     | CallStatement(BAS, [#INITMOV, 0])",
         "FOO(,1)               | CallStatement(FOO, [-, 1])",
+        "COPEN(:SER_1, HANDLE) | CallStatement(COPEN, [:SER_1, HANDLE])",
         "CWRITE(H,S,M,\"%d\",I) | CallStatement(CWRITE, [H, S, M, \"%d\", I])",
         "PULSE($OUT[1],TRUE,0.5) | Pulse($OUT[1], true, 0.5)",
         "pulse ( $out[1], not a, t*2 ) | Pulse($out[1], (NOT a), (t MULTIPLY 2))",

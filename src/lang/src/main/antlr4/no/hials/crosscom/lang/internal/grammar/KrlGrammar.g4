@@ -293,7 +293,8 @@ dimension : expression? ;
 
 arguments : '(' argument (',' argument)* ')' ;
 
-argument : expression? ;
+// (docs/reference/krl-language.md#routines-of-kss)
+argument : (expression | ':' name)? ;
 
 // Keywords in one place, names elsewhere.
 name

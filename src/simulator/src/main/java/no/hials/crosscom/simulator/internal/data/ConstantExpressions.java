@@ -31,6 +31,11 @@ public final class ConstantExpressions {
                   .on(Expression.BoolLiteral.class, (scope, it) -> new KrlBool(it.value()))
                   .on(Expression.TextLiteral.class, (scope, it) -> new KrlString(it.text()))
                   .on(Expression.EnumLiteral.class, (scope, it) -> new KrlEnum(it.name()))
+                  .on(
+                      Expression.ChannelLiteral.class,
+                      (scope, it) -> {
+                        throw notConstant(it.position(), "the channel " + it.name());
+                      })
                   .on(Expression.Aggregate.class, ConstantExpressions::struct)
                   .on(Expression.Variable.class, ConstantExpressions::constant)
                   .on(Expression.Unary.class, ConstantExpressions::signed)

@@ -41,6 +41,9 @@ final class ExpressionCompiler {
                       .run(
                           Expression.EnumLiteral.class,
                           (c, it) -> c.code.constant(it.position(), new KrlEnum(it.name())))
+                      .run(
+                          Expression.ChannelLiteral.class,
+                          (c, it) -> c.context.error(it.position(), "channels are not simulated"))
                       .run(Expression.Aggregate.class, ExpressionCompiler::aggregate)
                       .run(Expression.Variable.class, ExpressionCompiler::read)
                       .run(

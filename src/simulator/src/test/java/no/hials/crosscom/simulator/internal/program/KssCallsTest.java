@@ -150,6 +150,8 @@ class KssCallsTest {
         "I = ST_ON(NOBODY,0) | 9010 line 2: ST_ON: RSI is not simulated",
         "RET = EKI_Open(\"x\") | 9010 line 2: no variable RET is declared",
         "I = EKI_Open(\"x\") | 9010 line 2: EKI_OPEN: EKI is not simulated",
+        "COPEN(:SER_1, I) | 1007 line 2: COPEN: channels are not simulated",
+        "I = ABS(:SER_1) | 9010 line 2: channels are not simulated",
         "COPEN(I) | 1007 line 2: COPEN: channels are not simulated",
       })
   void stopsAtACallOfAPackageThatIsNotSimulated(String statement, String fault) {

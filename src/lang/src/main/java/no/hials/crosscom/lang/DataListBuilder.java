@@ -81,7 +81,7 @@ final class DataListBuilder {
    */
   @Nullable DataList finish(Token found, Map<String, String> headers) {
     if (found.getType() != KrlGrammarParser.ENDDAT && !suspect) {
-      errors.noteCommon(errors.at(found), "expected ENDDAT, found " + ErrorWords.found(found));
+      errors.note(errors.at(found), "expected ENDDAT, found " + ErrorWords.found(found));
     }
     return name == null
         ? null

@@ -213,7 +213,7 @@ final class DeclarationBuilder {
   String declared(NameContext context) {
     String name = context.getText();
     if (name.length() > maxName) {
-      errors.noteCommon(
+      errors.note(
           errors.at(context.getStart()),
           "a name has at most "
               + maxName

@@ -53,20 +53,10 @@ final class Errors {
 
   /** Adds an error that leaves the tree of the line as it was meant. */
   void note(Position position, String message) {
-    note(new KrlError(position, message));
-  }
-
-  /** Adds an error that real controllers accept. */
-  void noteCommon(Position position, String message) {
-    note(new KrlError(position, message, true));
-  }
-
-  private void note(KrlError error) {
     if (found.size() < MAX) {
-      found.add(error);
+      found.add(new KrlError(position, message));
     } else if (found.size() == MAX) {
-      found.add(
-          new KrlError(error.position(), "more than " + MAX + " errors; the rest is not listed"));
+      found.add(new KrlError(position, "more than " + MAX + " errors; the rest is not listed"));
     }
   }
 

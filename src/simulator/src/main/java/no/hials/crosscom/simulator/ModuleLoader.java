@@ -215,7 +215,7 @@ final class ModuleLoader {
     Optional<DataList> own =
         list == null
             ? Optional.empty()
-            : DataLists.dataList(list.fileName(), list.parsed(), mode, ofList);
+            : DataLists.dataList(list.fileName(), list.parsed(), ofList);
     List<KrlError> errors =
         core.withLibrary(
             library -> {
@@ -237,9 +237,7 @@ final class ModuleLoader {
                   : List.of(program, FileReport.refused(list.fileName(), errors))));
     }
     List<FileReport> files = new ArrayList<>();
-    files.add(
-        FileReport.loaded(
-            input.fileName(), source.name(), DataLists.problems(input.parsed(), mode)));
+    files.add(FileReport.loaded(input.fileName(), source.name(), input.parsed().errors()));
     if (list != null) {
       ofList.addAll(errors);
       files.add(

@@ -164,7 +164,7 @@ public final class VariableTable {
   /** Loads a parsed data list. */
   LoadReport load(String name, ParseResult result, LoadingMode mode) {
     List<KrlError> errors = new ArrayList<>();
-    Optional<DataList> parsed = DataLists.dataList(name, result, mode, errors);
+    Optional<DataList> parsed = DataLists.dataList(name, result, errors);
     boolean loaded = parsed.isPresent() && scope.attempt(() -> take(parsed.get(), mode, errors));
     List<KrlError> problems = DataLists.sorted(errors);
     return new LoadReport(

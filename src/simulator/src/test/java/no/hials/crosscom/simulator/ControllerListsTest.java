@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.KrlEncoding;
 import no.hials.crosscom.lang.KrlError;
+import no.hials.crosscom.simulator.LoadReport.FileReport;
 import no.hials.crosscom.simulator.LoadReport.Outcome;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Nested;
@@ -70,16 +71,49 @@ class ControllerListsTest {
   class WholeLists {
 
     @ParameterizedTest
-    @ValueSource(
-        strings = {"$config.dat", "$machine.dat", "$custom.dat", "$robcor.dat", "$option.dat"})
+    @ValueSource(strings = {"$machine.dat", "$robcor.dat", "$option.dat"})
     void areLoadedWithoutAWarning(String name) throws IOException {
       LoadReport report = cell.controller.load(list(name), LoadingMode.LENIENT);
 
       assertThat(report.problems()).isEmpty();
       assertThat(report.files())
           .singleElement()
-          .extracting(LoadReport.FileReport::path, LoadReport.FileReport::outcome)
+          .extracting(FileReport::path, FileReport::outcome)
           .containsExactly(name, Outcome.LOADED);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+        delimiter = '|',
+        value = {
+          "$config.dat | $config.dat:240:17: a name has at most 24 characters,"
+              + " COUNTER_OF_ALL_PARTS_OF_THIS_SHIFT has 34;"
+              + "$config.dat:273:29: a name has at most 24 characters,"
+              + " MY_ENERGY_MEASURING_STRUC has 25",
+          "$custom.dat | $custom.dat:32:1: expected ENDDAT, found the end of the file"
+        })
+    void areLoadedWithAWarningForLongNamesAndAMissingEnd(String name, String warnings)
+        throws IOException {
+      LoadReport report = cell.controller.load(list(name), LoadingMode.LENIENT);
+
+      assertThat(report.files()).extracting(FileReport::outcome).containsExactly(Outcome.WARNINGS);
+      assertThat(report.problems())
+          .extracting(KrlError::toString)
+          .containsExactly(warnings.split(";"));
+    }
+
+    @Test
+    void loadAProgramWithoutEnd() {
+      LoadReport report =
+          cell.controller.load(
+              "cut.src", "DEF CUT()\nINT A_COUNTER_WITH_A_LONG_NAME\nHALT", LoadingMode.LENIENT);
+
+      assertThat(report.problems())
+          .extracting(KrlError::toString)
+          .containsExactly(
+              "cut.src:2:5: a name has at most 24 characters, A_COUNTER_WITH_A_LONG_NAME has 26",
+              "cut.src:3:5: expected END, found the end of the file");
+      assertThat(cell.controller.programs()).contains("CUT");
     }
 
     @Test
@@ -134,7 +168,11 @@ class ControllerListsTest {
       String saved = cell.controller.variables().toDataList("SAVED");
       VariableTable table = VariableTable.krc4();
 
-      assertThat(table.load("saved.dat", saved, LoadingMode.LENIENT).problems()).isEmpty();
+      assertThat(table.load("saved.dat", saved, LoadingMode.LENIENT).problems())
+          .extracting(KrlError::message)
+          .containsExactly(
+              "a name has at most 24 characters, COUNTER_OF_ALL_PARTS_OF_THIS_SHIFT has 34",
+              "a name has at most 24 characters, MY_ENERGY_MEASURING_STRUC has 25");
       assertThat(table.get("SEAMS[2]")).isEqualTo(cell.get("SEAMS[2]"));
       assertThat(table.get("NEWLINE")).isEqualTo("\"\n\"");
     }
@@ -209,9 +247,7 @@ class ControllerListsTest {
               "PTP XHOME",
               "INT G=7");
 
-      assertThat(report.files())
-          .extracting(LoadReport.FileReport::outcome)
-          .containsExactly(Outcome.WARNINGS);
+      assertThat(report.files()).extracting(FileReport::outcome).containsExactly(Outcome.WARNINGS);
       assertThat(report.problems())
           .extracting(error -> error.position().line())
           .containsExactly(3, 4, 5, 6, 7, 8, 9, 10, 11);
@@ -234,9 +270,7 @@ class ControllerListsTest {
     void refusesAFileThatIsNoKrl() {
       LoadReport report =
           cell.controller.load("x.dat", "a letter\nto nobody\n", LoadingMode.LENIENT);
-      assertThat(report.files())
-          .extracting(LoadReport.FileReport::outcome)
-          .containsExactly(Outcome.REFUSED);
+      assertThat(report.files()).extracting(FileReport::outcome).containsExactly(Outcome.REFUSED);
       assertThat(report.problems()).isNotEmpty();
       assertThat(report.toString()).startsWith("x.dat REFUSED\n  x.dat:1:1: expected DEF");
     }
@@ -268,7 +302,7 @@ class ControllerListsTest {
           loadProgram("DEFDAT WELD\nINT N=1\nINT M=TRUE\nENDDAT\n", LoadingMode.LENIENT);
 
       assertThat(report.files())
-          .extracting(LoadReport.FileReport::path, LoadReport.FileReport::outcome)
+          .extracting(FileReport::path, FileReport::outcome)
           .containsExactly(tuple("weld.src", Outcome.LOADED), tuple("weld.dat", Outcome.WARNINGS));
       assertThat(report.problems()).hasToString("[weld.dat:3:7: M: needs INT, was given TRUE]");
       cell.controller.robot().select("WELD");
@@ -282,7 +316,7 @@ class ControllerListsTest {
           loadProgram("DEFDAT WELD\nINT N=1\nINT M=TRUE\nENDDAT\n", LoadingMode.STRICT);
 
       assertThat(report.files())
-          .extracting(LoadReport.FileReport::path, LoadReport.FileReport::outcome)
+          .extracting(FileReport::path, FileReport::outcome)
           .containsExactly(tuple("weld.src", Outcome.REFUSED), tuple("weld.dat", Outcome.REFUSED));
       assertThat(cell.controller.programs()).isEmpty();
     }
@@ -292,7 +326,7 @@ class ControllerListsTest {
       LoadReport report = loadProgram("INT N=1\n", LoadingMode.LENIENT);
 
       assertThat(report.files())
-          .extracting(LoadReport.FileReport::outcome)
+          .extracting(FileReport::outcome)
           .containsExactly(Outcome.LOADED, Outcome.REFUSED);
       assertThat(cell.controller.programs()).containsExactly("WELD");
     }

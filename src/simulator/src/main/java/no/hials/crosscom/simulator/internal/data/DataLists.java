@@ -22,7 +22,6 @@ import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.VariableNote;
-import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.VariableInfo;
 
 /** Reads, writes and names the files of data lists. */
@@ -61,15 +60,14 @@ public final class DataLists {
    * Returns the data list of a parsed file.
    *
    * @param fileName the name in messages
-   * @param mode whether errors that controllers accept are errors
    * @param errors gets the errors
    * @return empty if the file is not a data list, which is then one of the errors
    */
   public static Optional<DataList> dataList(
-      String fileName, ParseResult result, LoadingMode mode, List<KrlError> errors) {
+      String fileName, ParseResult result, List<KrlError> errors) {
     KrlFile file = result.file().orElse(null);
     if (file instanceof DataList list) {
-      errors.addAll(problems(result, mode));
+      errors.addAll(result.errors());
       return Optional.of(list);
     }
     if (file != null) {
@@ -85,13 +83,6 @@ public final class DataLists {
       errors.addAll(result.errors());
     }
     return Optional.empty();
-  }
-
-  /** Returns the errors of a parsed file; a lenient load accepts what controllers accept. */
-  public static List<KrlError> problems(ParseResult result, LoadingMode mode) {
-    return result.errors().stream()
-        .filter(error -> mode == LoadingMode.STRICT || !error.common())
-        .toList();
   }
 
   /** Returns the errors of one file in the order of the file. */

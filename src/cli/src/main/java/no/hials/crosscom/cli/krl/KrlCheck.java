@@ -17,7 +17,6 @@ import no.hials.crosscom.simulator.Archive;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.LoadReport;
 import no.hials.crosscom.simulator.LoadReport.FileReport;
-import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.SimulationClock;
 import no.hials.crosscom.simulator.VariableTable;
 import picocli.CommandLine.Command;
@@ -53,6 +52,13 @@ final class KrlCheck extends ConsoleCommand {
   @Option(names = "--json", description = "Print one JSON object for each file.")
   private boolean json;
 
+  @Option(
+      names = "--strict",
+      description =
+          "Refuse a file with an error, as mock --strict does. Default: the rest of the file"
+              + " counts, and is checked.")
+  private boolean strict;
+
   @Override
   public ExitCode run() throws IOException {
     Archive archive = LoadedFiles.open(withDataLists());
@@ -63,7 +69,7 @@ final class KrlCheck extends ConsoleCommand {
             SimulationClock.stepped(),
             RobotModel.kr6r900sixx(),
             "krl-check")) {
-      report = controller.load(archive, LoadingMode.LENIENT);
+      report = controller.load(archive, new LoadedFiles(strict).mode());
     }
     if (report.files().isEmpty()) {
       throw new FileException("there is no .src, .sub or .dat file in " + places.get(0));

@@ -162,6 +162,39 @@ class MockArchiveTest {
   }
 
   @Test
+  void checkWarnsOfLongNamesAndMissingEnds() throws Exception {
+    files.put("KRC/R1/Program/cut.dat", "DEFDAT CUT\nINT A_COUNTER_WITH_A_LONG_NAME=1\n");
+    files.put("KRC/R1/Program/cut.src", "DEF CUT( )\nA_COUNTER_WITH_A_LONG_NAME=2\n");
+
+    Cli.Result result = Cli.run("krl", "check", zip());
+
+    assertThat(result.code()).isEqualTo(1);
+    assertThat(result.lines())
+        .containsExactly(
+            "KRC/R1/Program/cut.dat:2:5: a name has at most 24 characters,"
+                + " A_COUNTER_WITH_A_LONG_NAME has 26",
+            "KRC/R1/Program/cut.dat:3:1: expected ENDDAT, found the end of the file",
+            "KRC/R1/Program/cut.src:3:1: expected END, found the end of the file");
+  }
+
+  @Test
+  void checkRefusesFilesWithErrorsIfStrict() throws Exception {
+    files.put("KRC/R1/Program/bad.src", "DEF BAD( )\nPARTS=\nNOWHERE()\nEND\n");
+
+    Cli.Result result = Cli.run("krl", "check", zip(), "--strict", "--json");
+
+    assertThat(result.code()).isEqualTo(1);
+    assertThat(result.lines())
+        .filteredOn(line -> line.contains("bad.src"))
+        .singleElement()
+        .asString()
+        .contains("\"outcome\":\"refused\",\"problems\":[{\"line\":2,\"column\":7,")
+        .doesNotContain("NOWHERE");
+    files.remove("KRC/R1/Program/bad.src");
+    assertThat(Cli.run("krl", "check", zip(), "--strict").code()).isZero();
+  }
+
+  @Test
   void checkIncludesTheDataListNextToAProgram() throws Exception {
     Path program = Files.writeString(dir.resolve("own.src"), "DEF OWN( )\nN=N+1\nEND\n");
     assertThat(Cli.run("krl", "check", program.toString()).code()).isEqualTo(1);

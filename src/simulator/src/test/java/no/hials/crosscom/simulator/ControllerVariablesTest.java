@@ -83,6 +83,20 @@ class ControllerVariablesTest {
     assertThat(read("$DIST_NEXT").replace("-", "")).isEqualTo("0.0");
   }
 
+  @ParameterizedTest
+  @CsvSource({"C_PTP,PTP", "C_DIS,LIN"})
+  void showsTheNextMotionFromTheMiddleOfABlend(String approximation, String kind) throws Exception {
+    cell.start(
+        "$APO.CPTP=50\n$APO.CDIS=20\n"
+            + (kind + " {X 400,Y 0,Z 700} " + approximation + "\n")
+            + (kind + " {X 400,Y 200,Z 700}\n"));
+    cell.until(() -> cell.component("$POS_ACT", "Y") > 20);
+
+    assertThat(cell.component("$POS_BACK", "X")).isEqualTo(400, within(1e-3));
+    assertThat(cell.component("$POS_BACK", "Y")).isEqualTo(0, within(1e-3));
+    assertThat(cell.component("$POS_FOR", "Y")).isEqualTo(200, within(1e-3));
+  }
+
   @Test
   void distNextGrowsToZero() throws Exception {
     cell.start("LIN_REL {X -80}");

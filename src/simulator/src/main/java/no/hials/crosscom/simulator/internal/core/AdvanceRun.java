@@ -54,8 +54,10 @@ final class AdvanceRun {
     /** Called when the user has to know something that does not stop the robot. */
     void noticed(int number, String text);
 
-    /** Called when a motion starts, with its base in the world and its tool. */
-    void started(Joints from, Joints to, Frame base, Frame tool);
+    /**
+     * Called when another motion is that of the main run, with its base in the world and its tool.
+     */
+    void current(Joints from, Joints to, Frame base, Frame tool);
 
     /** Called when the robot leaves its path for an interrupt. */
     void leftPath(Joints axes);
@@ -120,6 +122,9 @@ final class AdvanceRun {
 
   private final Deque<Step> waiting = new ArrayDeque<>();
   private long now;
+
+  /** The number of the motion that the listener knows as that of the main run. */
+  private long shown = -1;
 
   AdvanceRun(
       SystemVariableAccess access,
@@ -337,7 +342,7 @@ final class AdvanceRun {
   void place(Joints axes) {
     interpolator = new Interpolator(model, external, axes);
     discardAll();
-    listener.started(axes, axes, resolver.base(), resolver.tool());
+    listener.current(axes, axes, resolver.base(), resolver.tool());
   }
 
   /**
@@ -396,6 +401,7 @@ final class AdvanceRun {
       moves = false;
     }
     interpolator.cycle(override, moves, speedLimit).forEach(event -> EVENTS.run(this, event));
+    interpolator.current().filter(motion -> motion.id() != shown).ifPresent(this::show);
     if (idle()) {
       bases.clear();
     }
@@ -403,12 +409,19 @@ final class AdvanceRun {
   }
 
   private void started(MotionCommand motion) {
-    listener.started(
+    if (interpolator.current().isEmpty()) {
+      show(motion); // it has ended in the same cycle
+    }
+    triggers.started(motion);
+  }
+
+  private void show(MotionCommand motion) {
+    shown = motion.id();
+    listener.current(
         interpolator.currentStart(),
         interpolator.currentEnd(),
         bases.getOrDefault(motion.id(), resolver.base()),
         motion.tool());
-    triggers.started(motion);
   }
 
   private void passed(MotionCommand motion) {

@@ -593,8 +593,8 @@ public final class ControllerCore {
     }
 
     @Override
-    public void started(Joints from, Joints to, Frame base, Frame tool) {
-      variables.started(from, to, base, tool);
+    public void current(Joints from, Joints to, Frame base, Frame tool) {
+      variables.current(from, to, base, tool);
     }
 
     @Override

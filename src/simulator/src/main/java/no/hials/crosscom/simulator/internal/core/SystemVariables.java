@@ -347,7 +347,7 @@ final class SystemVariables {
     robot = another;
   }
 
-  void started(Joints from, Joints to, Frame inBase, Frame withTool) {
+  void current(Joints from, Joints to, Frame inBase, Frame withTool) {
     origin = from;
     target = to;
     mainBase = inBase;

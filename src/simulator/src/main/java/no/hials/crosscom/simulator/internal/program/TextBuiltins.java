@@ -112,7 +112,8 @@ final class TextBuiltins {
     private String printf(String type, boolean precise, Object value) {
       String signs = type.equals("s") ? (flags.contains("-") ? "-" : "") : flags.replace("#", "");
       // Java refuses flags that C ignores
-      String valid = signs.contains("-") ? signs.replace("0", "") : signs;
+      String valid = signs.replaceAll("(.)(?=.*\\1)", "");
+      valid = valid.contains("-") ? valid.replace("0", "") : valid;
       valid = valid.contains("+") ? valid.replace(" ", "") : valid;
       valid = width < 0 ? valid.replace("0", "").replace("-", "") : valid;
       valid = type.equals("x") ? valid.replace("+", "").replace(" ", "") : valid;
@@ -141,7 +142,9 @@ final class TextBuiltins {
 
   private static @Nullable KrlValue write(Call call) throws KrlExecutionException {
     StringBuilder out = new StringBuilder();
-    int offset = Math.max(0, Operators.intOf(call.reference(OFFSET).read()));
+    int asked = Math.max(0, Operators.intOf(call.reference(OFFSET).read()));
+    int capacity = call.capacity(TEXT);
+    int offset = Math.min(asked, capacity);
     int next = FIRST_VALUE;
     String result = "CMD_OK";
     for (Part part : Part.parse(call.text(FORMAT))) {
@@ -162,16 +165,14 @@ final class TextBuiltins {
       }
     }
     StringBuilder text = new StringBuilder(call.textOrEmpty(TEXT));
-    int capacity = call.capacity(TEXT);
-    if (offset + out.length() > capacity) {
+    if (out.length() > capacity - asked) {
       result = "FMT_ERR";
-      out.setLength(Math.max(0, capacity - offset));
+      out.setLength(Math.min(out.length(), capacity - offset));
     }
-    while (text.length() < Math.min(offset, capacity)) {
+    while (text.length() < offset) {
       text.append(' ');
     }
-    int end = Math.min(text.length(), offset + out.length());
-    text.replace(Math.min(offset, text.length()), end, out.toString());
+    text.replace(offset, Math.min(text.length(), offset + out.length()), out.toString());
     call.reference(TEXT).write(new KrlString(text.toString()));
     done(call, result, next - FIRST_VALUE, offset + out.length());
     return null;

@@ -43,6 +43,11 @@ class KssTextsTest {
         "SWRITE(TEXT[],S,OFFSET,\"%4d;%x\",42,255) | `  42;ff` | TRUE 2 7",
         "SWRITE(TEXT[],S,OFFSET,\"%.2f\",1.005) | 1.00 | TRUE 1 4",
         "SWRITE(TEXT[],S,OFFSET,\"%05d%%\",7) | 00007% | TRUE 1 6",
+        "SWRITE(TEXT[],S,OFFSET,\"%005d\",7) | 00007 | TRUE 1 5",
+        "SWRITE(TEXT[],S,OFFSET,\"%++5d\",7) | `   +7` | TRUE 1 5",
+        "SWRITE(TEXT[],S,OFFSET,\"%--5d;\",7) | `7    ;` | TRUE 1 6",
+        "SWRITE(TEXT[],S,OFFSET,\"%  d\",7) | ` 7` | TRUE 1 2",
+        "SWRITE(TEXT[],S,OFFSET,\"%0-+ #05.1f\",7.5) | `+7.5 ` | TRUE 1 5",
         "SWRITE(TEXT[],S,OFFSET,\"%s=%c\",\"ab\",C) | ab=x | TRUE 2 4",
         "SWRITE(TEXT[],S,OFFSET,\"%d,%d\",1) | `1,` | FALSE 1 2",
         "SWRITE(TEXT[],S,OFFSET,\"%d\",TRUE) | ` ` | FALSE 0 0",
@@ -61,6 +66,21 @@ class KssTextsTest {
 
     assertThat(rig.get("TEXT[]")).isEqualTo("\"ab5\"");
     assertThat(state(rig)).isEqualTo("TRUE 1 3");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"9, ab, FALSE 0 10", "10, '', TRUE 0 10", "10, a, FALSE 0 10", "11, '', FALSE 0 10"})
+  void writesNothingAfterTheEndOfTheText(int offset, String text, String state) {
+    assertThat(state(run("OFFSET = " + offset + "\nSWRITE(TEXT[],S,OFFSET,\"" + text + "\")")))
+        .isEqualTo(state);
+  }
+
+  @Test
+  void writesNothingAtTheLargestOffset() {
+    Rig rig = run("TEXT[] = \"ab\"\nOFFSET = 2147483647\nSWRITE(TEXT[],S,OFFSET,\"%d\",42)");
+
+    assertThat(rig.get("TEXT[]").strip()).startsWith("\"ab");
+    assertThat(state(rig)).isEqualTo("FALSE 1 10");
   }
 
   @ParameterizedTest

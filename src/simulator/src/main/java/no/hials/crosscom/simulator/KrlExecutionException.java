@@ -43,6 +43,9 @@ public final class KrlExecutionException extends Exception {
   /** An assignment cannot be evaluated in cycles. */
   public static final int CYCLIC_FLAG = 1609;
 
+  /** The simulation itself has failed. */
+  public static final int SIMULATION_FAILED = 9107;
+
   private final int number;
 
   /**

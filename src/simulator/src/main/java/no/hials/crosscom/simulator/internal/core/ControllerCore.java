@@ -478,7 +478,7 @@ public final class ControllerCore {
   private void showFailure() {
     if (failure != null && !failureShown) {
       submit.stop();
-      stopFor(OperatorPanel.FAILED, "the simulation has failed: " + failure);
+      stopFor(KrlExecutionException.SIMULATION_FAILED, "the simulation has failed: " + failure);
       publish();
       failureShown = true;
     }

@@ -28,9 +28,6 @@ final class OperatorPanel {
   /** The message to confirm after an emergency stop. */
   static final int EMERGENCY_STOPPED = 1200;
 
-  /** The simulation itself has failed. */
-  static final int FAILED = 9107;
-
   /** The machine data describe no robot that can be simulated. */
   static final int OTHER_ROBOT = 9108;
 

@@ -12,6 +12,8 @@ import no.hials.crosscom.simulator.internal.data.Operators;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * A routine that is built into the controller.
@@ -23,6 +25,22 @@ import org.jspecify.annotations.Nullable;
  * @param body its code
  */
 record Builtin(String name, boolean function, List<Kind> parameters, int optional, Body body) {
+
+  private static final Logger log = LoggerFactory.getLogger(Builtin.class);
+
+  /**
+   * Executes the routine. An error in the routine itself stops the calling program only, because it
+   * cannot have damaged the rest of the simulation.
+   */
+  @Nullable KrlValue run(Call call) throws KrlExecutionException {
+    try {
+      return body.run(call);
+    } catch (RuntimeException e) {
+      log.error("{} has failed with the arguments {}", name, call.arguments(), e);
+      throw new KrlExecutionException(
+          KrlExecutionException.SIMULATION_FAILED, name + " has failed: " + e);
+    }
+  }
 
   /** The form of an argument. */
   enum Kind {

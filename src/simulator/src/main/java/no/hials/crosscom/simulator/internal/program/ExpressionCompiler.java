@@ -378,7 +378,7 @@ final class ExpressionCompiler {
       arguments[i] = machine.popArgument();
     }
     KrlValue value =
-        builtin.body().run(new Builtin.Call(machine, context.symbols(), Arrays.asList(arguments)));
+        builtin.run(new Builtin.Call(machine, context.symbols(), Arrays.asList(arguments)));
     if (valueWanted) {
       machine.push(value);
     }

@@ -80,6 +80,17 @@ class BuiltinsTest {
     assertThat(rig.get("XHOME.A2")).isEqualTo("-90.0");
   }
 
+  @Test
+  void stopsTheProgramIfTheRoutineItselfFails() {
+    Rig rig = new Rig();
+    rig.robot.broken = true;
+
+    assertThat(rig.faultIn("EP = FORWARD(XHOME,I)"))
+        .isEqualTo(
+            "9107 line 2: FORWARD has failed:"
+                + " java.lang.UnsupportedOperationException: broken on purpose");
+  }
+
   @ParameterizedTest
   @CsvSource(
       quoteCharacter = '`',

@@ -43,6 +43,9 @@ final class FakeRobot implements ProgramEnvironment {
   /** Whether kinematics have an answer. */
   boolean reaches = true;
 
+  /** Whether kinematics fail with an error that is not the program's. */
+  boolean broken;
+
   /** Whether a motion is refused. */
   boolean refuses;
 
@@ -135,6 +138,9 @@ final class FakeRobot implements ProgramEnvironment {
 
   @Override
   public Optional<KrlStruct> forward(KrlStruct axes) {
+    if (broken) {
+      throw new UnsupportedOperationException("broken on purpose");
+    }
     return reaches ? answer("{E6POS: X 1.5}") : Optional.empty();
   }
 

@@ -465,6 +465,16 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
+   * Returns the targets of the motions that have started in the last cycle, in their order. A short
+   * motion can start and end within a cycle.
+   *
+   * @return the targets; empty if no motion has started
+   */
+  public List<MotionTarget> startedMotions() {
+    return core.startedMotions();
+  }
+
+  /**
    * Puts the robot at a position immediately; no program may be active. A program that was stopped
    * in a motion continues after it.
    *

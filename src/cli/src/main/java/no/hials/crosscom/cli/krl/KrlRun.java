@@ -16,9 +16,11 @@ import no.hials.crosscom.cli.base.LoadedFiles;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
+import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.Message;
+import no.hials.crosscom.simulator.MotionTarget;
 import no.hials.crosscom.simulator.SimulationClock;
 import no.hials.crosscom.simulator.VariableTable;
 import org.jspecify.annotations.Nullable;
@@ -48,6 +50,8 @@ import picocli.CommandLine.Parameters;
     })
 final class KrlRun extends ConsoleCommand {
   private static final Duration CYCLE = Duration.ofMillis(12);
+  private static final List<String> POSITION = List.of("X", "Y", "Z", "A", "B", "C");
+  private static final List<String> AXES = List.of("A1", "A2", "A3", "A4", "A5", "A6");
 
   @Parameters(paramLabel = "FILE.src", description = "The program, or one of --archive.")
   private Path file = Path.of("");
@@ -93,8 +97,6 @@ final class KrlRun extends ConsoleCommand {
 
   @Option(names = "--strict", description = "End with an error if a file has one.")
   private boolean strict;
-
-  private String last = "";
 
   @Override
   public ExitCode run() throws IOException {
@@ -151,10 +153,13 @@ final class KrlRun extends ConsoleCommand {
           return false;
         }
       }
-      if (cycle % rowCycles == 0) {
-        print(controller);
+      if (period != null && cycle % rowCycles == 0) {
+        print(controller, names().map(controller.variables()::get));
       }
       controller.step(CYCLE);
+      if (period == null) {
+        controller.startedMotions().forEach(motion -> print(controller, values(motion)));
+      }
     }
     return false;
   }
@@ -171,25 +176,20 @@ final class KrlRun extends ConsoleCommand {
   private Stream<String> names() {
     String kind = period == null ? "FOR" : "ACT";
     return Stream.concat(
-        Stream.of("X", "Y", "Z", "A", "B", "C").map(field -> "$POS_" + kind + "." + field),
-        Stream.of("A1", "A2", "A3", "A4", "A5", "A6").map(field -> "$AXIS_" + kind + "." + field));
+        POSITION.stream().map(field -> "$POS_" + kind + "." + field),
+        AXES.stream().map(field -> "$AXIS_" + kind + "." + field));
   }
 
-  /** Prints a row, of motions only when the next has begun. */
-  private void print(Controller controller) {
-    VariableTable variables = controller.variables();
-    if (period == null) {
-      String motion = variables.get("$AXIS_BACK") + variables.get("$AXIS_FOR");
-      boolean isNew = !motion.equals(last) && !controller.standing();
-      if (!isNew) {
-        return;
-      }
-      last = motion;
-    }
+  private static Stream<String> values(MotionTarget motion) {
+    return Stream.concat(values(motion.position(), POSITION), values(motion.axes(), AXES));
+  }
+
+  private static Stream<String> values(KrlStruct struct, List<String> fields) {
+    return fields.stream().map(field -> struct.get(field).orElseThrow().print());
+  }
+
+  private void print(Controller controller, Stream<String> values) {
     String time = String.format(Locale.ROOT, "%.3f", controller.time().toMillis() / 1000.0);
-    console()
-        .print(
-            Stream.concat(Stream.of(time), names().map(variables::get))
-                .collect(Collectors.joining(",")));
+    console().print(Stream.concat(Stream.of(time), values).collect(Collectors.joining(",")));
   }
 }

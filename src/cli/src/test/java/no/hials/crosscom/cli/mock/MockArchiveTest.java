@@ -1,6 +1,7 @@
 package no.hials.crosscom.cli.mock;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -215,6 +216,45 @@ class MockArchiveTest {
         .endsWith(",$AXIS_FOR.A5,$AXIS_FOR.A6");
     assertThat(List.of(result.lines().get(1).split(",", -1)).get(7)).isEqualTo("10.0000");
     assertThat(List.of(result.lines().get(2).split(",", -1)).get(7)).isEqualTo("20.0000");
+  }
+
+  @Test
+  void runPrintsShortAndApproximatedMotionsToo() throws Exception {
+    Path program =
+        Files.writeString(
+            dir.resolve("short.src"),
+            """
+            DEF SHORT( )
+            INT I
+            PTP {A1 0,A2 -90,A3 90,A4 0,A5 45,A6 0}
+            PTP {A1 0,A2 -90,A3 90,A4 0,A5 45,A6 0}
+            FOR I=1 TO 5
+            LIN_REL {Z 0.01} C_DIS
+            ENDFOR
+            LIN_REL {X -40} C_DIS
+            LIN_REL {Y 40} C_DIS
+            PTP {A1 10} C_PTP
+            PTP {A1 20}
+            PTP {A1 20}
+            END
+            """);
+
+    Cli.Result result = Cli.run("krl", "run", program.toString());
+
+    assertThat(result.code()).as(result.err()).isZero();
+    List<List<String>> rows =
+        result.lines().stream().skip(1).map(row -> List.of(row.split(",", -1))).toList();
+    assertThat(rows).hasSize(12);
+    double z = Double.parseDouble(rows.get(1).get(3));
+    for (int i = 1; i <= 5; i++) {
+      assertThat(Double.parseDouble(rows.get(1 + i).get(3))).isEqualTo(z + i * 0.01, within(1e-3));
+    }
+    double x = Double.parseDouble(rows.get(6).get(1));
+    assertThat(Double.parseDouble(rows.get(7).get(1))).isEqualTo(x - 40, within(1e-3));
+    assertThat(Double.parseDouble(rows.get(8).get(2))).isEqualTo(40, within(1e-3));
+    assertThat(rows.subList(9, 12))
+        .extracting(row -> row.get(7))
+        .containsExactly("10.0000", "20.0000", "20.0000");
   }
 
   @Test

@@ -55,6 +55,11 @@ final class AdvanceRun {
     void noticed(int number, String text);
 
     /**
+     * Called when a motion starts, or the blend into it, with its base in the world and its tool.
+     */
+    void started(Joints to, Frame base, Frame tool);
+
+    /**
      * Called when another motion is that of the main run, with its base in the world and its tool.
      */
     void current(Joints from, Joints to, Frame base, Frame tool);
@@ -111,8 +116,11 @@ final class AdvanceRun {
   /** The statements of motions that were handed over and have not ended, by the motion's number. */
   private Map<Long, MotionOrder> orders = new HashMap<>();
 
-  /** The bases in which motions were planned. */
-  private final Map<Long, Frame> bases = new HashMap<>();
+  /** A motion that was planned: its base in the world, and its end. */
+  private record Planned(Frame base, Joints end) {}
+
+  /** The motions that were planned since all had ended. */
+  private final Map<Long, Planned> plans = new HashMap<>();
 
   /** The plans that interrupts have put aside, the latest first. */
   private final Deque<Aside> aside = new ArrayDeque<>();
@@ -245,7 +253,7 @@ final class AdvanceRun {
                     pointPosition(order, point) + ": two points of the block are identical"));
     before = order;
     resolver.startAt(interpolator.plannedEnd());
-    bases.put(planned.id(), resolver.base());
+    plans.put(planned.id(), new Planned(resolver.base(), interpolator.plannedEnd()));
     return planned;
   }
 
@@ -403,12 +411,14 @@ final class AdvanceRun {
     interpolator.cycle(override, moves, speedLimit).forEach(event -> EVENTS.run(this, event));
     interpolator.current().filter(motion -> motion.id() != shown).ifPresent(this::show);
     if (idle()) {
-      bases.clear();
+      plans.clear();
     }
     return triggers.cycle(time, interpolator);
   }
 
   private void started(MotionCommand motion) {
+    Planned plan = plan(motion);
+    listener.started(plan.end(), plan.base(), motion.tool());
     if (interpolator.current().isEmpty()) {
       show(motion); // it has ended in the same cycle
     }
@@ -418,10 +428,11 @@ final class AdvanceRun {
   private void show(MotionCommand motion) {
     shown = motion.id();
     listener.current(
-        interpolator.currentStart(),
-        interpolator.currentEnd(),
-        bases.getOrDefault(motion.id(), resolver.base()),
-        motion.tool());
+        interpolator.currentStart(), interpolator.currentEnd(), plan(motion).base(), motion.tool());
+  }
+
+  private Planned plan(MotionCommand motion) {
+    return plans.getOrDefault(motion.id(), new Planned(resolver.base(), interpolator.currentEnd()));
   }
 
   private void passed(MotionCommand motion) {

@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator.internal.core;
 
 import java.time.Duration;
 import java.time.LocalDateTime;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.locks.ReentrantLock;
@@ -22,6 +23,7 @@ import no.hials.crosscom.simulator.JogCoordinates;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.Message;
+import no.hials.crosscom.simulator.MotionTarget;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.motion.Interpolator;
 import no.hials.crosscom.simulator.internal.motion.Joints;
@@ -68,6 +70,7 @@ public final class ControllerCore {
   private final MotorLoad motors = new MotorLoad();
   private final AdvanceRun motions;
   private final SystemVariables variables;
+  private final List<MotionTarget> started = new ArrayList<>();
   private final RobotChanger robots;
   private volatile long time;
   private volatile boolean closed;
@@ -364,6 +367,11 @@ public final class ControllerCore {
     return locked(() -> motions.interpolator().standing());
   }
 
+  /** Returns the targets of the motions that have started in the last cycle. */
+  public List<MotionTarget> startedMotions() {
+    return locked(() -> List.copyOf(started));
+  }
+
   /** Returns the robot with the controller's software limits. */
   public RobotModel model() {
     return locked(
@@ -447,6 +455,7 @@ public final class ControllerCore {
     lock.lock();
     try {
       showFailure();
+      started.clear();
       advanceTime();
       timers.advance(time, CYCLE_MILLIS);
       external.cycle(panel.mode());
@@ -590,6 +599,11 @@ public final class ControllerCore {
     @Override
     public void noticed(int number, String text) {
       panel.show(Message.Kind.NOTIFICATION, number, text);
+    }
+
+    @Override
+    public void started(Joints to, Frame base, Frame tool) {
+      started.add(variables.target(to, base, tool));
     }
 
     @Override

@@ -25,6 +25,7 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.MotionTarget;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.motion.Joints;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
@@ -251,9 +252,13 @@ final class SystemVariables {
    * (docs/reference/system-variables.md#position-and-motion).
    */
   private KrlStruct position(Joints joints) {
+    return position(joints, baseOfMainRun(), toolOfMainRun());
+  }
+
+  private KrlStruct position(Joints joints, Frame inBase, Frame withTool) {
     Axis axes = joints.robot();
-    Frame baseInRoot = product(inverse(externalAxes.root(joints.external())), baseOfMainRun());
-    Frame tcp = product(inverse(baseInRoot), robot.forward(axes), toolOfMainRun());
+    Frame baseInRoot = product(inverse(externalAxes.root(joints.external())), inBase);
+    Frame tcp = product(inverse(baseInRoot), robot.forward(axes), withTool);
     return PositionValues.e6Pos(tcp, robot.status(axes), robot.turn(axes), joints.external());
   }
 
@@ -352,6 +357,10 @@ final class SystemVariables {
     target = to;
     mainBase = inBase;
     mainTool = withTool;
+  }
+
+  MotionTarget target(Joints to, Frame inBase, Frame withTool) {
+    return new MotionTarget(position(to, inBase, withTool), PositionValues.e6Axis(to));
   }
 
   void leftPath(Joints axes) {

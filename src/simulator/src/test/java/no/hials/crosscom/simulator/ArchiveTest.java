@@ -19,6 +19,7 @@ import java.util.Objects;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.simulator.LoadReport.FileReport;
 import no.hials.crosscom.simulator.LoadReport.Outcome;
@@ -268,6 +269,24 @@ final class ArchiveTest {
 
     assertThat(report.outcome()).isEqualTo(Outcome.WARNINGS);
     assertThat(report.problems().get(0).toString()).startsWith("weld.src:2:1").contains("TORCH_ON");
+  }
+
+  @Test
+  void anUnknownSystemVariableIsOneWarningOfTheArchive() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/Program/a.src", text("DEF A( )\n$SEEN=1\n$SEEN=2\n$OTHER=$SEEN\nEND\n"));
+    files.put("KRC/R1/Program/b.src", text("DEF B( )\nPARTS=$SEEN\n$MORE=1\nA( )\nEND\n"));
+
+    LoadReport report = load(asFolder(files));
+
+    assertThat(report.problems())
+        .extracting(KrlError::toString)
+        .filteredOn(problem -> problem.contains(" is not known; it keeps what is written to it"))
+        .extracting(problem -> problem.substring(0, problem.indexOf(" is")))
+        .containsExactly(
+            "a.src:2:1: the system variable $SEEN",
+            "a.src:4:1: the system variable $OTHER",
+            "b.src:3:1: the system variable $MORE");
   }
 
   @Test

@@ -2,7 +2,6 @@ package no.hials.crosscom.simulator.internal.program;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import no.hials.crosscom.lang.KrlError;
@@ -12,13 +11,25 @@ import org.jspecify.annotations.Nullable;
 /** Collects the errors of a module, and tells those of the statement that is being compiled. */
 final class LinkErrors {
   private final List<KrlError> all = new ArrayList<>();
-  private final Set<String> warned = new HashSet<>();
 
-  private int invalid;
+  /** The warnings of all modules. */
+  private final Set<String> warned;
+
+  /** The number of errors that have been reported before. */
+  private int reported;
+
   private boolean complete;
 
   /** The first error of the statement; null without one. */
   private @Nullable String ofStatement;
+
+  /**
+   * @param warned the warnings that other modules have already, to which those of this one are
+   *     added
+   */
+  LinkErrors(Set<String> warned) {
+    this.warned = warned;
+  }
 
   void add(Position position, String message) {
     if (!complete) {
@@ -29,10 +40,12 @@ final class LinkErrors {
     }
   }
 
-  /** Adds an error once, with which the statement can be executed. */
+  /** Adds an error with which the statement can be executed, unless a module has it already. */
   void warn(Position position, String message) {
     if (!complete && warned.add(message)) {
       all.add(new KrlError(position, message));
+    } else {
+      reported++;
     }
   }
 
@@ -50,11 +63,11 @@ final class LinkErrors {
 
   /** Counts a line with an error of the parser, which has been reported. */
   void addInvalid() {
-    invalid++;
+    reported++;
   }
 
   int count() {
-    return all.size() + invalid;
+    return all.size() + reported;
   }
 
   /**

@@ -35,6 +35,9 @@ final class Linker {
   private final Map<String, Map<String, CompiledRoutine>> ownRoutines = new HashMap<>();
   private final Map<String, CompiledRoutine> builtIn = new HashMap<>();
 
+  /** The warnings of all modules. */
+  private final Set<String> warned = new HashSet<>();
+
   /** The routines with errors, and what each routine of a module of KSS calls. */
   private final Set<CompiledRoutine> faulty = new HashSet<>();
 
@@ -84,7 +87,7 @@ final class Linker {
   /** Compiles all modules; returns them by their names in upper case. */
   Map<String, Linked> link() {
     linkBuiltIn();
-    Map<String, LinkErrors> errors = new HashMap<>();
+    Map<String, LinkErrors> errors = new LinkedHashMap<>();
     modules.forEach((key, module) -> errors.put(key, declare(key, module)));
     Map<String, Linked> linked = new HashMap<>();
     errors.forEach(
@@ -113,7 +116,13 @@ final class Linker {
       for (Routine routine : source.routines()) {
         CompiledRoutine head = builtIn.get(Scope.key(routine.name()));
         if (head != null) {
-          compile(module, routine, head, List.of(builtIn), new LinkErrors(), new TreeSet<>());
+          compile(
+              module,
+              routine,
+              head,
+              List.of(builtIn),
+              new LinkErrors(new HashSet<>()),
+              new TreeSet<>());
         }
       }
     }
@@ -148,7 +157,7 @@ final class Linker {
   }
 
   private LinkErrors declare(String key, KrlModule module) {
-    LinkErrors errors = new LinkErrors();
+    LinkErrors errors = new LinkErrors(warned);
     Map<String, CompiledRoutine> own = new HashMap<>();
     boolean first = true;
     for (Routine routine : module.source().routines()) {

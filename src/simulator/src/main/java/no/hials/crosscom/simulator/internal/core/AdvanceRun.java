@@ -119,7 +119,7 @@ final class AdvanceRun {
   /** A motion that was planned: its base in the world, and its end. */
   private record Planned(Frame base, Joints end) {}
 
-  /** The motions that were planned since all had ended. */
+  /** The motions that have not ended; also discarded ones, while the robot brakes. */
   private final Map<Long, Planned> plans = new HashMap<>();
 
   /** The plans that interrupts have put aside, the latest first. */
@@ -164,6 +164,11 @@ final class AdvanceRun {
 
   RobotModel model() {
     return model;
+  }
+
+  /** Returns the number of motions whose plan is kept. */
+  int plans() {
+    return plans.size();
   }
 
   /** Reads the software limits, which clients and data lists can change. */
@@ -379,6 +384,7 @@ final class AdvanceRun {
   /** The next motion starts where the robot stands. */
   private void restart() {
     before = null;
+    plans.keySet().retainAll(kept());
     resolver.startAt(interpolator.joints());
   }
 
@@ -410,9 +416,6 @@ final class AdvanceRun {
     }
     interpolator.cycle(override, moves, speedLimit).forEach(event -> EVENTS.run(this, event));
     interpolator.current().filter(motion -> motion.id() != shown).ifPresent(this::show);
-    if (idle()) {
-      plans.clear();
-    }
     return triggers.cycle(time, interpolator);
   }
 
@@ -439,6 +442,7 @@ final class AdvanceRun {
     long next = interpolator.current().map(MotionCommand::id).orElse(-1L);
     triggers.passed(motion, now, next);
     orders.remove(motion.id());
+    plans.remove(motion.id());
   }
 
   /**

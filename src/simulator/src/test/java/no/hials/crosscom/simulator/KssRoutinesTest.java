@@ -340,6 +340,20 @@ class KssRoutinesTest {
   }
 
   @Test
+  void delaysAnAnalogueOutputByAMinuteAtMost() {
+    load("ANOUT ON $ANOUT[1]=R1 DELAY=60\nI1=1\nANOUT ON $ANOUT[2]=R1 DELAY=60.1").start();
+    controller.step(Duration.ofMillis(24));
+
+    assertThat(get("I1")).isEqualTo("1");
+    assertThat(controller.messages())
+        .extracting(Object::toString)
+        .singleElement()
+        .asString()
+        .startsWith("1422 TEST.SRC:4:")
+        .endsWith("a DELAY of ANOUT is at most 60.0 s, was given 60.099998474121094");
+  }
+
+  @Test
   void confirmsAMessageFromTheSubmitProgram() throws KrlFileException {
     load("MsgQuit(\"wait\", , , ,77)\nI1=1").start();
     controller.step(Duration.ofMillis(100));

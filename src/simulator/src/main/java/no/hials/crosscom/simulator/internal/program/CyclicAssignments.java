@@ -20,6 +20,9 @@ final class CyclicAssignments {
 
   private static final double MILLIS = 1000;
 
+  /** The longest delay in s, so that the values that wait cannot fill the memory (assumed). */
+  private static final double MAX_DELAY = 60;
+
   /** By the path of the target, as printed. */
   private final Map<String, Active> active = new LinkedHashMap<>();
 
@@ -54,6 +57,11 @@ final class CyclicAssignments {
   void start(Reference target, CompiledCode value, Shape shape, KrlVirtualMachine machine)
       throws KrlExecutionException {
     String key = target.path().toString();
+    if (shape.delay() > MAX_DELAY) {
+      throw new KrlExecutionException(
+          KrlExecutionException.OUT_OF_RANGE,
+          "a DELAY of ANOUT is at most " + MAX_DELAY + " s, was given " + shape.delay());
+    }
     if (!active.containsKey(key) && active.size() >= MAX_ACTIVE) {
       throw new KrlExecutionException(
           KrlExecutionException.CYCLIC_FLAG,

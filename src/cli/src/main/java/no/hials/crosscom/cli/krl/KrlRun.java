@@ -19,7 +19,6 @@ import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
-import no.hials.crosscom.simulator.Message;
 import no.hials.crosscom.simulator.MotionTarget;
 import no.hials.crosscom.simulator.SimulationClock;
 import no.hials.crosscom.simulator.VariableTable;
@@ -143,9 +142,6 @@ final class KrlRun extends ConsoleCommand {
         return true;
       }
       if (state == ProgramState.RESET || state == ProgramState.STOP) {
-        if (isStopped(controller)) {
-          return false;
-        }
         try {
           controller.runProgram();
         } catch (IllegalStateException e) {
@@ -162,11 +158,6 @@ final class KrlRun extends ConsoleCommand {
       }
     }
     return false;
-  }
-
-  private static boolean isStopped(Controller controller) {
-    return controller.messages().stream()
-        .anyMatch(message -> message.kind() == Message.Kind.ACKNOWLEDGEMENT);
   }
 
   private List<String> titles() {

@@ -270,6 +270,30 @@ class MockArchiveTest {
   }
 
   @Test
+  void runStartsAProgramAgainAfterAMessageThatItCleared() throws Exception {
+    Path program =
+        Files.writeString(
+            dir.resolve("clears.src"),
+            """
+            DEF CLEARS( )
+            DECL KRLMSG_T M
+            DECL KRLMSGPAR_T P[3]
+            DECL INT H
+            DECL BOOL DONE
+            M={MODUL[] "CELL",NR 4711,MSG_TXT[] "check"}
+            H=SET_KRLMSG(#QUIT,M,P[])
+            DONE=CLEAR_KRLMSG(H)
+            HALT
+            END
+            """);
+
+    Cli.Result result = Cli.run("krl", "run", program.toString());
+
+    assertThat(result.code()).as(result.err()).isZero();
+    assertThat(result.err()).contains("4711");
+  }
+
+  @Test
   void runPrintsThePositionAtAPeriod() {
     Cli.Result result = Cli.run("krl", "run", "pick.src", "--archive", zip, "--period", "24ms");
 

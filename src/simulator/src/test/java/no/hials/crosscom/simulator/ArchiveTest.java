@@ -330,6 +330,19 @@ final class ArchiveTest {
     assertThat(controller.programs()).doesNotContain("EVIL").contains("MAIN");
   }
 
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void filesAndFoldersWhoseNamesBeginWithADotAreLeftOut(boolean zip) throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put(".git/R1/Program/hid.src", text("DEF HID( )\nEND\n"));
+    files.put("KRC/R1/Program/.hid2.src", text("DEF HID2( )\nEND\n"));
+
+    LoadReport report = load(zip ? asZip(files, StandardCharsets.UTF_8) : asFolder(files));
+
+    assertThat(report.files()).extracting(FileReport::path).noneMatch(path -> path.contains("hid"));
+    assertThat(controller.programs()).doesNotContain("HID", "HID2").contains("MAIN");
+  }
+
   @Test
   void aFileThatUnpacksToTooMuchIsRefusedAndTheRestCounts() throws Exception {
     Map<String, byte[]> files = cell();

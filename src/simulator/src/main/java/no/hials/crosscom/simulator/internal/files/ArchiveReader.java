@@ -124,14 +124,14 @@ public final class ArchiveReader {
         new SimpleFileVisitor<>() {
           @Override
           public FileVisitResult preVisitDirectory(Path each, BasicFileAttributes attributes) {
-            boolean hidden = !each.equals(folder) && name(each).startsWith(".");
+            boolean hidden = !each.equals(folder) && isHidden(name(each));
             return hidden ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
           }
 
           @Override
           public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
               throws IOException {
-            if (attributes.isRegularFile() && !name(file).startsWith(".")) {
+            if (attributes.isRegularFile()) {
               String path = folder.relativize(file).toString().replace('\\', '/');
               add(sources, path, () -> Files.newInputStream(file));
             }
@@ -142,10 +142,17 @@ public final class ArchiveReader {
   }
 
   private static void add(List<Source> sources, String path, Opener opener) throws IOException {
+    if (Arrays.stream(path.split("/", -1)).anyMatch(ArchiveReader::isHidden)) {
+      return;
+    }
     if (sources.size() == MAX_FILES) {
       throw new IOException("an archive has at most " + MAX_FILES + " files, has more");
     }
     sources.add(new Source(path, opener));
+  }
+
+  private static boolean isHidden(String name) {
+    return name.startsWith(".") && !name.equals(".") && !name.equals("..");
   }
 
   // both

@@ -342,7 +342,7 @@ public sealed interface Statement {
    * @param circularAngle {@code CA}, in degrees; null without it
    * @param with the assignments to system variables after {@code WITH}; they hold for this motion
    *     only. Empty without {@code WITH}
-   * @param approximate whether it has {@code C_SPL}
+   * @param approximate whether it has {@code C_SPL} or {@code C_DIS}
    * @param coordinates {@code #BASE} or {@code #TOOL} of a relative motion; null without it
    */
   record SplineMotion(
@@ -365,7 +365,7 @@ public sealed interface Statement {
    * @param with the assignments to system variables after {@code WITH}; they hold for the segments
    *     without an assignment to the same variable. Empty without {@code WITH}
    * @param elements the segments, and what happens on them
-   * @param approximate whether it ends with {@code C_SPL}
+   * @param approximate whether it ends with {@code C_SPL} or {@code C_DIS}
    */
   record SplineBlock(
       Position position,

@@ -190,7 +190,7 @@ final class StatementBuilder {
         expressions.build(points.get(circle ? 1 : 0)),
         expressions.buildOptional(points.size() > 2 ? points.get(2) : null),
         with(end == null ? null : end.with()),
-        end != null && end.C_SPL() != null,
+        end != null && end.splineApproximation() != null,
         coordinates(context.ENUM_VALUE()));
   }
 
@@ -284,7 +284,7 @@ final class StatementBuilder {
                 pointToPoint,
                 with,
                 block.body().stream().map(Statement.SplineElement.class::cast).toList(),
-                end.C_SPL() != null);
+                end.splineApproximation() != null);
       }
       default -> (block, end) -> new Statement.Loop(position, block.body());
     };

@@ -28,6 +28,9 @@ class SplineTest {
             + " [AssignmentStatement(A, 1)], true, #base)",
         "SCIRC P,Q,CA 90 WITH $VEL=SVEL_CP(0.5, , L) C_SPL | SplineMotion(SCIRC, P, Q, 90,"
             + " [AssignmentStatement($VEL, SVEL_CP(0.5, -, L))], true, -)",
+        "SLIN P C_DIS            | SplineMotion(SLIN, -, P, -, [], true, -)",
+        "SPTP P WITH $APO.CDIS = 200 C_DIS | SplineMotion(SPTP, -, P, -,"
+            + " [AssignmentStatement($APO.CDIS, 200)], true, -)",
         "SCIRC P,Q               | SplineMotion(SCIRC, P, Q, -, [], false, -)",
         "SCIRC_REL P,Q,CA -90    | SplineMotion(SCIRC_REL, P, Q, (MINUS 90), [], false, -)",
         "STOP WHEN PATH=50 ONSTART IF A==B | StopOnPath(50, true, (A EQUAL B))",
@@ -109,12 +112,12 @@ class SplineTest {
         "TIME_BLOCK START        | 2:1 TIME_BLOCK is allowed only in a spline block",
         "CONST_VEL END=5         | 2:1 CONST_VEL is allowed only in a spline block",
         "ENDSPLINE               | 2:1 ENDSPLINE without SPLINE",
-        "SLIN A C_DIS            | 2:8 expected C_SPL, WITH or the end of the line, found C_DIS",
-        "SLIN A #BASE            | 2:8 expected C_SPL, WITH or the end of the line, found #BASE",
+        "SLIN A C_VEL            | 2:8 expected C_DIS, C_SPL, WITH or the end of the line, found C_VEL",
+        "SLIN A #BASE            | 2:8 expected C_DIS, C_SPL, WITH or the end of the line, found #BASE",
         "SLIN_REL A #WORLD       | 2:12 expected #BASE or #TOOL, found #WORLD",
         "SLIN A WITH             | 2:12 expected a name, found the end of the line",
         "SLIN A WITH B           | 2:14 expected =, found the end of the line",
-        "SLIN A WITH B=1 C=2     | 2:17 expected C_SPL, a comma or the end of the line, found C",
+        "SLIN A WITH B=1 C=2     | 2:17 expected C_DIS, C_SPL, a comma or the end of the line, found C",
         "SCIRC A                 | 2:8 expected a comma, found the end of the line",
         "STOP WHEN DISTANCE=0 IF A | 2:11 expected PATH, found DISTANCE",
         "STOP WHEN PATH=0        | 2:17 expected IF or ONSTART, found the end of the line",
@@ -128,7 +131,7 @@ class SplineTest {
         "PTP_SPLINE;SPTP A       | 4:1 expected ENDSPLINE of the PTP_SPLINE in line 2, found END",
         "SPLINE;TIME_BLOCK END;ENDSPLINE | 3:15 expected =, found the end of the line",
         "SPLINE;CONST_VEL 5;ENDSPLINE | 3:11 expected END or START, found 5",
-        "SPLINE;SPL A;ENDSPLINE B | 4:11 expected C_SPL or the end of the line, found B",
+        "SPLINE;SPL A;ENDSPLINE B | 4:11 expected C_DIS, C_SPL or the end of the line, found B",
       })
   void reportsAMistakeOnceAndLosesTheWholeBlock(String lines, String error) {
     ParseResult result = routine(lines.replace(';', '\n'));

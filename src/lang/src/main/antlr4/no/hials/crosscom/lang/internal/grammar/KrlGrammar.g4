@@ -149,7 +149,7 @@ blockEnd
   | ENDWHILE
   | UNTIL expression
   | ENDLOOP
-  | ENDSPLINE C_SPL?
+  | ENDSPLINE splineApproximation?
   ;
 
 simpleStatement
@@ -198,7 +198,7 @@ motion
     (pathApproximation pathApproximation?)? ENUM_VALUE?
   ;
 
-// Assumed: C_SPL can precede WITH (docs/reference/krl-language.md#splines).
+// Assumed: C_SPL can precede WITH, and C_DIS replace it (docs/reference/krl-language.md#splines).
 splineMotion
   : (SPTP | SPTP_REL | SLIN | SPL) expression splineEnd?
   | (SLIN_REL | SPL_REL) expression splineEnd? ENUM_VALUE?
@@ -207,9 +207,11 @@ splineMotion
   ;
 
 splineEnd
-  : C_SPL with?
-  | with C_SPL?
+  : splineApproximation with?
+  | with splineApproximation?
   ;
+
+splineApproximation : C_SPL | C_DIS ;
 
 with : WITH assignment (',' assignment)* ;
 

@@ -90,8 +90,8 @@ final class TextBuiltins {
 
     String format(KrlValue value) throws KrlExecutionException {
       return switch (conversion) {
-        case 'd', 'i' -> printf("d", false, Operators.intOf(value));
-        case 'x' -> printf("x", false, Operators.intOf(value));
+        case 'd', 'i' -> integer("d", Operators.intOf(value));
+        case 'x' -> integer("x", Operators.intOf(value));
         case 'f', 'e', 'g' -> printf(String.valueOf(conversion), true, Operators.number(value));
         case 'b' -> printf("s", false, Operators.boolOf(value) ? "1" : "0");
         case 's', 'c' -> printf("s", true, textOf(value));
@@ -107,6 +107,19 @@ final class TextBuiltins {
         return constant.name();
       }
       throw Operators.wrongType("a text", value);
+    }
+
+    /** Java refuses the precision of an integer, which is its least number of digits in C. */
+    private String integer(String type, int value) {
+      if (precision < 0) {
+        return printf(type, false, value);
+      }
+      String digits = type.equals("x") ? Integer.toHexString(value) : Integer.toString(value);
+      boolean negative = digits.startsWith("-");
+      String sign = negative ? "-" : type.equals("d") && flags.contains("+") ? "+" : "";
+      digits = negative ? digits.substring(1) : digits;
+      return printf(
+          "s", false, sign + "0".repeat(Math.max(0, precision - digits.length())) + digits);
     }
 
     private String printf(String type, boolean precise, Object value) {

@@ -41,6 +41,8 @@ class KssTextsTest {
       value = {
         "SWRITE(TEXT[],S,OFFSET,\"%d\",42) | 42 | TRUE 1 2",
         "SWRITE(TEXT[],S,OFFSET,\"%4d;%x\",42,255) | `  42;ff` | TRUE 2 7",
+        "SWRITE(TEXT[],S,OFFSET,\"%0.2d%.2d%+.4d\",3,-3,14) | 03-03+0014 | TRUE 3 10",
+        "SWRITE(TEXT[],S,OFFSET,\"%5.3x;\",10) | `  00a;` | TRUE 1 6",
         "SWRITE(TEXT[],S,OFFSET,\"%.2f\",1.005) | 1.00 | TRUE 1 4",
         "SWRITE(TEXT[],S,OFFSET,\"%05d%%\",7) | 00007% | TRUE 1 6",
         "SWRITE(TEXT[],S,OFFSET,\"%005d\",7) | 00007 | TRUE 1 5",

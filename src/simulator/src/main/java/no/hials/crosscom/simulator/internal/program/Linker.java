@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Predicate;
+import no.hials.crosscom.lang.Declaration;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.Routine;
@@ -186,10 +187,21 @@ final class Linker {
     List<CompiledRoutine.Parameter> parameters = new ArrayList<>();
     for (Routine.Parameter parameter : routine.parameters()) {
       VariablePath path = VariablePath.of(Scope.key(parameter.name()));
-      parameters.add(new CompiledRoutine.Parameter(path, parameter.array() > 0, parameter.out()));
+      boolean array = parameter.array() > 0 || isDeclaredAsArray(routine, parameter.name());
+      parameters.add(new CompiledRoutine.Parameter(path, array, parameter.out()));
     }
     return new CompiledRoutine(
         module.name(), routine.name(), routine.returnType() != null, parameters);
+  }
+
+  /**
+   * Routines of KSS omit the brackets in the head, as in {@code F(NAME:IN)}, {@code CHAR NAME[]}.
+   */
+  private static boolean isDeclaredAsArray(Routine routine, String parameter) {
+    return routine.declarations().stream()
+        .filter(Declaration.Variables.class::isInstance)
+        .flatMap(each -> ((Declaration.Variables) each).variables().stream())
+        .anyMatch(each -> each.name().equalsIgnoreCase(parameter) && !each.dimensions().isEmpty());
   }
 
   /** Compiles a module; a failure of the compiler is an error of this module alone. */

@@ -108,6 +108,26 @@ class KssCallsTest {
   }
 
   @Test
+  void passesTextsToArraysWhoseHeadOmitsTheBrackets() {
+    Rig rig =
+        new Rig()
+            .run(
+                """
+                DEF TEST()
+                  SUB("CTL")
+                END
+                DEF SUB(T:IN)
+                  CHAR T[]
+                  TEXT[] = T[]
+                  B = T[2]=="T"
+                END
+                """);
+
+    assertThat(rig.get("TEXT[]")).isEqualTo("\"CTL\"");
+    assertThat(rig.get("B")).isEqualTo("TRUE");
+  }
+
+  @Test
   void stopsIfAFunctionReturnsALongerArray() {
     assertThat(
             new Rig()

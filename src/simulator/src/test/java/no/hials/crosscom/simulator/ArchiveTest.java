@@ -216,6 +216,17 @@ final class ArchiveTest {
   }
 
   @Test
+  void modulesOfKssWithoutFoldersAreProgramsUnlessTheyAreDataLists() throws Exception {
+    byte[] program = text("DEF $tt_own( )\nEND\n");
+    FileTree tree =
+        Archive.open(asFolder(Map.of("$tt_own.src", program, "$option.dat", list("$option.dat"))))
+            .tree();
+
+    assertThat(tree.get("KRC:\\R1\\Program\\$tt_own.src")).isEqualTo(program);
+    assertThat(tree.exists("KRC:\\STEU\\Mada\\$option.dat")).isTrue();
+  }
+
+  @Test
   void theMachineDataOfR1CountNotThoseOfSteu() throws Exception {
     load(asFolder(cell()));
 

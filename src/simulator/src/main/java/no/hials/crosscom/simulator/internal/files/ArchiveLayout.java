@@ -102,7 +102,7 @@ public final class ArchiveLayout {
     if (module.equals("$ROBCOR") || (module.equals("$MACHINE") && isOfRobot(file))) {
       return "R1/Mada/" + file.name();
     }
-    if (module.startsWith("$")) {
+    if (module.startsWith("$") && upper.endsWith(".DAT")) {
       return "STEU/Mada/" + file.name();
     }
     return upper.equals("AM.INI") ? file.name() : "R1/Program/" + file.path();

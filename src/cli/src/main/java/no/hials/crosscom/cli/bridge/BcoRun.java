@@ -18,25 +18,35 @@ final class BcoRun {
 
   /**
    * Waits for the end of the BCO run, and starts the program once more. Does nothing if the program
-   * has no first motion soon, or has stopped for another reason.
+   * has no first motion soon, or has stopped for another reason. A BCO run to where the robot
+   * stands is over before it can be seen, so a stop on the path is its end too; in EXT there is
+   * none.
    */
   static void complete(CrossComClient client) throws IOException {
-    if (await(client, "TRUE", BEGIN)
-        && await(client, "FALSE", LONGEST)
-        && client.readText("$PRO_STATE1").equals("#P_STOP")
+    if (await(client, "FALSE", BEGIN) || await(client, "TRUE", LONGEST)) {
+      return;
+    }
+    if (client.readText("$PRO_STATE1").equals("#P_STOP")
         && client.readText("$ON_PATH").equals("TRUE")
-        && client.readText("$STOPMESS").equals("FALSE")) {
+        && client.readText("$STOPMESS").equals("FALSE")
+        && !client.readText("$MODE_OP").equals("#EX")) {
       client.programs().start(Interpreter.ROBOT);
     }
   }
 
-  /** Waits until {@code $MOVE_BCO} has a value; returns false after the time. */
+  /**
+   * Waits while {@code $MOVE_BCO} has a value and the program is active; returns whether it still
+   * is after the time.
+   */
   private static boolean await(CrossComClient client, String value, Duration limit)
       throws IOException {
     long end = System.nanoTime() + limit.toNanos();
-    while (!client.readText("$MOVE_BCO").equals(value)) {
-      if (System.nanoTime() >= end || !client.readText("$PRO_STATE1").equals("#P_ACTIVE")) {
-        return client.readText("$MOVE_BCO").equals(value);
+    while (client.readText("$PRO_STATE1").equals("#P_ACTIVE")) {
+      if (!client.readText("$MOVE_BCO").equals(value)) {
+        return false;
+      }
+      if (System.nanoTime() >= end) {
+        return true;
       }
       try {
         Thread.sleep(PERIOD.toMillis());
@@ -45,6 +55,6 @@ final class BcoRun {
         throw new InterruptedIOException("interrupted during the BCO run");
       }
     }
-    return true;
+    return false;
   }
 }

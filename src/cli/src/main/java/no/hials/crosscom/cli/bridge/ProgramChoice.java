@@ -22,7 +22,8 @@ import picocli.CommandLine.Parameters;
           + " none.",
       "",
       "'run' starts the program again when it stops at the end of its BCO run, the slow first"
-          + " motion after a selection in T1, T2 and AUT.",
+          + " motion after a selection in T1, T2 and AUT. A program that has stopped for another"
+          + " reason is exit code 1.",
       "",
       "Prints $PRO_NAME1[] and $PRO_STATE1, read directly after the command. JSON: one object"
           + " with command, interpreter, program and state; a variable that cannot be read is"
@@ -84,7 +85,13 @@ final class ProgramChoice extends BridgeCommand {
       if (verb.equals("run")) {
         BcoRun.complete(controller.client());
       }
-      ProgramStatus.read(controller.client(), Interpreter.ROBOT).print(this, verb);
+      ProgramStatus status = ProgramStatus.read(controller.client(), Interpreter.ROBOT);
+      status.print(this, verb);
+      if (verb.equals("run") && "#P_STOP".equals(status.state())) {
+        console().error("the program has stopped");
+        console().hint("likely cause: a message to confirm, a HALT, or a BCO run without an end");
+        return ExitCode.REFUSED;
+      }
       return ExitCode.DONE;
     } catch (CrossComRefusedException e) {
       return refused(e, GENERAL_HINT);

@@ -90,6 +90,33 @@ class ProgramCommandsTest {
   }
 
   @Test
+  void runStartsAProgramAgainWhoseFirstTargetIsWhereTheRobotStands() throws IOException {
+    try (MockServer moving = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
+      moving.controller().setMode(OperatingMode.AUT);
+      moving
+          .files()
+          .put("/R1/STANDS.SRC", "DEF STANDS ( )\n  PTP $AXIS_ACT\n  WAIT FOR FALSE\nEND\n");
+
+      assertThat(Cli.runOn(moving, "program run", "/R1/STANDS", "--yes").lines())
+          .containsExactly("robot: STANDS #P_ACTIVE");
+    }
+  }
+
+  @Test
+  void runFailsIfTheProgramHasStopped() throws IOException {
+    try (MockServer stopping = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
+      stopping.controller().setMode(OperatingMode.AUT);
+      stopping.files().put("/R1/HALTS.SRC", "DEF HALTS ( )\n  HALT\n  WAIT FOR FALSE\nEND\n");
+
+      Cli.Result result = Cli.runOn(stopping, "program run", "/R1/HALTS", "--yes");
+
+      assertThat(result.code()).isEqualTo(1);
+      assertThat(result.lines()).containsExactly("robot: HALTS #P_STOP");
+      assertThat(result.errLines().get(0)).isEqualTo("jopenshowvar: the program has stopped");
+    }
+  }
+
+  @Test
   void stopsAnActiveProgramOnlyByForce() {
     run("program run", "WAITS", "--yes");
 

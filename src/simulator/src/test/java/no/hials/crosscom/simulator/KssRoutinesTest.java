@@ -214,6 +214,66 @@ class KssRoutinesTest {
     assertThat(get("B1")).isEqualTo("FALSE");
   }
 
+  @ParameterizedTest
+  @CsvSource({"TRUE, FALSE", "FALSE, TRUE"})
+  void keepsAMessageAfterAResetIfItsOptionsDo(String cleared, String kept) {
+    load("DECL KRLMSGOPT_T O\nO.CLEAR_P_RESET="
+            + cleared
+            + "\nMsgState(I1,\"loading\", , , , ,O)\nHALT\n")
+        .start();
+    controller.step(Duration.ofMillis(100));
+    controller.robot().reset();
+
+    controller.load("SECOND.SRC", "DEF SECOND()\nB1=EXISTS_KRLMSG(I1)\nEND\n", LoadingMode.LENIENT);
+    select("SECOND");
+    controller.start();
+    controller.step(Duration.ofMillis(100));
+    assertThat(get("B1")).isEqualTo(kept);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"TRUE, FALSE", "FALSE, TRUE"})
+  void keepsAMessageAfterABlockSelectionUnlessItsOptionsClearIt(String cleared, String kept) {
+    load("DECL KRLMSGOPT_T O\nO.CLEAR_P_SAW="
+            + cleared
+            + "\nMsgState(I1,\"loading\", , , , ,O)\nHALT\nB1=EXISTS_KRLMSG(I1)\n")
+        .start();
+    controller.step(Duration.ofMillis(100));
+    controller.robot().selectLine(6);
+    controller.start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
+    assertThat(get("B1")).isEqualTo(kept);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "I1=Set_KrlMsg(#NOTIFY,M,P[],O) | TRUE | true",
+        "I1=Set_KrlMsg(#NOTIFY,M,P[],O) | FALSE | false",
+        "I1=Set_KrlMsg(#NOTIFY,M,P[]) | TRUE | false",
+        "MsgNotify(\"seen\", , , , ,O) | TRUE | true",
+        "MsgNotify(\"seen\") | TRUE | false",
+        "MsgQuit(\"seen\", , , , ,O) | FALSE | false",
+        "MsgQuit(\"seen\") | FALSE | true",
+      })
+  void showsAMessageAtTheEndOfTheMotionIfItsOptionsStopTheAdvanceRun(
+      String call, String stop, boolean atEnd) {
+    load("DECL KRLMSG_T M\nDECL KRLMSGPAR_T P[3]\nDECL KRLMSGOPT_T O\n"
+            + ("M={MODUL[] \"Cell\",NR 5,MSG_TXT[] \"seen\"}\nO.VL_STOP=" + stop + "\n")
+            + ("PTP_REL {A1 20}\n" + call + "\n"))
+        .start();
+
+    assertThat(
+            controller.stepUntil(
+                () -> controller.messages().stream().anyMatch(m -> m.text().contains("seen")),
+                Duration.ofSeconds(10)))
+        .isTrue();
+    assertThat(controller.axes().a1() > 19.999).isEqualTo(atEnd);
+  }
+
   private void select(String name) {
     try {
       controller.robot().select(name);

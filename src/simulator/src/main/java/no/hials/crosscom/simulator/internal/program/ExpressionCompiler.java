@@ -356,6 +356,9 @@ final class ExpressionCompiler {
         argument(builtin.parameters().get(i), argument);
       }
     }
+    if (MessageBuiltins.shows(builtin)) {
+      code.emit(position, MessageBuiltins::await);
+    }
     code.emit(position, machine -> execute(machine, builtin, valueWanted));
   }
 

@@ -214,6 +214,7 @@ final class KrlVirtualMachine {
     }
     drop(frame.stackBase());
     next.clear();
+    environment.messages().lineSelected(kind);
     frame.jump(frame.statementAt(line));
   }
 
@@ -297,6 +298,11 @@ final class KrlVirtualMachine {
       stack = Arrays.copyOf(stack, 2 * height);
     }
     stack[height++] = value;
+  }
+
+  /** Returns the last value on the stack, which stays there; null for an omitted argument. */
+  @Nullable Object peek() {
+    return stack[height - 1];
   }
 
   @Nullable Object popArgument() {

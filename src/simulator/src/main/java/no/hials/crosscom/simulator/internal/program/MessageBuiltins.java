@@ -21,6 +21,12 @@ import org.jspecify.annotations.Nullable;
 
 /** The routines that show messages (docs/reference/krl-language.md#messages). */
 final class MessageBuiltins {
+  private static final String MESSAGE = "SET_KRLMSG";
+  private static final String DIALOGUE = "SET_KRLDLG";
+
+  /** The argument with a KRLMSGOPT_T. */
+  private static final int OPTIONS = 3;
+
   private static final int PARAMETERS = 3;
   private static final int KEYS = 7;
   private static final KrlInt FAILED = new KrlInt(-1);
@@ -29,13 +35,13 @@ final class MessageBuiltins {
   static final List<Builtin> ALL =
       List.of(
           new Builtin(
-              "SET_KRLMSG",
+              MESSAGE,
               true,
               List.of(Kind.VALUE, Kind.VALUE, Kind.OUT, Kind.VALUE),
               2,
               MessageBuiltins::message),
           new Builtin(
-              "SET_KRLDLG",
+              DIALOGUE,
               true,
               List.of(Kind.VALUE, Kind.OUT, Kind.OUT, Kind.VALUE),
               1,
@@ -86,7 +92,7 @@ final class MessageBuiltins {
     } catch (IllegalArgumentException e) {
       throw Operators.wrongType("#NOTIFY, #STATE, #QUIT or #WAITING", constant);
     }
-    return show(call, type, call.value(1), 2, List.of());
+    return show(call, type, call.value(1), List.of());
   }
 
   private static KrlValue dialogue(Call call) throws KrlExecutionException {
@@ -101,12 +107,13 @@ final class MessageBuiltins {
     if (keys.isEmpty()) {
       return FAILED; // nobody could answer it
     }
-    return show(call, ProgramMessage.Type.DIALOGUE, call.value(0), 1, keys);
+    return show(call, ProgramMessage.Type.DIALOGUE, call.value(0), keys);
   }
 
   private static KrlValue show(
-      Call call, ProgramMessage.Type type, KrlValue message, int parametersAt, List<String> keys)
+      Call call, ProgramMessage.Type type, KrlValue message, List<String> keys)
       throws KrlExecutionException {
+    int parametersAt = type == ProgramMessage.Type.DIALOGUE ? 1 : 2;
     if (!(message instanceof KrlStruct struct)) {
       throw Operators.wrongType("a KRLMSG_T", message);
     }
@@ -121,7 +128,33 @@ final class MessageBuiltins {
             .show(
                 call.machine().kind(),
                 new ProgramMessage(
-                    type, Operators.intOf(number), text(struct, "MODUL").strip(), text, keys)));
+                    type,
+                    Operators.intOf(number),
+                    text(struct, "MODUL").strip(),
+                    text,
+                    keys,
+                    option(call.arguments().get(OPTIONS), "CLEAR_P_RESET", true),
+                    option(call.arguments().get(OPTIONS), "CLEAR_P_SAW", false))));
+  }
+
+  /** Returns whether a call shows a message; its options are then the last argument. */
+  static boolean shows(Builtin builtin) {
+    return builtin.name().equals(MESSAGE) || builtin.name().equals(DIALOGUE);
+  }
+
+  /** Waits for the end of the motions if the options, last on the stack, say so. */
+  static void await(KrlVirtualMachine machine) {
+    if (option(machine.peek(), "VL_STOP", false)) {
+      machine.awaitMotion();
+    }
+  }
+
+  /** Returns a component of a KRLMSGOPT_T; the values of omitted ones are assumed. */
+  private static boolean option(@Nullable Object options, String name, boolean omitted) {
+    return options instanceof KrlStruct struct
+            && struct.get(name).orElse(null) instanceof KrlBool given
+        ? given.value()
+        : omitted;
   }
 
   /** Returns an element of an array argument; null if it is omitted or has no value. */

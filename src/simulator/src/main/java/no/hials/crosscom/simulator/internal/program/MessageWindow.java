@@ -86,8 +86,14 @@ public final class MessageWindow {
 
   /** Removes the messages of a program that is reset or deselected. */
   void forget(Interpreter owner) {
-    open.values().removeIf(shown -> shown.owner() == owner);
+    open.values().removeIf(shown -> shown.owner() == owner && shown.message().clearedByReset());
     answers.clear();
+  }
+
+  /** Removes the messages of a program that continues at another line. */
+  void lineSelected(Interpreter owner) {
+    open.values()
+        .removeIf(shown -> shown.owner() == owner && shown.message().clearedByBlockSelection());
   }
 
   /** Confirms the messages with a number, or the one with a handle; 0 for all (assumed). */

@@ -11,8 +11,17 @@ import java.util.List;
  * @param text its text, with the values of its parameters
  * @param keys the labels of the keys of a dialogue; empty for the other types, and for keys without
  *     a label
+ * @param clearedByReset whether it ends with the reset or the end of the selection of its program
+ * @param clearedByBlockSelection whether it ends with a block selection
  */
-public record ProgramMessage(Type type, int number, String module, String text, List<String> keys) {
+public record ProgramMessage(
+    Type type,
+    int number,
+    String module,
+    String text,
+    List<String> keys,
+    boolean clearedByReset,
+    boolean clearedByBlockSelection) {
 
   /** Copies the list. */
   public ProgramMessage {

@@ -3,8 +3,15 @@ package no.hials.crosscom.simulator;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -34,6 +41,9 @@ class KssRoutinesTest {
       DECL LOAD L1
       ENDDAT
       """;
+
+  /** A routine in the text of a page: its name, several names, or a call. */
+  private static final Pattern ROUTINE = Pattern.compile("`([A-Za-z][\\w. ]*)(?:\\([^`]*)?`");
 
   private final Cell cell = new Cell();
   private final Controller controller = cell.controller;
@@ -102,6 +112,58 @@ class KssRoutinesTest {
     run("TOOL_DATA[2].X=11.0\nBASE_DATA[3].Y=22.0\n" + statements.replace(" $R1", "\nR1"));
 
     assertThat(get(variable)).isEqualTo(value);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"TRUE,15.0000,25.0000", "FALSE,11.0000,22.0000"})
+  void addsTheCorrectionsOfToolAndBaseWhereTheyAreOn(String on, String x, String y) {
+    run(
+        """
+        TOOL_DATA[2]={X 11.0,Y 0.0,Z 0.0,A 90.0,B 0.0,C 0.0}
+        TOOL_CORR[2]={X 0.0,Y -4.0,Z 0.0,A 0.0,B 0.0,C 0.0}
+        BASE_DATA[3].Y=22.0
+        BASE_CORR[3]={X 0.0,Y 3.0,Z 0.0,A 0.0,B 0.0,C 0.0}
+        TOOL_CORR_ON=%s
+        BASE_CORR_ON=%s
+        F1=STOOL2(FP1)
+        R1=F1.X
+        F1=SBASE(3)
+        R2=F1.Y
+        """
+            .formatted(on, on));
+
+    assertThat(get("R1")).isEqualTo(x);
+    assertThat(get("R2")).isEqualTo(y);
+  }
+
+  @Test
+  void knowsEveryRoutineThatThePageNames() throws IOException {
+    String page = Files.readString(Path.of("../../docs/reference/krl-language.md"));
+    Set<String> names = new TreeSet<>();
+    for (String heading :
+        List.of("Functions", "Routines of KSS", "Messages", "Automatic External")) {
+      String section = page.substring(page.indexOf("\n## " + heading + "\n") + 4);
+      section = section.substring(0, section.indexOf("\n## "));
+      // the functions are in the first line, the others in the first column of a table
+      String where = heading.equals("Functions") ? "^`SIN .*" : "^\\|[^|]*";
+      Pattern.compile(where, Pattern.MULTILINE)
+          .matcher(section)
+          .results()
+          .flatMap(part -> ROUTINE.matcher(part.group()).results())
+          .flatMap(name -> Stream.of(name.group(1).split(" ")))
+          .forEach(name -> names.add(name.replace("...", "X")));
+    }
+    assertThat(names)
+        .contains(
+            "SIN", "SREAD", "SVEL_JOINT", "SAPO", "SBASE", "TM_X", "EKI_X", "COPEN", "MsgQuit")
+        .contains("Get_MsgBuffer", "Set_KrlDlgAnswer", "P00")
+        .hasSizeGreaterThan(50)
+        .allSatisfy(
+            name -> {
+              String program = "DEF CALL()\n" + name + "()\nEND\n";
+              controller.load("CALL.SRC", program, LoadingMode.LENIENT);
+              assertThat(controller.check("CALL").toString()).doesNotContain("is known");
+            });
   }
 
   @Test

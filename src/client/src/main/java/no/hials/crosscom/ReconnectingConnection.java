@@ -221,10 +221,20 @@ final class ReconnectingConnection {
       // an exchange would close the connection, and could not say whether anything was sent
       throw Turn.interrupted(Connection.what(type, name));
     }
-    if (timeoutNanos > 0 && turn.waited() >= timeoutNanos) {
-      throw Turn.late(Connection.what(type, name), timeoutNanos);
+    if (isLate()) {
+      throw late(Connection.what(type, name));
     }
     Threads.commitCall();
+  }
+
+  /** Returns whether the turn came after the time-out. */
+  private boolean isLate() {
+    return timeoutNanos > 0 && turn.waited() >= timeoutNanos;
+  }
+
+  private CrossComException late(String what) {
+    meter.timedOutInQueue();
+    return Turn.late(what, timeoutNanos);
   }
 
   /**
@@ -455,9 +465,8 @@ final class ReconnectingConnection {
   void connectedAsync(Runnable then, Consumer<CrossComException> failed) {
     boolean usable;
     try {
-      if (timeoutNanos > 0 && turn.waited() >= timeoutNanos) {
-        meter.timedOutInQueue();
-        throw Turn.late("exchange", timeoutNanos);
+      if (isLate()) {
+        throw late("exchange");
       }
       usable = !mustConnect();
     } catch (CrossComException e) {

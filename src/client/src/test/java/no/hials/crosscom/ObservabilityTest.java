@@ -4,11 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
 import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordingFile;
@@ -41,6 +44,34 @@ class ObservabilityTest extends RobotTest {
       assertThat(statistics.accesses()).isGreaterThanOrEqualTo(4);
       assertThat(statistics.accessTimes().count()).isEqualTo(statistics.accesses());
       assertThat(statistics.queueTimes().count()).isEqualTo(statistics.accesses());
+    }
+  }
+
+  @Test
+  void eachTimeoutOfThreadsThatWaitForTheirTurnIsCounted() throws Exception {
+    robot.faults(request -> Optional.of(Fault.drop()));
+    AtomicInteger timeouts = new AtomicInteger();
+    try (CrossComClient its = client(cfg -> cfg.requestTimeout(SHORT).server(server))) {
+      List<Thread> threads = new ArrayList<>();
+      for (int i = 0; i < 50; i++) {
+        threads.add(
+            new Thread(
+                () -> {
+                  try {
+                    its.readText("$OV_PRO");
+                  } catch (CrossComTimeoutException e) {
+                    timeouts.incrementAndGet();
+                  } catch (IOException e) {
+                    // not connected again yet: no time-out
+                  }
+                }));
+      }
+      threads.forEach(Thread::start);
+      for (Thread thread : threads) {
+        thread.join();
+      }
+      assertThat(timeouts).hasPositiveValue();
+      assertThat(its.statistics().timeouts()).isEqualTo(timeouts.get());
     }
   }
 

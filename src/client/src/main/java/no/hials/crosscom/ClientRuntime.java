@@ -31,9 +31,9 @@ import no.hials.crosscom.internal.exchange.SelectorLoop;
  *       constructors of the program's records, and hand them to iterators. If both are blocked,
  *       watches miss periods.
  *   <li>{@code crosscom-listener-N} call listeners and subscribers. There are at most 16, and more
- *       while calls wait for threads that are blocked: one more every 20 ms, at most {@link
- *       Builder#listenerThreads}. If all of them are blocked, further calls wait; watches, their
- *       iterators and all futures go on.
+ *       while calls wait for threads that are blocked: up to twice as many every 20 ms, at most
+ *       {@link Builder#listenerThreads}. If all of them are blocked, further calls wait, which is
+ *       logged once as a warning; watches, their iterators and all futures go on.
  *   <li>{@code crosscom-callback-N}, at most {@link Builder#callbackThreads}, run the functions
  *       that follow on the future of an asynchronous call or of {@link CrossComClient#connected}.
  *       If all of them are blocked, the thread that ran the call does so, or for a future without a

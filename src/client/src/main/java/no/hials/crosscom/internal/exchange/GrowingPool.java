@@ -10,17 +10,24 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
- * Threads for tasks that may block. A few threads run the tasks; only while a task waits for more
- * than 20 ms, another thread starts every 20 ms. A thread ends after 1 s without tasks, or at once
- * if a few others are idle.
+ * Threads for tasks that may block. A few threads run the tasks; while tasks wait for more than 20
+ * ms, a thread starts for each of them, but the number of threads at most doubles every 20 ms. A
+ * thread ends after 1 s without tasks, or at once if a few others are idle.
  *
  * <p>The timer looks after the tasks that wait, since no further task may come.
  */
 public final class GrowingPool implements Executor {
+  private static final Logger LOG = LoggerFactory.getLogger(GrowingPool.class);
+
   private static final int FEW = 16;
   private static final long PATIENCE_NANOS = 20_000_000;
+
+  /** After this a person should know that all threads are blocked. */
+  private static final long LONG_NANOS = 1_000_000_000;
 
   /**
    * Starts a thread, because the queue refuses it; does nothing if there are as many as allowed.
@@ -35,7 +42,11 @@ public final class GrowingPool implements Executor {
   private final Waiting queue;
   private final ThreadPoolExecutor threads;
   private final ScheduledExecutorService timer;
+  private final String name;
   private final AtomicBoolean checking = new AtomicBoolean();
+
+  /** Used by the timer only. */
+  private boolean warned;
 
   /**
    * Creates a pool without threads.
@@ -47,6 +58,7 @@ public final class GrowingPool implements Executor {
     int few = Math.min(FEW, most);
     this.queue = new Waiting(few);
     this.timer = timer;
+    this.name = name;
     this.threads =
         new ThreadPoolExecutor(
             few,
@@ -115,8 +127,21 @@ public final class GrowingPool implements Executor {
   private void check() {
     checking.set(false);
     if (queue.peek() instanceof Task oldest) {
-      if (System.nanoTime() - oldest.since >= PATIENCE_NANOS) {
-        threads.execute(Starter.START);
+      long waited = System.nanoTime() - oldest.since;
+      if (waited >= PATIENCE_NANOS) {
+        for (int i = Math.min(queue.size(), threads.getPoolSize()); i > 0; i--) {
+          threads.execute(Starter.START);
+        }
+      }
+      if (waited >= LONG_NANOS
+          && !warned
+          && threads.getPoolSize() == threads.getMaximumPoolSize()) {
+        warned = true;
+        LOG.warn(
+            "all {} threads {} are blocked, and {} tasks wait",
+            threads.getPoolSize(),
+            name,
+            queue.size());
       }
       checkLater();
     }

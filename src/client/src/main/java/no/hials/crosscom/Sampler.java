@@ -33,7 +33,6 @@ final class Sampler {
   private final List<SubmissionPublisher<Sample>> publishers;
   private final List<Watched> watched;
   private final List<KRLVariable> variables;
-  private final DeadBand deadBand;
   private final AtomicLong dropped = new AtomicLong();
   private long samples;
   private long missedInSamples;
@@ -51,10 +50,9 @@ final class Sampler {
     this.publishers = publishers;
     this.watched =
         config.handles().isEmpty()
-            ? config.names().stream().map(name -> new Watched(name, null)).toList()
-            : config.handles().stream().map(h -> new Watched(h.name(), h)).toList();
+            ? config.names().stream().map(name -> new Watched(name, null, config)).toList()
+            : config.handles().stream().map(h -> new Watched(h.name(), h, config)).toList();
     this.variables = watched.stream().map(Watched::variable).toList();
-    this.deadBand = new DeadBand(config.deadBand());
   }
 
   /** Returns the variables to read; any thread may call it. */
@@ -105,8 +103,9 @@ final class Sampler {
       changed.addAll(undelivered);
       for (int i = 0; i < items.size(); i++) {
         String name = items.get(i).name();
-        Reading reading = watched.get(i).reading(items.get(i), time, results);
-        if (differs(published.get(name), reading)) {
+        Watched variable = watched.get(i);
+        Reading reading = variable.reading(items.get(i), time, results);
+        if (variable.differs(published.get(name), reading)) {
           changed.add(name);
         }
         readings.put(name, changed.contains(name) ? reading : reading.asRepeated());
@@ -142,25 +141,29 @@ final class Sampler {
     }
   }
 
-  private boolean differs(@Nullable Reading before, Reading now) {
-    if (before == null || before.value() == null || now.value() == null) {
-      return before == null || before.value() != now.value();
-    }
-    return deadBand.differs(before.value(), now.value());
-  }
-
   /** A variable of the watch, whose value only the sampler sets. */
   private static final class Watched {
     private final String name;
     private final KRLAny any;
     private final @Nullable Handle<?> handle;
     private final @Nullable Slot<?> slot;
+    private final DeadBand deadBand;
 
-    Watched(String name, @Nullable Handle<?> handle) {
+    Watched(String name, @Nullable Handle<?> handle, WatchConfig config) {
       this.name = name;
       this.any = new KRLAny(name);
       this.handle = handle;
       this.slot = handle == null ? null : Slot.of(name, handle.type());
+      boolean isReal =
+          handle != null && (handle.type() == Double.class || handle.type() == double[].class);
+      this.deadBand = new DeadBand(config.deadBand(), isReal);
+    }
+
+    boolean differs(@Nullable Reading before, Reading now) {
+      if (before == null || before.value() == null || now.value() == null) {
+        return before == null || before.value() != now.value();
+      }
+      return deadBand.differs(before.value(), now.value());
     }
 
     KRLVariable variable() {

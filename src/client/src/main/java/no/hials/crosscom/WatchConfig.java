@@ -138,7 +138,9 @@ public final class WatchConfig {
 
     /**
      * Sets the dead band, 0 or more: a REAL counts as changed if it differs by more than this, in
-     * its own unit, even if the controller prints it as an INT. The default is 0.
+     * its own unit. A number is a REAL if the controller prints it so in one of the two readings,
+     * or if it is read by a handle of {@code Double} or {@code double[]}; every change of an INT
+     * counts. The default is 0.
      */
     public Builder deadBand(double value) {
       check(value >= 0 && Double.isFinite(value), "dead band must be 0 or more, is " + value);

@@ -325,6 +325,40 @@ class WatchTest extends RobotTest {
     assertIntsCountAsReals("MYFRAME", "{X 1.2}", "{X 1, Y 0, Z 0, A 0, B 0, C 0}", "{X 2.0}");
   }
 
+  @Test
+  void aRealOfAHandleIsARealEvenIfItIsAlwaysPrintedAsAnInt() throws Exception {
+    detectServer();
+    assertIntsCountAsReals(client.realHandle("MYREAL"), "0", "1", "5.0");
+    robot.variables().declare("TWOREALS[2]", "REAL", null);
+    assertIntsCountAsReals(client.handle("TWOREALS[]", double[].class), "0 0", "1 0", "5.0 0.0");
+  }
+
+  private void assertIntsCountAsReals(Handle<?> handle, String first, String second, String last)
+      throws Exception {
+    robot.variables().set(handle.name(), last);
+    robot.enqueue(Fault.answer(first, Tail.SUCCESS), Fault.answer(second, Tail.SUCCESS));
+    WatchConfig config =
+        WatchConfig.ofHandles(
+            List.of(handle), cfg -> cfg.period(PERIOD).changesOnly(true).deadBand(1.5));
+    try (Watch watch = client.watch(config, samples::add)) {
+      next();
+      assertThat(next().value(handle.name()).print()).as("not the second").startsWith("5.0");
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
+  @Test
+  void eachChangeOfAnIntCounts() throws Exception {
+    detectServer();
+    robot.enqueue(Fault.answer("0", Tail.SUCCESS));
+    robot.variables().set("MYINT", "1");
+    try (Watch watch = client.watch(changes(1.5, "MYINT"), samples::add)) {
+      next();
+      assertThat(next().value("MYINT").print()).isEqualTo("1");
+      assertThat(watch.failedPolls()).isZero();
+    }
+  }
+
   private void assertIntsCountAsReals(String name, String first, String ints, String last)
       throws Exception {
     robot.variables().set(name, first);

@@ -16,8 +16,9 @@ import no.hials.crosscom.protocol.value.KrlVisitor;
  *
  * @param width the difference up to which a REAL counts as unchanged, in its own unit, also if the
  *     controller prints one of the two values as an INT
+ * @param isReal whether numbers are REALs even if the controller prints both values as INTs
  */
-public record DeadBand(double width) {
+public record DeadBand(double width, boolean isReal) {
   /** Returns whether a value, or a part of it, differs by more than the dead band. */
   public boolean differs(KrlValue before, KrlValue now) {
     return now.accept(new Comparison(before));
@@ -33,7 +34,10 @@ public record DeadBand(double width) {
 
     @Override
     public Boolean visit(KrlInt number) {
-      return before instanceof KrlReal old
+      if (before instanceof KrlReal old) {
+        return isBeyond(old.value(), number.value());
+      }
+      return isReal && before instanceof KrlInt old
           ? isBeyond(old.value(), number.value())
           : !number.equals(before);
     }

@@ -287,6 +287,25 @@ class AsyncTest extends RobotTest {
   }
 
   @Test
+  void aCancelledCallIsNotPendingAnyMore() throws Exception {
+    try (CrossComClient limited = client(cfg -> cfg.maxPendingCalls(2))) {
+      holdFirstRequest();
+      CompletableFuture<String> first = limited.async(c -> c.readText("$OV_PRO"));
+      asked.await();
+      for (int i = 0; i < 3; i++) {
+        assertThat(limited.asyncRun(c -> c.writeText("MYINT", "9")).cancel(false)).isTrue();
+      }
+      CompletableFuture<String> second = limited.async(c -> c.readText("MYINT"));
+      CompletableFuture<String> above = limited.async(c -> c.readText("MYINT"));
+      assertThat(above).as("the limit still holds").isCompletedExceptionally();
+      release.countDown();
+
+      assertThat(first.get()).isEqualTo("100");
+      assertThat(second.get()).isEqualTo("0");
+    }
+  }
+
+  @Test
   void blockedCallbacksUseNoMoreThreadsThanAllowedAndStillEnd() throws Exception {
     CountDownLatch open = new CountDownLatch(1);
     try (ClientRuntime runtime = ClientRuntime.create(cfg -> cfg.callbackThreads(2));

@@ -4,6 +4,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
 import no.hials.crosscom.internal.CancellableOperation;
 import no.hials.crosscom.internal.Cancellation;
 import org.jspecify.annotations.Nullable;
@@ -27,6 +28,9 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
   private final Executor callbacks;
   private final Runnable ended;
 
+  /** Removes the call from the queue; returns whether it was there. Set before it is queued. */
+  private BooleanSupplier dequeue = () -> false;
+
   /**
    * @param callbacks completes the result, which runs the program's callbacks; the common pool may
    *     have only one thread
@@ -35,6 +39,10 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
   AsyncCall(Executor callbacks, Runnable ended) {
     this.callbacks = callbacks;
     this.ended = ended;
+  }
+
+  void onCancel(BooleanSupplier newDequeue) {
+    dequeue = newDequeue;
   }
 
   void run(CancellableOperation<T> operation) {
@@ -103,8 +111,18 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
 
   @Override
   public boolean cancel(boolean mayInterruptIfRunning) {
-    return isCancelled()
-        || (state.compareAndSet(State.OPEN, State.CANCELLED)
-            && super.cancel(mayInterruptIfRunning));
+    if (isCancelled()) {
+      return true;
+    }
+    if (!state.compareAndSet(State.OPEN, State.CANCELLED)) {
+      return false;
+    }
+    try {
+      return super.cancel(mayInterruptIfRunning);
+    } finally {
+      if (dequeue.getAsBoolean()) {
+        ended.run(); // otherwise the thread that runs the call does it
+      }
+    }
   }
 }

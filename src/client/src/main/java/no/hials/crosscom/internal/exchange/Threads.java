@@ -104,8 +104,12 @@ public final class Threads {
                   + ", and as many calls have not ended; nothing was sent"));
     }
     AsyncCall<T> call = new AsyncCall<>(callbacks, pending::decrementAndGet);
+    Task<T> task = new Task<>(call, operation);
+    if (executor instanceof ThreadPoolExecutor pool) {
+      call.onCancel(() -> pool.remove(task));
+    }
     try {
-      executor.execute(new Task<>(call, operation));
+      executor.execute(task);
     } catch (RejectedExecutionException e) {
       call.refuse(completions, closed.get());
     }

@@ -2,6 +2,8 @@ package no.hials.crosscom;
 
 import java.nio.charset.Charset;
 import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -144,6 +146,42 @@ public final class ClientConfig {
   /** Returns the runtime whose threads the client uses. */
   public ClientRuntime runtime() {
     return options.runtime;
+  }
+
+  /** Returns whether the other is a configuration with equal options. */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof ClientConfig config && values().equals(config.values());
+  }
+
+  @Override
+  public int hashCode() {
+    return values().hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return "ClientConfig" + values();
+  }
+
+  private Map<String, Object> values() {
+    Map<String, Object> values = new LinkedHashMap<>();
+    values.put("host", host);
+    values.put("port", options.port);
+    values.put("server", server());
+    values.put("connectTimeout", options.connectTimeout);
+    values.put("requestTimeout", options.requestTimeout);
+    values.put("keepAlive", options.keepAlive);
+    values.put("charset", options.charset);
+    values.put("maxAggregateLength", options.maxAggregateLength);
+    values.put("maxRequestLength", options.maxRequestLength);
+    values.put("reconnect", options.reconnect);
+    values.put("reconnectBackoff", options.reconnectBackoff);
+    values.put("maxReconnectBackoff", options.maxReconnectBackoff);
+    values.put("listener", options.listener);
+    values.put("maxPendingCalls", options.maxPendingCalls);
+    values.put("runtime", options.runtime);
+    return values;
   }
 
   /** The options as they were set. */

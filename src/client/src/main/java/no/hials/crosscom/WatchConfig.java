@@ -2,10 +2,13 @@ package no.hials.crosscom;
 
 import java.time.Duration;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The variables and options of a {@link Watch}. Immutable; created by {@link #create} or {@link
@@ -105,6 +108,34 @@ public final class WatchConfig {
   /** Returns the number of samples that may wait for a slow listener. */
   public int bufferSize() {
     return bufferSize;
+  }
+
+  /** Returns whether the other is a configuration with equal options. */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof WatchConfig config && values().equals(config.values());
+  }
+
+  @Override
+  public int hashCode() {
+    return values().hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return "WatchConfig" + values();
+  }
+
+  private Map<String, Object> values() {
+    Map<String, Object> values = new LinkedHashMap<>();
+    values.put("names", names);
+    values.put("handles", handles);
+    values.put("period", period);
+    values.put("changesOnly", changesOnly);
+    values.put("deadBand", deadBand);
+    values.put("missedSamples", missedSamples);
+    values.put("bufferSize", bufferSize);
+    return values;
   }
 
   /** Sets the options. Each method sets one option and returns this builder. */

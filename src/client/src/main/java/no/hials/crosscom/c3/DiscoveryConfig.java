@@ -7,8 +7,10 @@ import java.net.SocketException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -93,6 +95,35 @@ public final class DiscoveryConfig {
   /** Returns the UDP port to ask in standard mode. */
   public int standardPort() {
     return options.standardPort;
+  }
+
+  /** Returns whether the other is a configuration with equal options. */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof DiscoveryConfig config && values().equals(config.values());
+  }
+
+  @Override
+  public int hashCode() {
+    return values().hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return "DiscoveryConfig" + values();
+  }
+
+  private Map<String, @Nullable Object> values() {
+    Map<String, @Nullable Object> values = new LinkedHashMap<>();
+    values.put("targets", targets);
+    values.put("timeout", options.timeout);
+    values.put("localAddress", options.localAddress);
+    values.put("legacy", options.legacy);
+    values.put("legacyPort", options.legacyPort);
+    values.put("legacyReplyPort", options.legacyReplyPort);
+    values.put("standard", options.standard);
+    values.put("standardPort", options.standardPort);
+    return values;
   }
 
   /** The options as they were set. */

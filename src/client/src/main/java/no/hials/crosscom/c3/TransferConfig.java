@@ -1,9 +1,12 @@
 package no.hials.crosscom.c3;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
 import no.hials.crosscom.protocol.code.CopyFlag;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The options of an upload or download. Immutable; created by {@link #create}. The {@link Builder}
@@ -56,6 +59,31 @@ public final class TransferConfig {
   /** Returns the listener for the progress. */
   public TransferProgress progress() {
     return progress;
+  }
+
+  /** Returns whether the other is a configuration with equal options. */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof TransferConfig config && values().equals(config.values());
+  }
+
+  @Override
+  public int hashCode() {
+    return values().hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return "TransferConfig" + values();
+  }
+
+  private Map<String, Object> values() {
+    Map<String, Object> values = new LinkedHashMap<>();
+    values.put("overwrite", overwrite);
+    values.put("flags", flags);
+    values.put("verification", verification);
+    values.put("progress", progress);
+    return values;
   }
 
   /** Sets the options. Each method sets one option and returns this builder. */

@@ -4,10 +4,12 @@ import java.time.Duration;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
+import no.hials.crosscom.internal.VariableName;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,6 +29,11 @@ public final class WatchConfig {
       List<String> names, List<? extends Handle<?>> handles, Consumer<Builder> settings) {
     Builder builder = new Builder();
     Objects.requireNonNull(settings, "settings").accept(builder);
+    Set<String> seen = new HashSet<>();
+    for (String name : names) {
+      boolean isNew = seen.add(VariableName.check(name).toUpperCase(Locale.ROOT));
+      check(isNew, "each variable can be watched once, twice is " + name);
+    }
     this.names = List.copyOf(names);
     this.handles = List.copyOf(handles);
     period = builder.period;
@@ -40,7 +47,7 @@ public final class WatchConfig {
   /**
    * Creates a configuration.
    *
-   * @param names the variables to read, in this order; at least one
+   * @param names the variables to read, in this order; at least one, each once in any case
    * @param settings sets the options that differ from their defaults
    * @return the configuration
    * @throws IllegalArgumentException if a value is out of its range
@@ -63,9 +70,6 @@ public final class WatchConfig {
       List<? extends Handle<?>> handles, Consumer<Builder> settings) {
     List<String> names =
         Objects.requireNonNull(handles, "handles").stream().map(Handle::name).toList();
-    Set<String> seen = new HashSet<>();
-    names.forEach(
-        name -> check(seen.add(name), "each handle must be of another variable: " + name));
     return new WatchConfig(names, handles, settings);
   }
 

@@ -3,12 +3,14 @@ package no.hials.crosscom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.Iterator;
 import java.util.List;
@@ -223,7 +225,7 @@ class WatchTest extends RobotTest {
     Handle<Integer> own = client.intHandle("MYINT");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> WatchConfig.ofHandles(List.of(own, client.realHandle("MYINT")), c -> {}))
-        .withMessage("each handle must be of another variable: MYINT");
+        .withMessage("each variable can be watched once, twice is MYINT");
     try (CrossComClient other = client(LONG)) {
       WatchConfig config = WatchConfig.ofHandles(List.of(own), cfg -> {});
       assertThatIllegalArgumentException()
@@ -757,5 +759,14 @@ class WatchTest extends RobotTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> WatchConfig.create(List.of("X"), cfg -> cfg.bufferSize(0)));
     assertThatIllegalArgumentException().isThrownBy(() -> client.watch(PERIOD, s -> {}, " "));
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> WatchConfig.create(List.of(" "), cfg -> {}))
+        .withMessage("a variable's name must not be blank");
+    assertThatNullPointerException()
+        .isThrownBy(() -> WatchConfig.create(Collections.singletonList(null), cfg -> {}))
+        .withMessage("name");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> WatchConfig.create(List.of("MYINT", "Myint"), cfg -> {}))
+        .withMessage("each variable can be watched once, twice is Myint");
   }
 }

@@ -15,6 +15,7 @@ import java.util.function.Consumer;
 import no.hials.crosscom.Connection.AnswerHandler;
 import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
+import no.hials.crosscom.internal.exchange.CallbackFuture;
 import no.hials.crosscom.internal.exchange.ExchangeAnswer;
 import no.hials.crosscom.internal.exchange.MessageAnswer;
 import no.hials.crosscom.internal.exchange.Repeatability;
@@ -57,7 +58,7 @@ final class ReconnectingConnection {
   private volatile @Nullable Connection connection;
 
   /** Completed while connected; set with the turn. */
-  private volatile CompletableFuture<@Nullable Void> connected = new CompletableFuture<>();
+  private volatile CompletableFuture<@Nullable Void> connected;
 
   /** End with the client. */
   private final Set<Watch> watches = ConcurrentHashMap.newKeySet();
@@ -92,6 +93,7 @@ final class ReconnectingConnection {
     this.loop = runtime.loop();
     this.timeoutNanos = config.requestTimeout().toNanos();
     this.events = new SerialExecutor(runtime.listeners());
+    this.connected = new CallbackFuture<>(runtime.callbacks());
   }
 
   /** Connects for the first time. No other thread knows this object yet. */
@@ -105,7 +107,9 @@ final class ReconnectingConnection {
   CompletableFuture<@Nullable Void> connected() {
     CompletableFuture<@Nullable Void> waiting = connected;
     if (isClosed()) {
-      return CompletableFuture.failedFuture(closedFailure());
+      CompletableFuture<@Nullable Void> failed = waiting.newIncompleteFuture();
+      failed.completeExceptionally(closedFailure());
+      return failed;
     }
     if (!waiting.isDone()) {
       wanted = true;
@@ -359,7 +363,7 @@ final class ReconnectingConnection {
     meter.failed(why);
     if (usable) {
       usable = false;
-      connected = new CompletableFuture<>();
+      connected = new CallbackFuture<>(runtime.callbacks());
     }
     ChangeReason reason = ChangeReason.of(why);
     if (why instanceof CrossComConnectionLostException && current().wasClosedAtOnce()) {

@@ -89,6 +89,21 @@ class ConnectingTest extends RobotTest {
     assertThat(client.connected()).isCompleted();
   }
 
+  @Test
+  void asynchronousFunctionsOnConnectedRunInTheThreadsForCallbacks() throws Exception {
+    assertThat(threadAfter(client.connected())).startsWith("crosscom-callback-");
+    CrossComClient its = new CrossComClient(config());
+    its.close();
+    assertThat(threadAfter(its.connected().exceptionally(e -> null)))
+        .startsWith("crosscom-callback-");
+  }
+
+  private static String threadAfter(CompletableFuture<Void> connected) throws Exception {
+    return connected
+        .thenApplyAsync(nothing -> Thread.currentThread().getName())
+        .get(60, TimeUnit.SECONDS);
+  }
+
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void connectedConnectsAfterALossWithoutAnyAccess(boolean isLazy) throws Exception {

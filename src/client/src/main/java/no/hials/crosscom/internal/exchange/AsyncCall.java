@@ -1,7 +1,6 @@
 package no.hials.crosscom.internal.exchange;
 
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
@@ -16,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * transfers a file, before the transfer takes effect. If {@link #cancel} returns true, nothing was
  * sent or has effect; if the operation is committed, it returns false and the operation goes on.
  */
-final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
+final class AsyncCall<T extends @Nullable Object> extends CallbackFuture<T>
     implements Cancellation {
   private enum State {
     OPEN,
@@ -25,19 +24,17 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
   }
 
   private final AtomicReference<State> state = new AtomicReference<>(State.OPEN);
-  private final Executor callbacks;
   private final Runnable ended;
 
   /** Removes the call from the queue; returns whether it was there. Set before it is queued. */
   private BooleanSupplier dequeue = () -> false;
 
   /**
-   * @param callbacks completes the result, which runs the program's callbacks; the common pool may
-   *     have only one thread
+   * @param callbacks completes the result, which runs the program's callbacks
    * @param ended called after the program's callbacks
    */
   AsyncCall(Executor callbacks, Runnable ended) {
-    this.callbacks = callbacks;
+    super(callbacks);
     this.ended = ended;
   }
 
@@ -78,16 +75,6 @@ final class AsyncCall<T extends @Nullable Object> extends CompletableFuture<T>
   /** Fails without having run. */
   void refuse(Executor executor, Exception failure) {
     end(executor, () -> completeExceptionally(failure));
-  }
-
-  @Override
-  public <U> CompletableFuture<U> newIncompleteFuture() {
-    return new AsyncCall<>(callbacks, () -> {});
-  }
-
-  @Override
-  public Executor defaultExecutor() {
-    return callbacks;
   }
 
   @Override

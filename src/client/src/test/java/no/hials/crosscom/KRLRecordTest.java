@@ -776,7 +776,7 @@ class KRLRecordTest extends RobotTest {
     assertUnmappable(Texts.class, "component texts of ", "java.lang.String[]");
     assertUnmappable(Boxes.class, "component boxes of ", "java.lang.Integer[]");
     assertUnmappable(Generic.class, "component v of ", "is of type V");
-    assertUnmappable(RawOptional.class, "component o of ", "is of type java.lang.Object");
+    assertUnmappable(RawOptional.class, "component o of ", "is a raw Optional, which");
     assertUnmappable(Twice.class, "component other of ", "has the name SPEED, as another");
     assertUnmappable(BadName.class, "component a of ", "has the @KrlName \"A[1]\"");
     assertUnmappable(Loop.class, "component next of ", "which contains it");

@@ -111,10 +111,10 @@ final class RecordShape {
     Type declared = component.getGenericType();
     boolean optional = component.getType() == Optional.class;
     if (optional) {
-      declared =
-          declared instanceof ParameterizedType parameterized
-              ? parameterized.getActualTypeArguments()[0]
-              : Object.class;
+      if (!(declared instanceof ParameterizedType parameterized)) {
+        throw unmappable(component, "is a raw Optional, which does not name the type of the value");
+      }
+      declared = parameterized.getActualTypeArguments()[0];
     }
     FieldType mapped;
     try {

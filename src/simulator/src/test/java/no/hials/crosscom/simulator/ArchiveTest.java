@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -366,6 +368,27 @@ final class ArchiveTest {
     assertThat(report(report, "huge.src").problems().get(0).message())
         .isEqualTo("a file has at most 33554432 bytes, has more");
     assertThat(controller.programs()).contains("MAIN");
+  }
+
+  @Test
+  void aTruncatedFileIsRefusedAndTheRestIsLoaded() throws Exception {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    files.put("KRC/R1/Program/cut.src", text("DEF CUT( )\n" + "PARTS=1\n".repeat(50) + "END\n"));
+    files.putAll(cell());
+    Path zip = asZip(files, StandardCharsets.UTF_8);
+    ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(zip)).order(ByteOrder.LITTLE_ENDIAN);
+    int header = 0;
+    while (bytes.getInt(header) != 0x02014B50) { // the first header of the central directory
+      header++;
+    }
+    bytes.putInt(header + 20, 5); // the compressed size
+    Files.write(zip, bytes.array());
+
+    LoadReport report = load(zip);
+
+    assertThat(report(report, "cut.src").problems().get(0).message())
+        .startsWith("the zip is damaged");
+    assertThat(controller.programs()).doesNotContain("CUT").contains("MAIN");
   }
 
   @Test

@@ -1,5 +1,6 @@
 package no.hials.crosscom.simulator.internal.files;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.Charset;
@@ -132,13 +133,30 @@ public final class ArchiveReader {
           public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
               throws IOException {
             if (attributes.isRegularFile()) {
-              String path = folder.relativize(file).toString().replace('\\', '/');
-              add(sources, path, () -> Files.newInputStream(file));
+              add(sources, path(folder, file), () -> Files.newInputStream(file));
             }
+            return FileVisitResult.CONTINUE;
+          }
+
+          @Override
+          public FileVisitResult visitFileFailed(Path file, IOException e) throws IOException {
+            if (file.equals(folder)) {
+              throw e;
+            }
+            add(
+                sources,
+                path(folder, file),
+                () -> {
+                  throw e;
+                });
             return FileVisitResult.CONTINUE;
           }
         });
     return sources;
+  }
+
+  private static String path(Path folder, Path file) {
+    return folder.relativize(file).toString().replace('\\', '/');
   }
 
   private static void add(List<Source> sources, String path, Opener opener) throws IOException {
@@ -157,7 +175,7 @@ public final class ArchiveReader {
 
   // both
 
-  private List<ArchivedFile> readAll(List<Source> sources) throws IOException {
+  private List<ArchivedFile> readAll(List<Source> sources) {
     List<ArchivedFile> files = new ArrayList<>();
     for (boolean modules : new boolean[] {true, false}) {
       for (Source source : sources) {
@@ -169,7 +187,7 @@ public final class ArchiveReader {
     return files;
   }
 
-  private ArchivedFile read(Source source) throws IOException {
+  private ArchivedFile read(Source source) {
     if (!isInside(source.path())) {
       return refused(source, "the path leads out of the archive");
     }
@@ -185,8 +203,10 @@ public final class ArchiveReader {
         String limit = most == MAX_FILE ? "a file" : "what is left of the archive";
         return refused(source, limit + " has at most " + most + " bytes, has more");
       }
-    } catch (ZipException e) {
+    } catch (ZipException | EOFException e) {
       return refused(source, "the zip is damaged: " + e.getMessage());
+    } catch (IOException e) {
+      return refused(source, "cannot be read: " + e.getMessage());
     }
     return new ArchivedFile(source.path(), content, null);
   }

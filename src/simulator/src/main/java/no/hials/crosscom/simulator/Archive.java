@@ -18,6 +18,7 @@ import no.hials.crosscom.simulator.LoadReport.FileReport;
 import no.hials.crosscom.simulator.internal.files.ArchiveLayout;
 import no.hials.crosscom.simulator.internal.files.ArchiveReader;
 import no.hials.crosscom.simulator.internal.files.ArchivedFile;
+import no.hials.crosscom.simulator.internal.files.ControllerPath;
 
 /**
  * The files of a controller as its archive has them: data lists, programs, and what else is there.
@@ -147,8 +148,9 @@ public final class Archive {
 
   /**
    * Creates a tree in memory with the files of this archive, byte for byte. Clients change the
-   * tree, never the archive. A file whose name a controller cannot have is left out. The data lists
-   * of {@link FileTree#inMemory()} stay where the archive has none.
+   * tree, never the archive. A file whose name a controller cannot have is left out; the report of
+   * loading has a warning. The data lists of {@link FileTree#inMemory()} stay where the archive has
+   * none.
    *
    * @return a new tree
    */
@@ -161,10 +163,16 @@ public final class Archive {
           try {
             tree.put(fullName(place), file.content());
           } catch (IOException e) {
-            // the name of a file of another system
+            // see nameProblem
           }
         });
     return tree;
+  }
+
+  /** Returns why clients cannot see a file, which has a name that a controller cannot have. */
+  static Optional<String> nameProblem(String place) {
+    return ControllerPath.problem(fullName(place))
+        .map(problem -> "not among the files of C3 Bridge: " + problem);
   }
 
   static String fullName(String place) {

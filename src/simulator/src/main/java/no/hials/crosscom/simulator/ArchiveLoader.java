@@ -102,6 +102,7 @@ final class ArchiveLoader {
         }
       }
     }
+    checkNames();
   }
 
   /** Returns the name that must be unique: of a list of the controller, with STEU or R1. */
@@ -139,6 +140,17 @@ final class ArchiveLoader {
     }
   }
 
+  /** Adds the files that clients cannot see. */
+  private void checkNames() {
+    archive
+        .files()
+        .forEach(
+            (place, file) ->
+                Archive.nameProblem(place)
+                    .map(problem -> Archive.problem(file.name(), problem))
+                    .ifPresent(problem -> warn(place, List.of(problem))));
+  }
+
   private static ParseResult parsed(ArchivedFile file) throws KrlFileException {
     ModuleLoader.checkLength(file.name(), file.content().length, ModuleLoader.MAX_LENGTH);
     return KrlParser.parse(file.name(), KrlEncoding.decode(file.content()));
@@ -159,11 +171,16 @@ final class ArchiveLoader {
   }
 
   private void warn(String place, List<KrlError> problems) {
-    FileReport before = report(place);
+    FileReport before =
+        reports.getOrDefault(place, FileReport.loaded(file(place).path(), "", List.of()));
     if (!problems.isEmpty()) {
       List<KrlError> all = new ArrayList<>(before.problems());
       all.addAll(problems);
-      put(place, new FileReport(before.path(), before.module(), Outcome.WARNINGS, all));
+      boolean refused = before.outcome() == Outcome.REFUSED;
+      put(
+          place,
+          new FileReport(
+              before.path(), before.module(), refused ? Outcome.REFUSED : Outcome.WARNINGS, all));
     }
   }
 

@@ -31,7 +31,7 @@ public record LoadReport(List<FileReport> files) {
    * The result of one file.
    *
    * @param path the name of the file
-   * @param module the name of its module; empty if it was refused
+   * @param module the name of its module; empty if it was refused or has no module
    * @param outcome whether it was loaded
    * @param problems the warnings, or the reasons of the refusal, in the order of the file
    */

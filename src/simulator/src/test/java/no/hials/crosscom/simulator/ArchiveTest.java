@@ -392,6 +392,22 @@ final class ArchiveTest {
   }
 
   @Test
+  void theReportNamesFilesThatClientsCannotSee() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/Program/aux.src", text("DEF AUX( )\nEND\n"));
+    files.put("KRC/R1/Program/" + "x".repeat(300) + ".txt", text("notes"));
+
+    LoadReport report = load(asZip(files, StandardCharsets.UTF_8));
+
+    assertThat(report(report, "aux.src").problems().get(0).message())
+        .isEqualTo("not among the files of C3 Bridge: \"aux.src\" cannot be the name of a file");
+    assertThat(report(report, "aux.src").module()).isEqualTo("AUX");
+    assertThat(report(report, "xxx.txt").outcome()).isEqualTo(Outcome.WARNINGS);
+    assertThat(report(report, "xxx.txt").problems().get(0).message())
+        .startsWith("not among the files of C3 Bridge: a full name has at most 259 characters");
+  }
+
+  @Test
   void namesOfAnOldZipAreInItsCodePage() throws Exception {
     Map<String, byte[]> files = cell();
     files.put("KRC/R1/Program/gr\u00FC\u00DFe.src", text("DEF HELLO( )\nEND\n"));

@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator.internal.files;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -54,6 +55,16 @@ public record ControllerPath(List<String> names) {
       path = path.child(name);
     }
     return new Parsed(path, !full);
+  }
+
+  /** Returns why a text is not the name of a file. */
+  public static Optional<String> problem(String text) {
+    try {
+      parse(text);
+      return Optional.empty();
+    } catch (FileRefusedException e) {
+      return Optional.ofNullable(e.getMessage());
+    }
   }
 
   /** Appends a name, which is checked. */

@@ -19,7 +19,7 @@ import no.hials.crosscom.simulator.LoadingMode;
 
 /** Loads files into a simulated controller, and prints what was loaded of each. */
 public final class LoadedFiles {
-  /** The number of problems shown of a file that is not KRL at all; JSON has all. */
+  /** The number of problems shown of a file that is not KRL at all. */
   private static final int SHOWN = 20;
 
   private final LoadingMode mode;
@@ -128,24 +128,31 @@ public final class LoadedFiles {
     return reports;
   }
 
-  /** Prints a line for each file, with its problems below. */
+  /** Returns a line for each file, with its problems below. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     for (FileReport file : reports) {
       lines.add(line(file));
-      problems(file).stream().limit(SHOWN).forEach(problem -> lines.add("  " + problem));
-      int rest = file.problems().size() - SHOWN;
-      if (rest > 0) {
-        lines.add("  and " + rest + " more; --json has all");
-      }
+      shown(file).forEach(problem -> lines.add("  " + problem));
     }
     return lines;
   }
 
-  /** Returns a line for each problem. */
+  /** Returns the first problems of a file, and the number of the others. */
+  private static List<String> shown(FileReport file) {
+    List<String> shown = new ArrayList<>(problems(file));
+    int rest = shown.size() - SHOWN;
+    if (rest > 0) {
+      shown.subList(SHOWN, shown.size()).clear();
+      shown.add(file.path() + ": " + rest + " more; krl check shows all");
+    }
+    return shown;
+  }
+
+  /** Returns a line for each problem that is shown. */
   public List<String> warnings() {
     return reports.stream()
-        .flatMap(file -> problems(file).stream().limit(SHOWN))
+        .flatMap(file -> shown(file).stream())
         .map(problem -> "warning: " + problem)
         .toList();
   }

@@ -265,8 +265,17 @@ class MockArchiveTest {
 
     assertThat(result.code()).isEqualTo(1);
     assertThat(result.err()).contains("stops.src:2:1", "the program did not reach its end");
-    assertThat(Cli.run("krl", "run", "pick.src", "--archive", zip, "--limit", "24ms").code())
-        .isEqualTo(1);
+  }
+
+  @Test
+  void runNamesTheNumberOfWarningsThatAreNotShown() throws Exception {
+    files.put("KRC/R1/Program/bad.src", "DEF BAD( )\n" + "PARTS=\n".repeat(25) + "END\n");
+
+    Cli.Result result = Cli.run("krl", "run", "pick.src", "--archive", zip());
+
+    assertThat(result.code()).isZero();
+    assertThat(result.errLines())
+        .contains("warning: KRC/R1/Program/bad.src: 5 more; krl check shows all");
   }
 
   @Test

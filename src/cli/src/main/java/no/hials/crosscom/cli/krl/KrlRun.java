@@ -85,7 +85,7 @@ final class KrlRun extends ConsoleCommand {
   @Option(
       names = "--period",
       paramLabel = "TIME",
-      description = "Print the position at this period, in steps of 12 ms, not the motions.")
+      description = "Print the position at this period, a multiple of 12 ms, not the motions.")
   private @Nullable Duration period;
 
   @Option(
@@ -99,6 +99,9 @@ final class KrlRun extends ConsoleCommand {
 
   @Override
   public ExitCode run() throws IOException {
+    if (period != null && period.toMillis() % CYCLE.toMillis() != 0) {
+      throw wrongUsage("--period must be a multiple of 12 ms, is " + period.toMillis() + " ms");
+    }
     RobotModel model = model(robot);
     LoadedFiles loaded = new LoadedFiles(strict);
     try (Controller controller =
@@ -134,7 +137,7 @@ final class KrlRun extends ConsoleCommand {
   }
 
   private boolean runToEnd(Controller controller) {
-    long rowCycles = period == null ? 1 : Math.max(1, period.dividedBy(CYCLE));
+    long rowCycles = period == null ? 1 : period.dividedBy(CYCLE);
     long cycles = limit.dividedBy(CYCLE);
     for (long cycle = 0; cycle < cycles; cycle++) {
       ProgramState state = controller.robot().state();
@@ -157,6 +160,7 @@ final class KrlRun extends ConsoleCommand {
         controller.startedMotions().forEach(motion -> print(controller, values(motion)));
       }
     }
+    console().hint("the simulated time of --limit is over");
     return false;
   }
 

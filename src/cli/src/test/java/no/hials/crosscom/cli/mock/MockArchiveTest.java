@@ -268,6 +268,21 @@ class MockArchiveTest {
   }
 
   @Test
+  void runNamesTheLimitThatEndsIt() {
+    Cli.Result result = Cli.run("krl", "run", "pick.src", "--archive", zip, "--limit", "24ms");
+
+    assertThat(result.code()).isEqualTo(1);
+    assertThat(result.errLines()).contains("the simulated time of --limit is over");
+  }
+
+  @Test
+  void runRefusesAPeriodBetweenTwoCycles() {
+    Cli.run("krl", "run", "pick.src", "--archive", zip, "--period", "20ms")
+        .fails(2)
+        .contains("--period must be a multiple of 12 ms, is 20 ms");
+  }
+
+  @Test
   void runNamesTheNumberOfWarningsThatAreNotShown() throws Exception {
     files.put("KRC/R1/Program/bad.src", "DEF BAD( )\n" + "PARTS=\n".repeat(25) + "END\n");
 

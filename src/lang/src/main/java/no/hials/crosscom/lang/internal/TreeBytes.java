@@ -92,7 +92,7 @@ public final class TreeBytes {
         for (Object each : (Set<?>) value) {
           bits |= 1 << type.number(component, each);
         }
-        put(bits);
+        number(bits);
       }
       case LIST -> list((List<?>) value);
       case RECORD -> node(value);

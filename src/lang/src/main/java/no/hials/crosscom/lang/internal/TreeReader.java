@@ -46,7 +46,7 @@ final class TreeReader {
       case REAL -> (double) Float.intBitsToFloat(bits());
       case BOOL -> bytes[at++] != 0;
       case CONSTANT -> type.constant(component, bytes[at++]);
-      case CONSTANTS -> type.constants(component, bytes[at++]);
+      case CONSTANTS -> type.constants(component, number());
       case LIST -> list();
       case RECORD -> {
         int kind = number();

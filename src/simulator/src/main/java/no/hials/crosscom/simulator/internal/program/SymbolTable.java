@@ -164,6 +164,9 @@ final class SymbolTable {
     for (Declarator variable : variables.variables()) {
       if (Scope.key(variable.name()).equals(key)) {
         declareLocal(variable, variables.type(), location);
+        if (locals.size() == slot) {
+          declareUntyped(variable, location);
+        }
         return;
       }
     }
@@ -208,6 +211,20 @@ final class SymbolTable {
     }
     try {
       Declarations.declare(own, type, closed(variable), Access.READ_WRITE);
+      locals.add(own.contents(key));
+      locations.put(key, location);
+    } catch (KrlErrorException e) {
+      errors.add(e.error().position(), e.error().message());
+    } catch (RefusedException e) {
+      throw new IllegalStateException(key + " was just declared", e);
+    }
+  }
+
+  /** Declares a parameter of an unknown type, so that the others keep their slots. */
+  private void declareUntyped(Declarator variable, StorageLocation location) {
+    String key = Scope.key(variable.name());
+    try {
+      own.declareUntyped(key, variable.position());
       locals.add(own.contents(key));
       locations.put(key, location);
     } catch (KrlErrorException e) {

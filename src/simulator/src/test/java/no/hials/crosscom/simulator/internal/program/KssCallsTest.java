@@ -47,6 +47,29 @@ class KssCallsTest {
     assertThat(rig.get("J")).isEqualTo("300");
   }
 
+  @ParameterizedTest
+  @CsvSource({":IN", ":OUT"})
+  void passesAnArgumentToAParameterOfAnUnknownType(String direction) {
+    Rig rig =
+        new Rig()
+            .loadLeniently(
+                """
+                DEF TEST()
+                  SUB(#RED, 5)
+                END
+                DEF SUB(A%s,N:IN)
+                  DECL NOTYPE A
+                  INT N
+                  IF A==#RED THEN
+                    I = N
+                  ENDIF
+                END
+                """
+                    .formatted(direction));
+
+    assertThat(rig.select("TEST").startSelected().cycle().get("I")).isEqualTo("5");
+  }
+
   @Test
   void passesAnExpressionToAnOutParameter() {
     Rig rig =

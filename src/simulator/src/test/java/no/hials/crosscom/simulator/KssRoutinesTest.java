@@ -206,7 +206,68 @@ class KssRoutinesTest {
     assertThat(get("R1") + " " + get("R2")).isEqualTo("40.0000 5.00000");
     assertThat(controller.check("BAS"))
         .extracting(Object::toString)
-        .contains("BAS.SRC:4:1: routine SVEL_JOINT has errors: the built-in one replaces it");
+        .contains(
+            "BAS.SRC:4:1: the built-in SVEL_JOINT replaces this routine, which would stop in line"
+                + " 14: no variable NOBODY is declared");
+  }
+
+  @Test
+  void usesABasOfTheArchiveWithErrorsThatAProgramMayNotReach() {
+    loadBas(
+        """
+        CASE #PTP_PARAMS
+          IF $ADAP_ACC<>#NONE THEN
+            R1=R1+N
+            $TORQMON[1]=100
+          ELSE
+            NOBODY()
+          ENDIF
+          ON_ERROR_PROCEED
+          NOBODY()
+        CASE #EX_BASE
+          EX_BASE()
+        """);
+
+    run("BAS(#PTP_PARAMS,40)");
+
+    assertThat(get("R1") + " " + get("$TORQMON[1]")).isEqualTo("40.0000 100");
+    assertThat(controller.check("BAS"))
+        .extracting(Object::toString)
+        .isNotEmpty()
+        .noneMatch(problem -> problem.contains("built-in"));
+  }
+
+  @Test
+  void replacesABasOfTheArchiveThatStopsInACommand() {
+    loadBas("CASE #INITMOV\nEX_BASE()");
+
+    run("$ADVANCE=1\nBAS(#INITMOV,0)");
+
+    assertThat(get("$ADVANCE")).isEqualTo("3");
+    assertThat(controller.check("BAS"))
+        .extracting(Object::toString)
+        .contains(
+            "BAS.SRC:1:1: the built-in BAS replaces this routine, which would stop in line 10: no"
+                + " routine NOWHERE is known");
+  }
+
+  private void loadBas(String cases) {
+    controller.load(
+        "BAS.SRC",
+        """
+        DEF BAS(COMMAND:IN,N:IN)
+        DECL BAS_COMMAND COMMAND
+        REAL N
+        SWITCH COMMAND
+        %s
+        ENDSWITCH
+        END
+        DEF EX_BASE()
+        $BASE=NOWHERE(1)
+        END
+        """
+            .formatted(cases.strip()),
+        LoadingMode.LENIENT);
   }
 
   // messages

@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator.internal.program;
 
-import java.util.Locale;
+import java.util.Map;
+import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlReal;
@@ -22,6 +23,38 @@ import org.jspecify.annotations.Nullable;
 final class Bas {
   private static final int AXES = 6;
 
+  private static final Map<String, Command> COMMANDS =
+      Map.ofEntries(
+          Map.entry("INITMOV", (bas, argument) -> bas.initialise()),
+          Map.entry("ACC_CP", (bas, argument) -> bas.set("$ACC.CP", argument)),
+          Map.entry("VEL_CP", (bas, argument) -> bas.set("$VEL.CP", argument)),
+          Map.entry("ACC_PTP", (bas, argument) -> bas.setAxes("$ACC_AXIS", argument)),
+          Map.entry("VEL_PTP", (bas, argument) -> bas.setAxes("$VEL_AXIS", argument)),
+          Map.entry("TOOL", (bas, argument) -> bas.tool(number(argument))),
+          Map.entry("BASE", (bas, argument) -> bas.base(number(argument))),
+          Map.entry("FRAMES", (bas, argument) -> bas.frames()),
+          Map.entry("PTP_DAT", (bas, argument) -> bas.ptpData()),
+          Map.entry(
+              "PTP_PARAMS",
+              (bas, argument) -> {
+                bas.ptpData();
+                bas.frames();
+                bas.setAxes("$VEL_AXIS", argument);
+              }),
+          Map.entry("CP_DAT", (bas, argument) -> bas.pathData()),
+          Map.entry(
+              "CP_PARAMS",
+              (bas, argument) -> {
+                bas.pathData();
+                bas.frames();
+                bas.set("$VEL.CP", argument);
+              }));
+
+  @FunctionalInterface
+  private interface Command {
+    void execute(Bas bas, KrlValue argument) throws KrlExecutionException;
+  }
+
   private final Scope scope;
 
   private Bas(Scope scope) {
@@ -34,36 +67,20 @@ final class Bas {
       throw Operators.wrongType("a command of BAS", command);
     }
     KrlValue argument = call.arguments().get(1) instanceof KrlValue given ? given : new KrlInt(0);
-    new Bas(call.symbols().scope()).execute(constant.name().toUpperCase(Locale.ROOT), argument);
+    String name = Scope.key(constant.name());
+    Command known = COMMANDS.get(name);
+    if (known == null) {
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED, "BAS(#" + name + ") is not supported");
+    }
+    known.execute(new Bas(call.symbols().scope()), argument);
     return null;
   }
 
-  private void execute(String command, KrlValue argument) throws KrlExecutionException {
-    switch (command) {
-      case "INITMOV" -> initialise();
-      case "ACC_CP" -> set("$ACC.CP", argument);
-      case "VEL_CP" -> set("$VEL.CP", argument);
-      case "ACC_PTP" -> setAxes("$ACC_AXIS", argument);
-      case "VEL_PTP" -> setAxes("$VEL_AXIS", argument);
-      case "TOOL" -> tool(number(argument));
-      case "BASE" -> base(number(argument));
-      case "FRAMES" -> frames();
-      case "PTP_DAT" -> ptpData();
-      case "PTP_PARAMS" -> {
-        ptpData();
-        frames();
-        setAxes("$VEL_AXIS", argument);
-      }
-      case "CP_DAT" -> pathData();
-      case "CP_PARAMS" -> {
-        pathData();
-        frames();
-        set("$VEL.CP", argument);
-      }
-      default ->
-          throw new KrlExecutionException(
-              KrlExecutionException.NOT_ALLOWED, "BAS(#" + command + ") is not supported");
-    }
+  /** Returns whether an expression is a command that is built in. */
+  static boolean isCommand(Expression expression) {
+    return expression instanceof Expression.EnumLiteral constant
+        && COMMANDS.containsKey(Scope.key(constant.name()));
   }
 
   private void initialise() throws KrlExecutionException {

@@ -15,9 +15,6 @@ final class LinkErrors {
   /** The warnings of all modules. */
   private final Set<String> warned;
 
-  /** The number of errors that have been reported before. */
-  private int reported;
-
   private boolean complete;
 
   /** The first error of the statement; null without one. */
@@ -44,8 +41,6 @@ final class LinkErrors {
   void warn(Position position, String message) {
     if (!complete && warned.add(message)) {
       all.add(new KrlError(position, message));
-    } else {
-      reported++;
     }
   }
 
@@ -59,15 +54,6 @@ final class LinkErrors {
     String found = ofStatement;
     ofStatement = other;
     return found;
-  }
-
-  /** Counts a line with an error of the parser, which has been reported. */
-  void addInvalid() {
-    reported++;
-  }
-
-  int count() {
-    return all.size() + reported;
   }
 
   /**

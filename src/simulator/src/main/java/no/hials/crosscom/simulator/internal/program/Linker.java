@@ -23,8 +23,9 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
  * Compiles all modules of a library: first the heads of all routines, so that calls can be checked,
  * then the bodies.
  *
- * <p>A routine of a module of KSS, such as {@code BAS}, that has errors or calls one of its module
- * that has, gives way to the built-in one.
+ * <p>A routine of a module of KSS, such as {@code BAS}, in which every call stops at an error, or
+ * in one that it calls of its module, gives way to the built-in one. Errors in branches do not
+ * count: programs may never reach them.
  */
 final class Linker {
   private final Map<String, KrlModule> modules;
@@ -39,13 +40,13 @@ final class Linker {
   /** The warnings of all modules. */
   private final Set<String> warned = new HashSet<>();
 
-  /** The routines with errors, and what each routine of a module of KSS calls. */
-  private final Set<CompiledRoutine> faulty = new HashSet<>();
+  /** Where the routines of modules of KSS stop in every call, and what they call. */
+  private final Map<CompiledRoutine, KrlError> stops = new HashMap<>();
 
   private final Map<CompiledRoutine, Set<CompiledRoutine>> calls = new LinkedHashMap<>();
 
-  /** The names of the routines that give way to built-in ones, by module; all in upper case. */
-  private final Map<String, Set<String>> replaced;
+  /** Why routines give way to built-in ones, by module and name, both in upper case. */
+  private final Map<String, Map<String, KrlError>> replaced;
 
   /**
    * A compiled module.
@@ -77,7 +78,7 @@ final class Linker {
       Scope globals,
       Set<String> unknown,
       Predicate<String> stopsAdvanceRun,
-      Map<String, Set<String>> replaced) {
+      Map<String, Map<String, KrlError>> replaced) {
     this.modules = modules;
     this.replaced = replaced;
     this.globals = globals;
@@ -98,7 +99,7 @@ final class Linker {
             linked.put(key, compiled(key, module, found));
           }
         });
-    Map<String, Set<String>> replaceable = replaceable();
+    Map<String, Map<String, KrlError>> replaceable = replaceable();
     return replaced.isEmpty() && !replaceable.isEmpty()
         ? new Linker(modules, globals, unknown, stopsAdvanceRun, replaceable).link()
         : linked;
@@ -130,25 +131,30 @@ final class Linker {
   }
 
   /** Returns the routines of modules of KSS that cannot be executed and are built in, too. */
-  private Map<String, Set<String>> replaceable() {
+  private Map<String, Map<String, KrlError>> replaceable() {
     boolean more = true;
     while (more) {
       more = false;
       for (Map.Entry<CompiledRoutine, Set<CompiledRoutine>> entry : calls.entrySet()) {
-        String module = entry.getKey().module();
-        more |=
-            entry.getValue().stream()
-                    .anyMatch(called -> called.module().equals(module) && faulty.contains(called))
-                && faulty.add(entry.getKey());
+        for (CompiledRoutine called : entry.getValue()) {
+          KrlError stop = stops.get(called);
+          more |=
+              stop != null
+                  && called.module().equals(entry.getKey().module())
+                  && stops.putIfAbsent(entry.getKey(), stop) == null;
+        }
       }
     }
-    Map<String, Set<String>> found = new HashMap<>();
-    for (CompiledRoutine routine : faulty) {
-      String key = Scope.key(routine.name());
-      if (calls.containsKey(routine) && (builtIn.containsKey(key) || Builtins.find(key) != null)) {
-        found.computeIfAbsent(Scope.key(routine.module()), module -> new HashSet<>()).add(key);
-      }
-    }
+    Map<String, Map<String, KrlError>> found = new HashMap<>();
+    stops.forEach(
+        (routine, stop) -> {
+          String key = Scope.key(routine.name());
+          if (builtIn.containsKey(key) || Builtins.find(key) != null) {
+            found
+                .computeIfAbsent(Scope.key(routine.module()), module -> new HashMap<>())
+                .put(key, stop);
+          }
+        });
     return found;
   }
 
@@ -167,14 +173,19 @@ final class Linker {
         errors.add(
             routine.position(), "routine " + routine.name() + " is declared twice in this module");
       }
-      boolean gone = replaced.getOrDefault(key, Set.of()).contains(Scope.key(routine.name()));
-      if (gone) {
+      KrlError stop = replaced.getOrDefault(key, Map.of()).get(Scope.key(routine.name()));
+      if (stop != null) {
         errors.add(
             routine.position(),
-            "routine " + routine.name() + " has errors: the built-in one replaces it");
+            "the built-in "
+                + routine.name()
+                + " replaces this routine, which would stop in line "
+                + stop.position().line()
+                + ": "
+                + stop.message());
       }
       // assumed: the first routine is global without GLOBAL
-      if (!gone && (first || routine.global())) {
+      if (stop == null && (first || routine.global())) {
         globalRoutines.put(Scope.key(routine.name()), head);
       }
       first = false;
@@ -220,17 +231,16 @@ final class Linker {
     Set<String> called = new TreeSet<>();
     Map<String, CompiledRoutine> own = ownRoutines.getOrDefault(key, Map.of());
     Map<String, CompiledRoutine> callable = new HashMap<>(own);
-    callable.keySet().removeAll(replaced.getOrDefault(key, Set.of()));
+    callable.keySet().removeAll(replaced.getOrDefault(key, Map.of()).keySet());
     for (Routine routine : module.source().routines()) {
       CompiledRoutine head = own.get(Scope.key(routine.name()));
       if (head != null) {
-        int before = errors.count();
-        Set<CompiledRoutine> calledRoutines =
+        RoutineContext context =
             compile(module, routine, head, List.of(callable, globalRoutines), errors, called);
         if (isOfKss(module)) {
-          calls.put(head, calledRoutines);
-          if (errors.count() > before) {
-            faulty.add(head);
+          calls.put(head, context.calledRoutines());
+          if (context.stop() != null) {
+            stops.put(head, context.stop());
           }
         }
       }
@@ -242,8 +252,7 @@ final class Linker {
     return new Linked(main, errors.complete(), called, true);
   }
 
-  /** Compiles a routine; returns the routines with a source that it calls. */
-  private Set<CompiledRoutine> compile(
+  private RoutineContext compile(
       KrlModule module,
       Routine routine,
       CompiledRoutine head,
@@ -265,6 +274,6 @@ final class Linker {
     head.complete(
         new CompiledRoutine.Body(
             code, List.copyOf(symbols.locals()), result, context.temporaries()));
-    return context.calledRoutines();
+    return context;
   }
 }

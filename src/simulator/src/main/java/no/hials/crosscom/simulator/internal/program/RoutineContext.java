@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
 import no.hials.crosscom.lang.Expression;
+import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.simulator.internal.data.Scope;
@@ -45,6 +46,11 @@ final class RoutineContext {
   private final Set<String> calledModules;
   private int temporaries;
 
+  /** How many branches, loops and actions surround the code that is being compiled. */
+  private int depth;
+
+  private @Nullable KrlError stop;
+
   /**
    * @param symbols the variables it can use
    * @param routines the routines it can call, by their names in upper case; those of its module
@@ -77,11 +83,6 @@ final class RoutineContext {
     errors.add(position, message);
   }
 
-  /** See {@link LinkErrors#addInvalid}. */
-  void addInvalid() {
-    errors.addInvalid();
-  }
-
   /** See {@link LinkErrors#exchange}. */
   @Nullable String exchangeError(@Nullable String other) {
     return errors.exchange(other);
@@ -94,7 +95,9 @@ final class RoutineContext {
       CompiledRoutine routine = known.get(key);
       if (routine != null) {
         calledModules.add(Scope.key(routine.module()));
-        calledRoutines.add(routine);
+        if (depth == 0) {
+          calledRoutines.add(routine);
+        }
         return routine;
       }
     }
@@ -106,7 +109,28 @@ final class RoutineContext {
     return builtIn.get(Scope.key(name));
   }
 
-  /** Returns the routines with a source that it calls. */
+  /** Begins code that some calls of the routine do not reach, or do not stop at. */
+  void enterBranch() {
+    depth++;
+  }
+
+  void leaveBranch() {
+    depth--;
+  }
+
+  /** Records an error at which the routine stops. */
+  void stopsAt(Position position, String message) {
+    if (depth == 0 && stop == null) {
+      stop = new KrlError(position, message);
+    }
+  }
+
+  /** Returns the first error that every call of the routine reaches; null without one. */
+  @Nullable KrlError stop() {
+    return stop;
+  }
+
+  /** Returns the routines with a source that every call of it calls. */
   Set<CompiledRoutine> calledRoutines() {
     return calledRoutines;
   }

@@ -128,6 +128,9 @@ final class StatementCompiler {
   /** Whether CONTINUE precedes the statement. */
   private boolean goOn;
 
+  /** Whether the routine is BAS, the branches of which are the commands that programs give. */
+  private boolean bas;
+
   /**
    * @param function whether the routine is a function
    */
@@ -140,6 +143,7 @@ final class StatementCompiler {
   }
 
   CompiledCode routine(String name, List<Statement> body, Position end) {
+    bas = Scope.key(name).equals("BAS");
     statements(body);
     code.statement();
     if (function) {
@@ -172,11 +176,18 @@ final class StatementCompiler {
       goOn = statement instanceof Statement.Continue;
       if (afterProtected != null) {
         code.mark(afterProtected);
+        context.leaveBranch();
       }
-      afterProtected = statement instanceof Statement.OnErrorProceed ? proceed(statement) : null;
+      afterProtected = null;
+      if (statement instanceof Statement.OnErrorProceed) {
+        afterProtected = proceed(statement);
+        // the routine continues after an error
+        context.enterBranch();
+      }
     }
     if (afterProtected != null) {
       code.mark(afterProtected);
+      context.leaveBranch();
     }
   }
 
@@ -193,6 +204,7 @@ final class StatementCompiler {
     boolean executable = code.drop(() -> STATEMENTS.run(this, statement));
     String error = context.exchangeError(around);
     if (error != null) {
+      context.stopsAt(statement.position(), error);
       code.stop(code.size(), statement.position(), KrlExecutionException.NOT_ALLOWED, error);
       return null;
     } else if (!executable) {
@@ -236,6 +248,7 @@ final class StatementCompiler {
     compilation.run();
     String error = context.exchangeError(around);
     if (error != null) {
+      context.stopsAt(position, error);
       code.stop(begin, position, KrlExecutionException.NOT_ALLOWED, error);
     }
   }
@@ -246,7 +259,7 @@ final class StatementCompiler {
 
   /** Compiles a line that could not be parsed: the program stops there. */
   private void stop(Statement.Invalid invalid) {
-    context.addInvalid();
+    context.stopsAt(invalid.position(), invalid.reason());
     code.emit(
         invalid.position(),
         machine -> {
@@ -392,7 +405,9 @@ final class StatementCompiler {
   /** Compiles the action of an interrupt or a trigger, which uses the variables of the routine. */
   private CompiledCode detached(Statement.Action action) {
     StatementCompiler compiler = new StatementCompiler(context, false);
+    context.enterBranch();
     compiler.stopAtError(action.position(), () -> ACTIONS.run(compiler, action));
+    context.leaveBranch();
     compiler.code.emit(action.position(), KrlVirtualMachine::returnNothing);
     return compiler.code.build();
   }
@@ -410,13 +425,13 @@ final class StatementCompiler {
     CodeBuilder.Label end = new CodeBuilder.Label();
     condition(position, branch.condition());
     code.jumpUnless(position, otherwise);
-    statements(branch.then());
+    nested(branch.then());
     if (!branch.otherwise().isEmpty()) {
       code.statement();
       code.jump(position, end);
     }
     code.mark(otherwise);
-    statements(branch.otherwise());
+    nested(branch.otherwise());
     code.mark(end);
   }
 
@@ -442,23 +457,34 @@ final class StatementCompiler {
       }
     }
     if (branch.otherwise() != null) {
-      statements(branch.otherwise());
+      nested(branch.otherwise());
     }
     code.statement();
     code.jump(position, end);
     for (int i = 0; i < bodies.size(); i++) {
       code.mark(bodies.get(i));
-      statements(branch.cases().get(i).body());
+      Statement.Case branchCase = branch.cases().get(i);
+      if (bas && branchCase.values().stream().anyMatch(Bas::isCommand)) {
+        statements(branchCase.body());
+      } else {
+        nested(branchCase.body());
+      }
       code.statement();
       code.jump(position, end);
     }
     code.mark(end);
   }
 
+  private void nested(List<Statement> body) {
+    context.enterBranch();
+    statements(body);
+    context.leaveBranch();
+  }
+
   /** Compiles the body of a loop; EXIT jumps to a label. */
   private void body(List<Statement> body, CodeBuilder.Label end) {
     loopEnds.push(end);
-    statements(body);
+    nested(body);
     loopEnds.pop();
   }
 

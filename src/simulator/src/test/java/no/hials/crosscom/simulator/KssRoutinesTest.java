@@ -251,6 +251,30 @@ class KssRoutinesTest {
                 + " routine NOWHERE is known");
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "PDAT REAL ACC, APO_DIST, APO_MODE_T APO_MODE, REAL GEAR_JERK, INT EXAX_IGN | PTP_PARAMS",
+        "PDAT REAL VEL,ACC,APO_DIST | PTP_PARAMS",
+        "LDAT REAL VEL,ACC,APO_DIST,APO_FAC | CP_PARAMS"
+      })
+  void takesTheDataOfInlineFormsOfEveryVersion(String struc, String command) {
+    load("$APO.CDIS=1.0\n$APO.CPTP=1\nBAS(#" + command + ",0.5)\nR1=$APO.CDIS\nR2=$APO.CPTP");
+    String type = struc.substring(0, 4);
+    controller.load(
+        "$CONFIG.DAT",
+        "DEFDAT $CONFIG\nSTRUC %s\nDECL %s %s_ACT={APO_DIST 17.0}\nENDDAT\n"
+            .formatted(struc, type, type),
+        LoadingMode.LENIENT);
+    start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(controller.messages()).isEmpty();
+    assertThat(get("R1") + " " + get("R2"))
+        .isEqualTo(command.equals("CP_PARAMS") ? "17.0000 1.00000" : "1.00000 17.0000");
+  }
+
   private void loadBas(String cases) {
     controller.load(
         "BAS.SRC",

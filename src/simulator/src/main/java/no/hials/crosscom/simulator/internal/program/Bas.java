@@ -173,12 +173,15 @@ final class Bas {
     }
   }
 
-  /** Returns the value of a variable that must be declared; null if it has no value. */
+  /**
+   * Returns the value of a variable that must be declared; null if it has no value, or if its type
+   * lacks the component: the types of inline forms differ between versions of KSS.
+   */
   private @Nullable KrlValue find(String name) throws KrlExecutionException {
     try {
       return scope.read(VariablePath.parse(name));
     } catch (RefusedException e) {
-      if (e.reason() == Refusal.NOT_INITIALISED) {
+      if (e.reason() == Refusal.NOT_INITIALISED || e.reason() == Refusal.UNKNOWN_COMPONENT) {
         return null;
       }
       throw KrlExecutionException.of("BAS: " + name, e);

@@ -19,11 +19,13 @@ public final class MessageWindow {
 
   private record Shown(Interpreter owner, ProgramMessage message) {}
 
+  private record Answer(Interpreter owner, int key) {}
+
   private final Consumer<ProgramMessage> shownListener;
   private final Map<Integer, Shown> open = new LinkedHashMap<>();
 
   /** The answers that no program has read yet, by handle. */
-  private final Map<Integer, Integer> answers = new HashMap<>();
+  private final Map<Integer, Answer> answers = new HashMap<>();
 
   private int last;
 
@@ -59,8 +61,8 @@ public final class MessageWindow {
 
   /** Returns the answer to a dialogue, from 1, once; 0 without one. */
   int takeAnswer(int handle) {
-    Integer answer = answers.remove(handle);
-    return answer == null ? 0 : answer;
+    Answer answer = answers.remove(handle);
+    return answer == null ? 0 : answer.key();
   }
 
   /** Answers a dialogue; returns false if it is not shown or has no such key. */
@@ -73,7 +75,7 @@ public final class MessageWindow {
       return false;
     }
     open.remove(handle);
-    answers.put(handle, key);
+    answers.put(handle, new Answer(shown.owner(), key));
     return true;
   }
 
@@ -84,10 +86,10 @@ public final class MessageWindow {
     return all;
   }
 
-  /** Removes the messages of a program that is reset or deselected. */
+  /** Removes the messages and answers of a program that is reset or deselected. */
   void forget(Interpreter owner) {
     open.values().removeIf(shown -> shown.owner() == owner && shown.message().clearedByReset());
-    answers.clear();
+    answers.values().removeIf(answer -> answer.owner() == owner);
   }
 
   /** Removes the messages of a program that continues at another line. */

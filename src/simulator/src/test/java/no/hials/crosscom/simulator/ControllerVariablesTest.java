@@ -215,6 +215,13 @@ class ControllerVariablesTest {
   }
 
   @Test
+  void aPulseThatIsLongerThanAllTimeDoesNotEnd() throws Exception {
+    cell.run("PULSE($OUT[5],TRUE,1E30)");
+    cell.cycles(10);
+    assertThat(cell.get("$OUT[5]")).isEqualTo("TRUE");
+  }
+
+  @Test
   void aNewPulseTakesThePlaceOfTheOldOne() throws Exception {
     cell.run("PULSE($OUT[5],TRUE,0.12)\nPULSE($OUT[5],TRUE,0.24)");
     cell.cycles(15);

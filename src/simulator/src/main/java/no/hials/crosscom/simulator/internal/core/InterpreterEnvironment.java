@@ -124,7 +124,7 @@ final class InterpreterEnvironment implements ProgramEnvironment {
       throw new KrlExecutionException(
           KrlExecutionException.OUT_OF_RANGE, "a pulse takes more than 0 s, was given " + seconds);
     }
-    if (!timers.pulse(output, level, time() + Math.round(seconds * 1000))) {
+    if (!timers.pulse(output, level, timeAfter(seconds))) {
       throw new KrlExecutionException(
           KrlExecutionException.BAD_INDEX, "there is no $OUT[" + output + "]");
     }

@@ -18,8 +18,6 @@ final class CyclicAssignments {
   /** docs/reference/system-variables.md#inputs-outputs-and-timers. */
   private static final int MAX_ACTIVE = 64;
 
-  private static final double MILLIS = 1000;
-
   /** The longest delay in s, so that the values that wait cannot fill the memory (assumed). */
   private static final double MAX_DELAY = 60;
 
@@ -92,8 +90,8 @@ final class CyclicAssignments {
       each.target().write(value);
       return;
     }
+    each.delayed().add(new Due(machine.environment().timeAfter(each.shape().delay()), value));
     long now = machine.environment().time();
-    each.delayed().add(new Due(now + Math.round(each.shape().delay() * MILLIS), value));
     while (!each.delayed().isEmpty() && each.delayed().element().time() <= now) {
       each.target().write(each.delayed().remove().value());
     }

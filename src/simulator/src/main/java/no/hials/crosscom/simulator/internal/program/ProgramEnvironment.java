@@ -10,8 +10,16 @@ import no.hials.crosscom.simulator.KrlExecutionException;
 /** The controller as a program uses it. */
 public interface ProgramEnvironment {
 
+  /** In ms. Its sum with any time is still a time. */
+  double LONGEST_WAIT = 1e15;
+
   /** Returns the simulated time in ms since an arbitrary moment; it never decreases. */
   long time();
+
+  /** Returns the simulated time in ms after a number of seconds, however large. */
+  default long timeAfter(double seconds) {
+    return time() + Math.round(Math.min(seconds * 1000, LONGEST_WAIT));
+  }
 
   /** Returns {@code $ADVANCE}, the number of motions that may be planned in advance, 0 to 5. */
   int advance();

@@ -112,11 +112,6 @@ final class StatementCompiler {
   private static final KrlInt ZERO = new KrlInt(0);
   private static final KrlInt ONE = new KrlInt(1);
 
-  private static final double MILLIS = 1000;
-
-  /** In ms. Its sum with any time is still a time. */
-  private static final double LONGEST_WAIT = 1e15;
-
   private final RoutineContext context;
   private final boolean function;
   private final CodeBuilder code;
@@ -627,9 +622,7 @@ final class StatementCompiler {
     code.emit(
         position,
         machine ->
-            machine
-                .frame()
-                .setDeadline(machine.environment().time() + millis(machine.popNumber())));
+            machine.frame().setDeadline(machine.environment().timeAfter(machine.popNumber())));
     code.emit(
         position,
         machine -> {
@@ -637,10 +630,6 @@ final class StatementCompiler {
             machine.again();
           }
         });
-  }
-
-  private static long millis(double seconds) {
-    return Math.round(Math.min(seconds * MILLIS, LONGEST_WAIT));
   }
 
   // interrupts

@@ -204,6 +204,36 @@ class ControllerMotionTest {
   // speed
 
   @ParameterizedTest
+  @ValueSource(strings = {"LIN_REL {X 1}", "SLIN_REL {X 1}"})
+  void movesAsSlowlyAsTheProgramSays(String motion) throws Exception {
+    double before = cell.component("$POS_ACT", "X");
+    cell.start("$VEL.CP=1E-5\n" + motion);
+    cell.seconds(50);
+    assertThat(cell.component("$POS_ACT", "X") - before).isCloseTo(0.5, within(MM));
+    cell.seconds(51);
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "$VEL.CP=1E-38\nLIN_REL {X 100}",
+        "$ACC.CP=1E-38\nLIN_REL {X 100}",
+        "$VEL.CP=1E-38\n$ACC.CP=1E-38\nCIRC_REL {X 20,Y 20},{X 40}",
+        "$VEL.ORI1=1E-38\n$ACC.ORI1=1E-38\nLIN_REL {A 10}",
+        "$VEL.CP=1E-38\nSLIN_REL {X 100}",
+        "$ACC.CP=1E-38\nSPLINE\nSPL_REL {X 100}\nSPL_REL {Y 100}\nENDSPLINE"
+      })
+  void hardlyMovesAtTheSmallestRates(String body) throws Exception {
+    double before = cell.component("$POS_ACT", "X");
+    cell.start(body);
+    cell.seconds(10);
+    assertThat(controller.messages()).isEmpty();
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.ACTIVE);
+    assertThat(cell.component("$POS_ACT", "X")).isCloseTo(before, within(MM));
+  }
+
+  @ParameterizedTest
   @CsvSource({"100,0.25", "50,0.125"})
   void keepsToThePathSpeedTimesTheOverride(String override, double speed) throws Exception {
     cell.set("$OV_PRO", override);

@@ -40,10 +40,11 @@ final class MotionResolver {
   private static final double DEFAULT_ACCELERATION = 2.3;
   private static final double DEFAULT_TURN_ACCELERATION = 100;
 
-  /** The slowest rate, in place of 0, with which a motion would never end (assumed). */
+  // with a rate of 0 a motion would never end; what replaces it is assumed
+
   private static final double LEAST_PERCENT = 0.1;
 
-  private static final double LEAST_RATE = 0.001;
+  private static final double IN_PLACE_OF_ZERO = 0.001;
 
   private final SystemVariableAccess access;
   private final ExternalAxesData externalAxes;
@@ -300,7 +301,7 @@ final class MotionResolver {
 
   private double rate(String name, double otherwise, String limit) {
     double value = Math.min(access.number(name, otherwise), access.number(limit, otherwise));
-    return Math.max(LEAST_RATE, value);
+    return value > 0 ? value : IN_PLACE_OF_ZERO;
   }
 
   OrientationControl orientation() {

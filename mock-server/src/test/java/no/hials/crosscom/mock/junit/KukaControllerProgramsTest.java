@@ -5,10 +5,12 @@ import static org.junit.platform.engine.discovery.DiscoverySelectors.selectClass
 import static org.junit.platform.testkit.engine.EventConditions.finishedWithFailure;
 import static org.junit.platform.testkit.engine.TestExecutionResultConditions.message;
 
+import java.io.IOException;
 import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.time.Duration;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RawClient;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.simulator.Controller;
@@ -73,6 +75,29 @@ class KukaControllerProgramsTest {
   }
 
   @Test
+  void runsAProgramOfAnArchive(
+      @KukaController(
+              archive = "src/test/resources/no/hials/crosscom/mock/junit/archive",
+              start = "PICK",
+              mode = OperatingMode.AUT,
+              clock = "stepped")
+          MockServer server)
+      throws IOException {
+    Controller controller = server.controller();
+    assertThat(controller.axes().a1()).as("XHOME of the archive").isEqualTo(30);
+    assertThat(controller.submit().state()).isEqualTo(ProgramState.ACTIVE);
+
+    controller.step(SECOND.multipliedBy(2));
+
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
+    try (RawClient client = new RawClient(server)) {
+      assertThat(client.read("PARTS").value()).isEqualTo("42");
+      assertThat(Integer.parseInt(client.read("CYCLES").value())).isPositive();
+      assertThat(client.read("$AXIS_ACT.A1").value()).isEqualTo("20.0000");
+    }
+  }
+
+  @Test
   void letsTheVariablesStandStillIfNoControllerIsAskedFor(
       @KukaController(dataLists = "classpath:cell.dat") MockServer server) {
     assertThat(hasClockThread(server)).isFalse();
@@ -134,6 +159,15 @@ class KukaControllerProgramsTest {
   }
 
   @RunByATest
+  static class MissingArchive {
+    @KukaController(archive = "ghost.zip")
+    static MockServer server;
+
+    @Test
+    void test() {}
+  }
+
+  @RunByATest
   static class WrongClock {
     @KukaController(clock = "soon")
     static MockServer server;
@@ -164,6 +198,7 @@ class KukaControllerProgramsTest {
     assertFailsToStart(UnknownModule.class, "no module GHOST is loaded");
     assertFailsToStart(MissingResource.class, "resource not found: ghost.dat");
     assertFailsToStart(MissingFile.class, "ghost.src: there is no such file");
+    assertFailsToStart(MissingArchive.class, "ghost.zip");
   }
 
   @Test

@@ -126,6 +126,87 @@ final class ExternalAxesTest {
     assertThat(cell.get("$AXIS_BACK.E1")).isEqualTo("0.0");
   }
 
+  /** A block in the world; the unit moves between its points, which are 40 mm or more apart. */
+  private static String block(int e1, int e2, int e3, int e4) {
+    return "$VEL.CP=0.2\nSPLINE\n"
+        + ("SPL {X 540,Y 40,Z 1340,E1 " + e1 + "}\n")
+        + ("SLIN {X 540,Y 120,Z 1340,E1 " + e2 + "}\n")
+        + ("SPL {X 500,Y 160,Z 1300,E1 " + e3 + "}\n")
+        + ("SPL {X 440,Y 160,Z 1320,E1 " + e4 + "}\n")
+        + "ENDSPLINE";
+  }
+
+  /** Returns the number of the nearest line between two samples. */
+  private static int lineAt(List<Sample> path, Frame position) {
+    int nearest = 1;
+    for (int i = 1; i < path.size(); i++) {
+      if (detour(path, i, position) < detour(path, nearest, position)) {
+        nearest = i;
+      }
+    }
+    return nearest;
+  }
+
+  /** Returns how much longer a line between two samples is over a position, mm. */
+  private static double detour(List<Sample> path, int line, Frame position) {
+    Frame from = path.get(line - 1).world();
+    Frame to = path.get(line).world();
+    return position.distance(from) + position.distance(to) - from.distance(to);
+  }
+
+  @Test
+  void aSplineBlockHasOnePathInTheWorldWhateverTheUnitDoes() throws Exception {
+    cell.run(HOME);
+    List<Sample> still = sample(block(0, 0, 0, 0));
+    cell.run(HOME);
+    List<Sample> moved = sample(block(60, 200, 150, -100));
+
+    assertLimits(moved);
+    for (Sample at : moved) {
+      assertThat(detour(still, lineAt(still, at.world()), at.world())).isLessThan(0.02);
+      boolean straight = at.world().y() > 41 && at.world().y() < 119 && at.world().x() > 539;
+      assertThat(straight ? Math.abs(at.world().x() - 540) : 0).isLessThan(1e-3);
+    }
+    assertThat(moved).anyMatch(at -> at.world().y() > 60 && at.world().y() < 100);
+  }
+
+  @Test
+  void theUnitIsAtItsValuesAtThePointsOfASplineBlock() throws Exception {
+    cell.run(HOME);
+    List<Sample> samples = sample(block(60, 200, 150, -100));
+
+    assertThat(unitAt(samples, new Frame(540, 40, 1340, 0, 0, 0))).isEqualTo(60, within(1.0));
+    assertThat(unitAt(samples, new Frame(540, 120, 1340, 0, 0, 0))).isEqualTo(200, within(1.0));
+    assertThat(unitAt(samples, new Frame(500, 160, 1300, 0, 0, 0))).isEqualTo(150, within(1.0));
+    assertThat(samples.get(samples.size() - 1).e1()).isEqualTo(-100, within(1e-6));
+  }
+
+  /** Returns the position of the unit when the robot is at a point, between two cycles. */
+  private static double unitAt(List<Sample> samples, Frame point) {
+    int line = lineAt(samples, point);
+    assertThat(detour(samples, line, point)).as("the robot passes the point").isLessThan(0.02);
+    Sample from = samples.get(line - 1);
+    Sample to = samples.get(line);
+    double length = Math.max(1e-9, from.world().distance(to.world()));
+    double part = Math.min(1, point.distance(from.world()) / length);
+    return from.e1() + part * (to.e1() - from.e1());
+  }
+
+  @Test
+  void aPtpSplineEndsWithItsExternalAxesAtTheSameTime() throws Exception {
+    cell.run(HOME);
+    List<Sample> samples =
+        sample("PTP_SPLINE\nSPTP {A1 20,E1 300,E2 10}\nSPTP {A1 30,E1 700,E2 40}\nENDSPLINE");
+
+    assertLimits(samples);
+    Sample end = samples.get(samples.size() - 1);
+    assertThat(end.e1()).isEqualTo(700);
+    assertThat(end.e2()).isEqualTo(40);
+    assertThat(samples)
+        .as("passes the point in between with all axes")
+        .anyMatch(at -> Math.abs(at.e1() - 300) < 15 && Math.abs(at.e2() - 10) < 1.5);
+  }
+
   @Test
   void theSpeedOfExternalAxesIsInPercentOfTheirHighest() throws Exception {
     cell.run(HOME);

@@ -260,7 +260,7 @@ class KssRoutinesTest {
         "LDAT REAL VEL,ACC,APO_DIST,APO_FAC | CP_PARAMS"
       })
   void takesTheDataOfInlineFormsOfEveryVersion(String struc, String command) {
-    load("$APO.CDIS=1.0\n$APO.CPTP=1\nBAS(#" + command + ",0.5)\nR1=$APO.CDIS\nR2=$APO.CPTP");
+    load("$APO.CDIS=1.0\n$APO.CPTP=1\nBAS(#" + command + ",1)\nR1=$APO.CDIS\nR2=$APO.CPTP");
     String type = struc.substring(0, 4);
     controller.load(
         "$CONFIG.DAT",
@@ -273,6 +273,24 @@ class KssRoutinesTest {
     assertThat(controller.messages()).isEmpty();
     assertThat(get("R1") + " " + get("R2"))
         .isEqualTo(command.equals("CP_PARAMS") ? "17.0000 1.00000" : "1.00000 17.0000");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "DEF_VEL_CP=1.5, $VEL.CP, 1.50000",
+    "DEF_VEL_PTP=80, $VEL_AXIS[1], 80",
+    "DEF_ACC_CP=2.0, $ACC.CP, 2.00000",
+    "DEF_APO_CPTP=40, $APO.CPTP, 40",
+    "DEF_APO_CDIS=7.0, $APO.CDIS, 7.00000",
+    "DEF_ADVANCE=1, $ADVANCE, 1"
+  })
+  void initialisesMotionWithTheDefaultsOfTheArchive(String value, String variable, String set) {
+    controller.load(
+        "$CONFIG.DAT", "DEFDAT $CONFIG\nREAL " + value + "\nENDDAT\n", LoadingMode.LENIENT);
+
+    run("BAS(#INITMOV,0)");
+
+    assertThat(get(variable)).isEqualTo(set);
   }
 
   private void loadBas(String cases) {

@@ -84,13 +84,18 @@ final class Bas {
   }
 
   private void initialise() throws KrlExecutionException {
-    setAxes("$VEL_AXIS", new KrlInt(100));
+    // assumed from the names: which defaults of $config.dat it uses
+    setAxes("$VEL_AXIS", configured("DEF_VEL_PTP", new KrlInt(100)));
     setAxes("$ACC_AXIS", new KrlInt(100));
     setAxes("$GEAR_JERK", new KrlInt(100));
     set("$ACC", KrlValue.parse("{CP 2.3,ORI1 100.0,ORI2 100.0}"));
     set("$VEL", KrlValue.parse("{CP 2.0,ORI1 200.0,ORI2 200.0}"));
     set("$APO", KrlValue.parse("{CVEL 100,CPTP 50,CDIS 3.0,CORI 5.0}"));
-    set("$ADVANCE", new KrlInt(3));
+    setIfConfigured("$ACC.CP", "DEF_ACC_CP");
+    setIfConfigured("$VEL.CP", "DEF_VEL_CP");
+    setIfConfigured("$APO.CPTP", "DEF_APO_CPTP");
+    setIfConfigured("$APO.CDIS", "DEF_APO_CDIS");
+    set("$ADVANCE", configured("DEF_ADVANCE", new KrlInt(3)));
     set("$ORI_TYPE", new KrlEnum("VAR"));
     set("$CIRC_TYPE", new KrlEnum("BASE"));
     set("$IPO_MODE", new KrlEnum("BASE"));
@@ -146,6 +151,17 @@ final class Bas {
     if (value != null) {
       set(name, value);
     }
+  }
+
+  private void setIfConfigured(String name, String from) throws KrlExecutionException {
+    if (scope.knows(from)) {
+      setIfGiven(name, from);
+    }
+  }
+
+  private KrlValue configured(String name, KrlValue otherwise) throws KrlExecutionException {
+    KrlValue value = scope.knows(name) ? find(name) : null;
+    return value == null ? otherwise : value;
   }
 
   private void setAxesIfGiven(String array, String from) throws KrlExecutionException {

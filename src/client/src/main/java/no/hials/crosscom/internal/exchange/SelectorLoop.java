@@ -147,7 +147,7 @@ public final class SelectorLoop implements Executor {
   }
 
   /** Ends the thread. */
-  public void close() {
+  public synchronized void close() {
     closed = true;
     if (selector != null) {
       selector.wakeup();

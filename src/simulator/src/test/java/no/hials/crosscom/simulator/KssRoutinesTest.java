@@ -107,6 +107,7 @@ class KssRoutinesTest {
         "$ORI_TYPE=SORI_TYP(LP1) | $ORI_TYPE | #CONSTANT",
         "$CIRC_TYPE=SCIRC_TYP(LP1) | $CIRC_TYPE | #PATH",
         "J1=SJERK(LP1) $R1=J1.CP | R1 | 25.0000",
+        "$COLLMON_TOL_PRO[1]=USE_CM_PRO_VALUES(0) | $COLLMON_TOL_PRO[1] | 0",
       })
   void hasTheFunctionsOfInlineForms(String statements, String variable, String value) {
     run("TOOL_DATA[2].X=11.0\nBASE_DATA[3].Y=22.0\n" + statements.replace(" $R1", "\nR1"));

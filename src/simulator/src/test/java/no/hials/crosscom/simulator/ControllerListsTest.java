@@ -24,6 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Loads data lists in the style of a controller, leniently. */
@@ -69,6 +70,24 @@ class ControllerListsTest {
 
   @Nested
   class WholeLists {
+
+    @ParameterizedTest
+    @EnumSource(LoadingMode.class)
+    void canHaveStatesOfWorkspacesAndTheLargestTool(LoadingMode mode) {
+      String list =
+          """
+          DEFDAT $MACHINE
+          $AXWORKSPACE[1]={A1_N 0.0,A1_P 0.0,MODE #OFF,STATE FALSE}
+          $WORKSPACE[1]={X 0.0,Y 0.0,MODE #OFF,STATE TRUE}
+          DECL MAXTOOL $SR_MAX_TOOL
+          $SR_MAX_TOOL={LOAD_CM_R 1.0,LOAD_CM_Z 2.0,LOAD_M 3.0,LOAD_J 4.0,TOOL_R 5.0,TOOL_Z 6.0}
+          ENDDAT
+          """;
+
+      assertThat(cell.controller.load("machine.dat", list, mode).problems()).isEmpty();
+      assertThat(cell.get("$WORKSPACE[1].STATE")).isEqualTo("TRUE");
+      assertThat(cell.get("$SR_MAX_TOOL.TOOL_Z")).isEqualTo("6.00000");
+    }
 
     @ParameterizedTest
     @ValueSource(strings = {"$machine.dat", "$robcor.dat", "$option.dat"})

@@ -115,6 +115,32 @@ class ControllerModesTest {
   }
 
   @Test
+  void speedsUpInT1AsFastAsInOtherModes() throws Exception {
+    controller.setMode(OperatingMode.T1);
+    cell.start("PTP {A6 350}");
+    cell.cycles(5); // the full speed takes 0.3 s, 7 % of it 0.021 s
+    assertThat(cell.real("$VEL_AXIS_ACT[6]")).isEqualTo(7, within(0.01));
+  }
+
+  @Test
+  void movesTheToolInT1AtTheOverride() throws Exception {
+    controller.setMode(OperatingMode.T1);
+    cell.set("$OV_PRO", "10");
+    assertThat(fastest("$VEL_ACT", "LIN_REL {Z 30}")).isEqualTo(0.01, within(1e-4));
+  }
+
+  @Test
+  void staysSlowIfAMotionOfAnotherModeGoesOnInT1() throws Exception {
+    cell.start("PTP {A6 350}");
+    cell.cycles(20);
+    controller.setMode(OperatingMode.T1);
+    cell.cycles(50);
+    controller.robot().start();
+    cell.cycles(40);
+    assertThat(cell.real("$VEL_AXIS_ACT[6]")).isEqualTo(7, within(0.01));
+  }
+
+  @Test
   void keepsTheToolBelowTheTeachLimitInT1() throws Exception {
     controller.place(Axis.of(0, -10, 10, 0, 45, 0));
     controller.setMode(OperatingMode.T1);

@@ -53,6 +53,54 @@ class JogTest {
   }
 
   @ParameterizedTest
+  @CsvSource({"T1, 100, 10", "T1, 10, 1", "T2, 100, 10", "T2, 50, 5"})
+  void turnsAxesAtTheirShareForJogging(OperatingMode mode, String override, double percent)
+      throws Exception {
+    leaveSlowSpeeds();
+    controller.setMode(mode);
+    cell.set("$OV_JOG", override);
+    controller.jog(JogCoordinates.AXIS, 6, true);
+    cell.cycles(30); // 10 % of the acceleration: 0.3 s
+
+    assertThat(cell.real("$VEL_AXIS_ACT[6]")).isEqualTo(percent, within(0.01));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"T1, 100, 0.1", "T1, 10, 0.01", "T2, 100, 0.1", "T2, 50, 0.05"})
+  void movesTheToolAtItsSpeedForJogging(OperatingMode mode, String override, double speed)
+      throws Exception {
+    leaveSlowSpeeds();
+    controller.setMode(mode);
+    cell.set("$OV_JOG", override);
+    controller.jog(JogCoordinates.BASE, 3, true);
+    cell.cycles(20);
+
+    assertThat(cell.real("$VEL_ACT")).isEqualTo(speed, within(1e-4));
+  }
+
+  /** Sets the speeds of the last program. */
+  private void leaveSlowSpeeds() {
+    cell.set("$VEL_AXIS[6]", "1");
+    cell.set("$ACC_AXIS[6]", "1");
+    cell.set("$VEL.CP", "0.001");
+    cell.set("$ACC.CP", "0.001");
+  }
+
+  @Test
+  void followsTheJogOverrideWhileAKeyIsPressed() throws Exception {
+    cell.set("$OV_JOG", "50");
+    controller.jog(JogCoordinates.BASE, 3, true);
+    cell.cycles(20);
+    cell.set("$OV_JOG", "10");
+    cell.cycles(20);
+    assertThat(cell.real("$VEL_ACT")).isEqualTo(0.01, within(1e-4));
+
+    cell.set("$OV_JOG", "100"); // more than at the press from the next one
+    cell.cycles(20);
+    assertThat(cell.real("$VEL_ACT")).isEqualTo(0.05, within(1e-4));
+  }
+
+  @ParameterizedTest
   @CsvSource({"1, true", "2, false", "3, true"})
   void movesAlongTheAxesOfTheBase(int number, boolean positive) throws Exception {
     Frame before = Frames.product(Frames.inverse(BASE), tcp());

@@ -293,7 +293,7 @@ final class AdvanceRun {
     // empty if the robot was placed in the meantime
     if (!aside.isEmpty()) {
       Aside last = aside.pop();
-      interpolator.resume(last.plan(), resolver.axisRates());
+      interpolator.resume(last.plan(), resolver.speeds().axes());
       orders = last.orders();
     }
     before = null;

@@ -61,7 +61,7 @@ final class BlockResolver {
               () ->
                   new AxisSegment(
                       motions.axesOf(segment, from),
-                      motions.axisRates(),
+                      motions.speeds().axes(),
                       motions.externalTarget(segment, from.external())));
       segments.add(resolved);
       at = new Joints(resolved.target(), resolved.external().axes());
@@ -104,7 +104,7 @@ final class BlockResolver {
         auxiliary == null ? null : frame(order, auxiliary, tool, from, start),
         target,
         order.circularAngle(),
-        motions.pathRates(),
+        motions.speeds().path(),
         motions.orientation(),
         end);
   }

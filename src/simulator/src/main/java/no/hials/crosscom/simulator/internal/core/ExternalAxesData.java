@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
-import no.hials.crosscom.simulator.internal.motion.AxisRates;
 import no.hials.crosscom.simulator.internal.motion.ExternalAxes;
 import no.hials.crosscom.simulator.internal.motion.ExternalAxes.Limits;
 
@@ -63,13 +62,6 @@ final class ExternalAxesData {
         endless ? FAR : maximum,
         speed,
         speed / (raise > 0 ? raise : RAISE_TIME));
-  }
-
-  /** Returns the speeds and accelerations in %. */
-  AxisRates rates() {
-    return new AxisRates(
-        MotionResolver.percent(access.axes("$VEL_EXTAX", 100)),
-        MotionResolver.percent(access.axes("$ACC_EXTAX", 100)));
   }
 
   /** Returns the root of the robot in the world ({@code $ROBROOT_C}). */

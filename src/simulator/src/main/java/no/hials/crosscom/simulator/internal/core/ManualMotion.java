@@ -38,6 +38,9 @@ final class ManualMotion {
   private final OperatorPanel panel;
   private State state = State.NONE;
 
+  /** The part of the jogging speeds for which the motion was planned. */
+  private double planned = 1;
+
   ManualMotion(KrlInterpreter robot, AdvanceRun motions, OperatorPanel panel) {
     this.robot = robot;
     this.motions = motions;
@@ -50,6 +53,14 @@ final class ManualMotion {
 
   boolean jogging() {
     return state == State.JOG;
+  }
+
+  /**
+   * Returns the part of the planned speed of a jog, 0 to 1: a lower {@code $OV_JOG} counts
+   * immediately, a higher one from the next press (assumed).
+   */
+  double override(double jogOverride) {
+    return Math.min(1, jogOverride / planned);
   }
 
   void move(MotionKind kind, KrlStruct target) throws KrlExecutionException {
@@ -112,6 +123,18 @@ final class ManualMotion {
 
   private void begin(State next, MotionKind kind, KrlStruct target, @Nullable String coordinates)
       throws KrlExecutionException {
+    state = next;
+    planned = motions.resolver().speeds().jogShare();
+    try {
+      plan(kind, target, coordinates);
+    } catch (KrlExecutionException e) {
+      state = State.NONE;
+      throw e;
+    }
+  }
+
+  private void plan(MotionKind kind, KrlStruct target, @Nullable String coordinates)
+      throws KrlExecutionException {
     motions.move(
         new MotionOrder(
             kind,
@@ -124,7 +147,6 @@ final class ManualMotion {
             "",
             new Position(kind.name(), 1, 1),
             List.of()));
-    state = next;
   }
 
   private void requireReleased(String action) {

@@ -12,7 +12,6 @@ import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone;
-import no.hials.crosscom.simulator.internal.motion.AxisRates;
 import no.hials.crosscom.simulator.internal.motion.ExternalTarget;
 import no.hials.crosscom.simulator.internal.motion.Joints;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand;
@@ -21,7 +20,6 @@ import no.hials.crosscom.simulator.internal.motion.MotionCommand.Linear;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem;
 import no.hials.crosscom.simulator.internal.motion.OrientationControl;
-import no.hials.crosscom.simulator.internal.motion.PathRates;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
 
 /**
@@ -29,25 +27,9 @@ import no.hials.crosscom.simulator.internal.program.MotionOrder;
  * $TOOL} and the end of the motion before, the speed by {@code $VEL}, {@code $ACC} and the like.
  */
 final class MotionResolver {
-
-  /**
-   * The values that INITMOV sets, for a controller without these variables
-   * (docs/reference/system-variables.md#what-initmov-sets).
-   */
-  private static final double DEFAULT_VELOCITY = 2;
-
-  private static final double DEFAULT_TURN_VELOCITY = 200;
-  private static final double DEFAULT_ACCELERATION = 2.3;
-  private static final double DEFAULT_TURN_ACCELERATION = 100;
-
-  // with a rate of 0 a motion would never end; what replaces it is assumed
-
-  private static final double LEAST_PERCENT = 0.1;
-
-  private static final double IN_PLACE_OF_ZERO = 0.001;
-
   private final SystemVariableAccess access;
   private final ExternalAxesData externalAxes;
+  private final MotionSpeeds speeds;
   private final BlockResolver blocks;
   private RobotModel robot;
 
@@ -59,9 +41,14 @@ final class MotionResolver {
   MotionResolver(SystemVariableAccess access, RobotModel robot, Joints start) {
     this.access = access;
     this.externalAxes = new ExternalAxesData(access);
+    this.speeds = new MotionSpeeds(access);
     this.robot = robot;
     this.last = start;
     this.blocks = new BlockResolver(access, this);
+  }
+
+  MotionSpeeds speeds() {
+    return speeds;
   }
 
   /** Replaces the robot by the same with other software limits. */
@@ -107,7 +94,7 @@ final class MotionResolver {
     for (int i = count; i < Axis.COUNT; i++) {
       to = to.with(i, from.get(i));
     }
-    return new ExternalTarget(to, externalAxes.rates());
+    return new ExternalTarget(to, speeds.externalAxes());
   }
 
   MotionCommand plan(MotionOrder order) throws KrlExecutionException {
@@ -122,7 +109,7 @@ final class MotionResolver {
               planned,
               frame(order, order.target()),
               tool(),
-              pathRates(),
+              speeds.path(),
               orientation(),
               pathApproximation(order.approximations()));
       case CIRC, CIRC_REL -> circular(order);
@@ -130,7 +117,8 @@ final class MotionResolver {
   }
 
   private MotionCommand pointToPoint(MotionOrder order) throws KrlExecutionException {
-    return new PointToPoint(planned, axesOf(order), axisRates(), tool(), axisApproximation(order));
+    return new PointToPoint(
+        planned, axesOf(order), speeds.axes(), tool(), axisApproximation(order));
   }
 
   /** Returns the axes at the end of a PTP motion. */
@@ -192,7 +180,7 @@ final class MotionResolver {
         frame(order, order.target()),
         order.circularAngle(),
         tool(),
-        pathRates(),
+        speeds.path(),
         orientation(),
         pathApproximation(order.approximations()));
   }
@@ -274,34 +262,6 @@ final class MotionResolver {
     }
     return robot.inverse(
         flange, (int) status.getAsDouble(), (int) turn.orElse(robot.turn(near.robot())));
-  }
-
-  // rates
-
-  AxisRates axisRates() {
-    return new AxisRates(
-        percent(access.axes("$VEL_AXIS", 100)), percent(access.axes("$ACC_AXIS", 100)));
-  }
-
-  static Axis percent(Axis axes) {
-    Axis result = axes;
-    for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
-      result = result.with(i, Math.max(LEAST_PERCENT, Math.min(100, axes.get(i))));
-    }
-    return result;
-  }
-
-  PathRates pathRates() {
-    return new PathRates(
-        rate("$VEL.CP", DEFAULT_VELOCITY, "$VEL_MA.CP"),
-        rate("$ACC.CP", DEFAULT_ACCELERATION, "$ACC_MA.CP"),
-        rate("$VEL.ORI1", DEFAULT_TURN_VELOCITY, "$VEL_MA.ORI1"),
-        rate("$ACC.ORI1", DEFAULT_TURN_ACCELERATION, "$ACC_MA.ORI1"));
-  }
-
-  private double rate(String name, double otherwise, String limit) {
-    double value = Math.min(access.number(name, otherwise), access.number(limit, otherwise));
-    return value > 0 ? value : IN_PLACE_OF_ZERO;
   }
 
   OrientationControl orientation() {

@@ -1,13 +1,15 @@
 package no.hials.crosscom.simulator.internal.core;
 
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.simulator.internal.core.MotionSpeeds.Purpose;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.AxisSpline;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.PointToPoint;
 import no.hials.crosscom.simulator.internal.motion.SpeedLimit;
 
 /**
  * Reduces the programmed speed: by the override, and in T1 by its limits
- * (docs/reference/system-variables.md#override-and-speed).
+ * (docs/reference/simulated-controller.md#reduced-speeds).
  */
 final class SpeedReduction {
   private static final double PERCENT = 100;
@@ -29,13 +31,19 @@ final class SpeedReduction {
     this.panel = panel;
     this.manual = manual;
     this.coincidence = coincidence;
+    motions.resolver().speeds().purpose(this::purpose);
   }
 
-  /** Returns the part of the programmed speed, 0 to 1. */
+  private Purpose purpose() {
+    if (manual.jogging()) {
+      return Purpose.JOG;
+    }
+    return slow() ? Purpose.REDUCED : Purpose.PROGRAM;
+  }
+
+  /** Returns the part of the planned speed, 0 to 1. */
   double override() {
-    double override = part(manual.jogging() ? "$OV_JOG" : "$OV_PRO");
-    boolean reduced = slow() && isPointToPoint();
-    return reduced ? override * Math.min(1, access.number("$RED_T1", PERCENT) / PERCENT) : override;
+    return manual.jogging() ? manual.override(part("$OV_JOG")) : part("$OV_PRO");
   }
 
   /** A BCO run is as slow as a motion in T1 (assumed). */
@@ -55,16 +63,24 @@ final class SpeedReduction {
         .orElse(true);
   }
 
-  /** Returns the limits of T1 for TCP and flange, and on a path for the axes. */
+  /**
+   * Returns the limits of T1, also in T2 while a jog key is pressed: of TCP and flange, and of the
+   * axes for motions that were planned in another mode and for bends of a path.
+   */
   SpeedLimit limit() {
-    if (!slow()) {
+    boolean jogging = manual.jogging();
+    if (!jogging && !slow()) {
       return SpeedLimit.NONE;
     }
-    double limit = access.number("$SPEED_LIMIT_TEACH_MODE", Double.POSITIVE_INFINITY);
+    MotionSpeeds speeds = motions.resolver().speeds();
     if (isPointToPoint()) {
-      return new SpeedLimit(limit, SpeedLimit.NONE.axes());
+      double share = jogging ? PERCENT : speeds.teachShare() * PERCENT;
+      return new SpeedLimit(teachLimit(), new Axis(share, share, share, share, share, share));
     }
-    return new SpeedLimit(
-        Math.min(limit, access.number("$VEL_CP_T1", limit)), access.axes("$VEL_CPT1_MA", PERCENT));
+    return new SpeedLimit(speeds.teachSpeed(), access.axes("$VEL_CPT1_MA", PERCENT));
+  }
+
+  private double teachLimit() {
+    return access.number("$SPEED_LIMIT_TEACH_MODE", Double.POSITIVE_INFINITY);
   }
 }

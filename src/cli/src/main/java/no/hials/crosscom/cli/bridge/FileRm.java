@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.RobotConnection;
@@ -72,7 +73,7 @@ final class FileRm extends FileSubcommand {
   private Set<String> folders(ControllerFiles files) throws IOException {
     Set<String> folders = new LinkedHashSet<>();
     for (String name : names) {
-      if (files.getProperties(name).isDirectory()) {
+      if (isDeletedAsFolder(files, name)) {
         if (!recursive) {
           throw new NotSentException(
               "did not delete " + name + ": it is a folder, which needs --recursive");
@@ -81,6 +82,20 @@ final class FileRm extends FileSubcommand {
       }
     }
     return folders;
+  }
+
+  private static boolean isDeletedAsFolder(ControllerFiles files, String name) throws IOException {
+    try {
+      return files.getProperties(name).isDirectory();
+    } catch (CrossComRefusedException e) {
+      // a module has no properties of its own, but can be deleted
+      for (String part : List.of(".SRC", ".DAT")) {
+        if (files.exists(name + part)) {
+          return false;
+        }
+      }
+      throw e;
+    }
   }
 
   private static List<String> reasons(Set<String> folders) {

@@ -212,6 +212,16 @@ class FileCommandsTest {
   }
 
   @Test
+  void deletesAModuleByItsName() throws IOException {
+    server.files().put("KRC:\\R1\\Program\\A.DAT", "DEFDAT A\nENDDAT\n");
+
+    run("file rm", "--yes", "/R1/A").succeeds().containsExactly("deleted /R1/A");
+
+    assertThat(server.files().exists("/R1/A.SRC")).isFalse();
+    assertThat(server.files().exists("/R1/A.DAT")).isFalse();
+  }
+
+  @Test
   void deletesNothingIfOneIsNotThere() {
     run("file rm", "--yes", "/R1/A.SRC", "/R1/NOPE")
         .failsInLines(1)

@@ -1,5 +1,6 @@
 package no.hials.crosscom.cli.base;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -25,6 +26,11 @@ public final class LocalFiles {
       // reported below
     }
     throw command.wrongUsage("'" + text + "' cannot be a file's name here");
+  }
+
+  /** Returns whether the text of a path ends like a folder, which {@link Path} does not keep. */
+  public static boolean endsLikeFolder(String text) {
+    return text.endsWith("/") || text.endsWith(File.separator);
   }
 
   public static String name(Path file) {

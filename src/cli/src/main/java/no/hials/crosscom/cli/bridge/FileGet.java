@@ -94,10 +94,15 @@ final class FileGet extends FileSubcommand {
   }
 
   private Path place(int count) {
-    Path place = LocalFiles.path(this, arguments.get(arguments.size() - 1));
+    String text = arguments.get(arguments.size() - 1);
+    Path place = LocalFiles.path(this, text);
     boolean folder = java.nio.file.Files.isDirectory(place);
     if (!folder && count > 1) {
       throw wrongUsage("for several files LOCAL must be an existing folder, is " + place);
+    }
+    if (!folder && LocalFiles.endsLikeFolder(text)) {
+      throw new OutputException(
+          text, new IOException("there is no folder " + place.toAbsolutePath()));
     }
     if (!folder) {
       LocalFiles.checkFolderOf(place);

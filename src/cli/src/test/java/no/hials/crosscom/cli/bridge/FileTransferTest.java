@@ -3,6 +3,7 @@ package no.hials.crosscom.cli.bridge;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -359,6 +360,16 @@ class FileTransferTest {
                 + dir.resolve("gone")
                 + System.lineSeparator());
     assertThat(get("/R1/A", "/R1/B", dir.resolve("x").toString()).code()).isEqualTo(2);
+    assertThat(server.requestCount()).isZero();
+  }
+
+  @Test
+  void takesANameThatEndsLikeAFolderForOne() throws IOException {
+    get("/R1/A.SRC", dir.resolve("gone") + "/")
+        .fails(74)
+        .contains("there is no folder " + dir.resolve("gone"));
+    get("/R1/A.SRC", dir.resolve("gone") + File.separator).fails(74);
+    assertThat(localFiles()).isEmpty();
     assertThat(server.requestCount()).isZero();
   }
 

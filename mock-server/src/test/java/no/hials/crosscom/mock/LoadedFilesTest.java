@@ -3,10 +3,15 @@ package no.hials.crosscom.mock;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.Code;
@@ -21,6 +26,7 @@ import no.hials.crosscom.simulator.KrlFileException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.slf4j.LoggerFactory;
 
 /** Tests that loaded programs are files of C3 Bridge. */
 final class LoadedFilesTest {
@@ -104,6 +110,30 @@ final class LoadedFilesTest {
     server.files().delete("/R1/PART.SRC");
 
     assertThat(select("PART")).isFalse();
+  }
+
+  @Test
+  void aProgramThatCannotBeSelectedIsAWarningWhateverItsErrorIs() throws Exception {
+    Logger log = (Logger) LoggerFactory.getLogger("no.hials.crosscom");
+    ListAppender<ILoggingEvent> events = new ListAppender<>();
+    events.start();
+    log.addAppender(events);
+    try {
+      server.files().put("/R1/BAD.SRC", "DEF BAD( )\nMYINT=\nEND\n");
+      server.files().put("/R1/UNDECLARED.SRC", "DEF UNDECLARED( )\nNOSUCHVAR=1\nEND\n");
+
+      assertThat(select("BAD")).isFalse();
+      assertThat(select("UNDECLARED")).isFalse();
+
+      assertThat(List.copyOf(events.list))
+          .filteredOn(event -> event.getLevel() == Level.WARN)
+          .extracting(ILoggingEvent::getFormattedMessage)
+          .satisfiesExactly(
+              bad -> assertThat(bad).startsWith("BAD has errors: "),
+              undeclared -> assertThat(undeclared).startsWith("UNDECLARED has errors: "));
+    } finally {
+      log.detachAppender(events);
+    }
   }
 
   @Test

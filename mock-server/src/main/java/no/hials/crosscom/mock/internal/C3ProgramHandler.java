@@ -3,6 +3,7 @@ package no.hials.crosscom.mock.internal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.ErrorCode;
@@ -78,7 +79,11 @@ public final class C3ProgramHandler {
   void load(String name) {
     try {
       Controller machine = controller.get();
-      machine.check(machine.loadFromFiles(name));
+      String program = machine.loadFromFiles(name);
+      List<KrlError> errors = machine.check(program);
+      if (!errors.isEmpty() && machine.programs().contains(program)) {
+        log.warn("{} has errors: {}", program, new KrlFileException(errors).getMessage());
+      }
     } catch (KrlFileException | IllegalStateException e) {
       log.debug("{} cannot be loaded: {}", name, e.getMessage());
     }

@@ -144,7 +144,9 @@ final class ConnectAttempt implements SelectorLoop.Selectable {
     } else {
       why = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
     }
+    String host = config.host();
+    String shown = host.contains(":") && !host.startsWith("[") ? "[" + host + "]" : host;
     return new CrossComConnectException(
-        "could not connect to " + config.host() + ":" + config.port() + ": " + why, e);
+        "could not connect to " + shown + ":" + config.port() + ": " + why, e);
   }
 }

@@ -36,6 +36,9 @@ class FailureTest extends RobotTest {
     assertThatExceptionOfType(CrossComConnectException.class)
         .isThrownBy(() -> new CrossComClient("127.0.0.1", port))
         .withMessageStartingWith("could not connect to 127.0.0.1:" + port);
+    assertThatExceptionOfType(CrossComConnectException.class)
+        .isThrownBy(() -> new CrossComClient("::1", port))
+        .withMessageStartingWith("could not connect to [::1]:" + port);
   }
 
   @Test

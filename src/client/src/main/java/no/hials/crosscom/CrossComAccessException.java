@@ -38,7 +38,7 @@ public final class CrossComAccessException extends CrossComException {
     if (known == null) {
       return "unknown";
     }
-    return known == ErrorCode.SUCCESS ? "KUKAVARPROXY gives no reason" : known.name();
+    return known == ErrorCode.SUCCESS ? "the server gives no reason" : known.name();
   }
 
   private static String likelyCause(Operation operation, boolean success, int code) {

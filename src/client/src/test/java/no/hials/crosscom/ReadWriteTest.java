@@ -477,7 +477,8 @@ class ReadWriteTest extends RobotTest {
     robot.enqueue(
         Fault.answer("5", new Tail(2, 0)),
         Fault.answer("", new Tail(0, 0)),
-        Fault.answer("", new Tail(77, 0)));
+        Fault.answer("", new Tail(77, 0)),
+        Fault.answer("", new Tail(1, 0)));
 
     assertThatExceptionOfType(CrossComAccessException.class)
         .isThrownBy(() -> client.writeText("$ROBRUNTIME", "5"))
@@ -491,6 +492,9 @@ class ReadWriteTest extends RobotTest {
         .withMessageContaining("code 77 (unknown)")
         .satisfies(e -> assertThat(e.getErrorCode()).isEmpty())
         .satisfies(e -> assertThat(e.getCode()).isEqualTo(77));
+    assertThatExceptionOfType(CrossComAccessException.class)
+        .isThrownBy(() -> client.readText("NOSUCHVAR"))
+        .withMessageContaining("code 1 (the server gives no reason)");
   }
 
   @Test

@@ -102,7 +102,8 @@ public final class Main {
   private static String[] arguments(CommandLine main, String[] robots, String... rest) {
     List<String> all = new ArrayList<>(List.of(ControllerCommand.withNamesAsOptions(rest)));
     int words = CommandTree.depth(CommandTree.find(main, rest));
-    if (robots.length > 0 && words > 0) {
+    boolean isHelp = rest.length > 0 && rest[0].equals("help"); // the robot does not matter
+    if (robots.length > 0 && words > 0 && !isHelp) {
       if (all.stream().takeWhile(arg -> !arg.equals("--")).anyMatch(a -> a.startsWith("--robot"))) {
         throw new ParameterException(
             main,

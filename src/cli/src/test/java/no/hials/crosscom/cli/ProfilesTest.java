@@ -65,6 +65,13 @@ class ProfilesTest {
   }
 
   @Test
+  void aRobotBeforeHelpDoesNotMatter() throws IOException {
+    config(robot("cell1", one));
+    assertThat(run("@cell1", "help").lines()).isEqualTo(run("help").lines());
+    assertThat(run("@cell1", "help", "read").lines()).isEqualTo(run("help", "read").lines());
+  }
+
+  @Test
   void readsFromARobotByItsName() throws IOException {
     config(robot("cell1", one), robot("'cell-2.a'", two));
 

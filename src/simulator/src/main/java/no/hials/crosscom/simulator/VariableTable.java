@@ -179,9 +179,12 @@ public final class VariableTable {
     if (mode == LoadingMode.STRICT && !errors.isEmpty()) {
       return false;
     }
-    Map<String, VariableNote> all = new HashMap<>(notes);
-    all.putAll(DataLists.notes(list));
-    notes = Map.copyOf(all);
+    Map<String, VariableNote> added = DataLists.notes(list);
+    if (!added.isEmpty()) {
+      Map<String, VariableNote> all = new HashMap<>(notes);
+      all.putAll(added);
+      notes = Map.copyOf(all);
+    }
     Set<String> signs = DataLists.set(list, RobotData.SIGNS);
     signs.addAll(robotData);
     robotData = Set.copyOf(signs);

@@ -100,6 +100,9 @@ public final class DataLists {
    */
   public static Map<String, VariableNote> notes(DataList list) {
     Map<String, VariableNote> notes = new HashMap<>();
+    if (!isGlobal(list, true)) {
+      return notes;
+    }
     for (Declaration declaration : list.declarations()) {
       if (declaration instanceof Declaration.Variables group && isGlobal(list, group.global())) {
         VariableNote note = VariableNote.of(group.comment());

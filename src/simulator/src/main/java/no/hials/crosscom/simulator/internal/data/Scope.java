@@ -70,6 +70,9 @@ public final class Scope {
   /** The outputs that system signals are wired to; null if unknown. */
   private @Nullable BitSet systemOutputs;
 
+  /** What the present attempt has replaced; null without an attempt. */
+  private @Nullable Undo undo;
+
   /** The bytes of the variables and types of this scope. */
   private long bytes;
 
@@ -77,6 +80,13 @@ public final class Scope {
   private long moduleBytes;
 
   private long routineBytes;
+
+  /**
+   * The old types and variables by their keys, empty for new ones. Copies of all would take most of
+   * the time in which an archive of many files is loaded.
+   */
+  private record Undo(
+      Map<String, Optional<Type>> types, Map<String, Optional<VariableEntry>> variables) {}
 
   /** Creates an outermost scope, which contains only the base types. */
   public Scope() {
@@ -206,6 +216,9 @@ public final class Scope {
           tooLarge("type " + type.name(), type.definitionBytes(), maxBytes));
     }
     types.put(key(type.name()), type);
+    if (undo != null) {
+      undo.types().putIfAbsent(key(type.name()), Optional.ofNullable(old));
+    }
     bytes += more;
   }
 
@@ -276,9 +289,18 @@ public final class Scope {
 
   /** Declares a variable. Replaces a variable of the same name in this scope. */
   synchronized void put(VariableEntry variable) {
-    VariableEntry old = variables.put(key(variable.name()), variable);
+    VariableEntry old = replace(key(variable.name()), variable);
     bytes += variable.bytes() - (old == null ? 0 : old.bytes());
     systemOutputs = null;
+  }
+
+  /** Replaces or removes a variable; returns the old one. */
+  private @Nullable VariableEntry replace(String key, @Nullable VariableEntry variable) {
+    VariableEntry old = variable == null ? variables.remove(key) : variables.put(key, variable);
+    if (undo != null) {
+      undo.variables().putIfAbsent(key, Optional.ofNullable(old));
+    }
+    return old;
   }
 
   /** Returns the warning of a system variable that is not known. */
@@ -300,7 +322,7 @@ public final class Scope {
   /** Removes a variable of this scope; returns false if it is not declared here. */
   public synchronized boolean remove(String name) {
     systemOutputs = null;
-    VariableEntry old = variables.remove(key(name));
+    VariableEntry old = replace(key(name), null);
     bytes -= old == null ? 0 : old.bytes();
     return old != null;
   }
@@ -351,7 +373,7 @@ public final class Scope {
     if (variable == null || variable.contents() == null) {
       throw new IllegalArgumentException(name + " is not a variable that can be bound");
     }
-    variables.put(key(name), variable.bound(value));
+    replace(key(name), variable.bound(value));
   }
 
   /**
@@ -371,23 +393,30 @@ public final class Scope {
    * @return the result of {@code change}
    */
   public synchronized boolean attempt(BooleanSupplier change) {
-    Map<String, Type> oldTypes = Map.copyOf(types);
-    Map<String, VariableEntry> oldVariables = Map.copyOf(variables);
+    if (undo != null) {
+      throw new IllegalStateException("an attempt in an attempt");
+    }
+    Undo replaced = new Undo(new HashMap<>(), new HashMap<>());
     long oldBytes = bytes;
     boolean done = false;
+    undo = replaced;
     try {
       done = change.getAsBoolean();
     } finally {
+      undo = null;
       if (!done) {
-        types.clear();
-        types.putAll(oldTypes);
-        variables.clear();
-        variables.putAll(oldVariables);
+        restore(types, replaced.types());
+        restore(variables, replaced.variables());
         bytes = oldBytes;
         systemOutputs = null;
       }
     }
     return done;
+  }
+
+  private static <V> void restore(Map<String, V> map, Map<String, Optional<V>> replaced) {
+    replaced.forEach(
+        (key, old) -> old.ifPresentOrElse(it -> map.put(key, it), () -> map.remove(key)));
   }
 
   // access
@@ -520,7 +549,7 @@ public final class Scope {
         throw new RefusedException(Refusal.READ_ONLY, "is used by a system signal");
       }
     }
-    variables.put(
+    replace(
         key,
         variable.with(
             writer == Writer.PROGRAM ? contents.store(path, value) : contents.write(path, value)));
@@ -592,7 +621,7 @@ public final class Scope {
       try {
         assign(VariablePath.element(array, index++), find(array), element, writer);
       } catch (RefusedException e) {
-        variables.put(array, target); // all bits or none
+        replace(array, target); // all bits or none
         throw e;
       }
     }

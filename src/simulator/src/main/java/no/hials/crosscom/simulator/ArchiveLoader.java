@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import java.util.function.Function;
 import no.hials.crosscom.lang.KrlEncoding;
 import no.hials.crosscom.lang.KrlError;
@@ -23,12 +25,18 @@ import no.hials.crosscom.simulator.internal.files.ArchivedFile;
  * first, so that those of R1 count; the lists of modules; the programs.
  */
 final class ArchiveLoader {
+  /** The largest file that is parsed before it is needed. */
+  private static final int MAX_EARLY = 1 << 20;
+
   private final Archive archive;
   private final ModuleLoader loader;
   private final LoadingMode mode;
 
   /** The reports by the places of the files, in the order of loading. */
   private final Map<String, FileReport> reports = new LinkedHashMap<>();
+
+  /** The trees of the files by their places, in the order of loading. */
+  private final Map<String, FutureTask<ParseResult>> trees = new LinkedHashMap<>();
 
   /** The names of the loaded modules, by the places of their files. */
   private final Map<String, String> modules = new LinkedHashMap<>();
@@ -81,6 +89,7 @@ final class ArchiveLoader {
                     .thenComparing(place -> !place.toUpperCase(Locale.ROOT).contains("R1/PROGRAM/"))
                     .thenComparing(String.CASE_INSENSITIVE_ORDER))
             .toList();
+    parse(places);
     Map<String, String> first = new HashMap<>();
     for (String place : places) {
       String other = first.putIfAbsent(name(place), place);
@@ -105,6 +114,27 @@ final class ArchiveLoader {
     checkNames();
   }
 
+  /** Begins to parse the files in a thread of its own, which ends when all are parsed. */
+  private void parse(List<String> places) {
+    for (String place : places) {
+      ArchivedFile file = file(place);
+      trees.put(place, new FutureTask<>(() -> parse(file)));
+    }
+    // two large files at once could fill the memory
+    List<FutureTask<ParseResult>> early =
+        places.stream()
+            .filter(place -> file(place).content().length <= MAX_EARLY)
+            .map(this::tree)
+            .toList();
+    Thread thread = new Thread(() -> early.forEach(FutureTask::run), "simulator-archive-parser");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  private FutureTask<ParseResult> tree(String place) {
+    return Objects.requireNonNull(trees.get(place));
+  }
+
   /** Returns the name that must be unique: of a list of the controller, with STEU or R1. */
   private static String name(String place) {
     String upper = place.toUpperCase(Locale.ROOT);
@@ -127,7 +157,7 @@ final class ArchiveLoader {
   private void load(String place) {
     ArchivedFile file = file(place);
     try {
-      ModuleLoader.Loaded loaded = loader.take(file.name(), parsed(file), mode);
+      ModuleLoader.Loaded loaded = loader.take(file.name(), parsed(place), mode);
       put(place, named(file, loaded.report().files().get(0)));
       if (loaded.module() != null) {
         modules.put(place, loaded.module().name());
@@ -151,7 +181,20 @@ final class ArchiveLoader {
                     .ifPresent(problem -> warn(place, List.of(problem))));
   }
 
-  private static ParseResult parsed(ArchivedFile file) throws KrlFileException {
+  private ParseResult parsed(String place) throws KrlFileException {
+    FutureTask<ParseResult> tree = tree(place);
+    tree.run(); // here, unless the other thread has begun
+    try {
+      return tree.get();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return parse(file(place));
+    } catch (ExecutionException e) {
+      return parse(file(place)); // fails here, too
+    }
+  }
+
+  private static ParseResult parse(ArchivedFile file) throws KrlFileException {
     ModuleLoader.checkLength(file.name(), file.content().length, ModuleLoader.MAX_LENGTH);
     return KrlParser.parse(file.name(), KrlEncoding.decode(file.content()));
   }

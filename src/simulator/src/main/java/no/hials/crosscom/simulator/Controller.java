@@ -46,6 +46,7 @@ import org.jspecify.annotations.Nullable;
  * it. Programs show messages of their own, and dialogues for {@link #answer}.
  *
  * <p>Thread-safe. It has one daemon thread, unless the clock is stepped; {@link #close} ends it.
+ * Another one parses the files of an archive while it is loaded.
  *
  * <p>The class is long, because it is the facade of the simulation; most of it is documentation.
  */

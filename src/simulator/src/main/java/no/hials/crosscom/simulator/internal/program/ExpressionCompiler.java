@@ -77,6 +77,15 @@ final class ExpressionCompiler {
     EXPRESSIONS.run(this, expression);
   }
 
+  /** Compiles an expression that can be omitted. */
+  void compileOr(Position position, @Nullable Expression expression, KrlValue otherwise) {
+    if (expression == null) {
+      code.constant(position, otherwise);
+    } else {
+      compile(expression);
+    }
+  }
+
   private void real(Expression.RealLiteral literal) {
     try {
       code.constant(literal.position(), Operators.real(literal.value()));

@@ -10,7 +10,6 @@ import no.hials.crosscom.lang.Statement;
 import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlStruct;
-import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.data.Operators;
 import no.hials.crosscom.simulator.internal.motion.PathPoint;
@@ -77,8 +76,8 @@ final class MotionCompiler {
     CompiledCode action = statements.detached(trigger.action());
     boolean calls = trigger.action() instanceof Statement.CallStatement;
     expressions.compile(trigger.distance());
-    optional(trigger.position(), trigger.delay(), ZERO);
-    optional(trigger.position(), trigger.priority(), AUTOMATIC);
+    expressions.compileOr(trigger.position(), trigger.delay(), ZERO);
+    expressions.compileOr(trigger.position(), trigger.priority(), AUTOMATIC);
     code.emit(
         trigger.position(),
         machine -> {
@@ -117,7 +116,7 @@ final class MotionCompiler {
   }
 
   private void time(Statement.TimeBlock time) {
-    optional(time.position(), time.value(), ZERO);
+    expressions.compileOr(time.position(), time.value(), ZERO);
     code.emit(
         time.position(), machine -> machine.next().spline().add(time.part(), machine.popNumber()));
   }
@@ -163,13 +162,7 @@ final class MotionCompiler {
   /** Compiles the settings and points of a spline motion. */
   private void values(Statement.SplineMotion motion) {
     motion.with().forEach(statements::assign);
-    if (motion.auxiliary() != null) {
-      expressions.compile(motion.auxiliary());
-    }
-    expressions.compile(motion.target());
-    if (motion.circularAngle() != null) {
-      expressions.compile(motion.circularAngle());
-    }
+    points(motion.auxiliary(), motion.target(), motion.circularAngle());
   }
 
   /** Compiles a block. The caller has compiled the stop of the advance run. */
@@ -214,6 +207,34 @@ final class MotionCompiler {
     machine.environment().move(order);
   }
 
+  /** The points of a motion, whose values are on the stack. */
+  private record Points(
+      @Nullable KrlStruct auxiliary, KrlStruct target, OptionalDouble circularAngle) {
+    static Points pop(
+        KrlVirtualMachine machine,
+        @Nullable Expression auxiliary,
+        @Nullable Expression circularAngle)
+        throws KrlExecutionException {
+      OptionalDouble angle =
+          circularAngle == null ? OptionalDouble.empty() : OptionalDouble.of(machine.popNumber());
+      KrlStruct target = Operators.positionOf(machine.pop());
+      return new Points(
+          auxiliary == null ? null : Operators.positionOf(machine.pop()), target, angle);
+    }
+  }
+
+  /** Compiles what {@link Points#pop} takes from the stack. */
+  private void points(
+      @Nullable Expression auxiliary, Expression target, @Nullable Expression circularAngle) {
+    if (auxiliary != null) {
+      expressions.compile(auxiliary);
+    }
+    expressions.compile(target);
+    if (circularAngle != null) {
+      expressions.compile(circularAngle);
+    }
+  }
+
   private static Set<Statement.Approximation> approximation(boolean approximate) {
     return approximate ? Set.of(Statement.Approximation.C_DIS) : Set.of();
   }
@@ -224,19 +245,14 @@ final class MotionCompiler {
       List<TriggerOrder> triggers,
       List<StopOrder> stops)
       throws KrlExecutionException {
-    OptionalDouble angle =
-        motion.circularAngle() == null
-            ? OptionalDouble.empty()
-            : OptionalDouble.of(machine.popNumber());
-    KrlStruct target = Operators.positionOf(machine.pop());
-    KrlStruct auxiliary = motion.auxiliary() == null ? null : Operators.positionOf(machine.pop());
+    Points points = Points.pop(machine, motion.auxiliary(), motion.circularAngle());
     boolean through =
         motion.kind() == Statement.SplineKind.SPL || motion.kind() == Statement.SplineKind.SPL_REL;
     return new MotionOrder(
         kind(motion.kind()),
-        auxiliary,
-        target,
-        angle,
+        points.auxiliary(),
+        points.target(),
+        points.circularAngle(),
         approximation(motion.approximate()),
         constant(motion.coordinates()),
         pointName(motion.target()),
@@ -268,43 +284,24 @@ final class MotionCompiler {
     return target instanceof Expression.Variable variable ? variable.name() : "";
   }
 
-  private void optional(Position position, @Nullable Expression expression, KrlValue otherwise) {
-    if (expression == null) {
-      code.constant(position, otherwise);
-    } else {
-      expressions.compile(expression);
-    }
-  }
-
   /** Compiles a motion. The caller has compiled the stop of the advance run. */
   void motion(Statement.MotionStatement motion) {
     Position position = motion.position();
     // the target is evaluated when the motion can be planned (assumed)
     code.emit(position, KrlVirtualMachine::awaitAdvance);
-    if (motion.auxiliary() != null) {
-      expressions.compile(motion.auxiliary());
-    }
-    expressions.compile(motion.target());
-    if (motion.circularAngle() != null) {
-      expressions.compile(motion.circularAngle());
-    }
+    points(motion.auxiliary(), motion.target(), motion.circularAngle());
     code.emit(position, machine -> machine.environment().move(order(machine, motion)));
     code.emit(position, KrlVirtualMachine::awaitMotionWithoutAdvance);
   }
 
   private static MotionOrder order(KrlVirtualMachine machine, Statement.MotionStatement motion)
       throws KrlExecutionException {
-    OptionalDouble angle =
-        motion.circularAngle() == null
-            ? OptionalDouble.empty()
-            : OptionalDouble.of(machine.popNumber());
-    KrlStruct target = Operators.positionOf(machine.pop());
-    KrlStruct auxiliary = motion.auxiliary() == null ? null : Operators.positionOf(machine.pop());
+    Points points = Points.pop(machine, motion.auxiliary(), motion.circularAngle());
     return new MotionOrder(
         motion.kind(),
-        auxiliary,
-        target,
-        angle,
+        points.auxiliary(),
+        points.target(),
+        points.circularAngle(),
         motion.approximations(),
         constant(motion.coordinates()),
         pointName(motion.target()),

@@ -345,9 +345,9 @@ final class StatementCompiler {
       return;
     }
     CompiledCode compiled = cyclic(word, value);
-    numberOr(position, delay, 0);
-    numberOr(position, minimum, -Float.MAX_VALUE);
-    numberOr(position, maximum, Float.MAX_VALUE);
+    expressions.compileOr(position, delay, KrlReal.of(0));
+    expressions.compileOr(position, minimum, KrlReal.of(-Float.MAX_VALUE));
+    expressions.compileOr(position, maximum, KrlReal.of(Float.MAX_VALUE));
     code.emit(
         position,
         machine -> {
@@ -357,14 +357,6 @@ final class StatementCompiler {
               new CyclicAssignments.Shape(machine.popNumber(), lowest, highest);
           machine.cyclic().start(machine.popReference(), compiled, shape, machine);
         });
-  }
-
-  private void numberOr(Position position, @Nullable Expression expression, double otherwise) {
-    if (expression == null) {
-      code.constant(position, KrlReal.of(otherwise));
-    } else {
-      expressions.compile(expression);
-    }
   }
 
   private void confirm(Statement.Confirm confirm) {

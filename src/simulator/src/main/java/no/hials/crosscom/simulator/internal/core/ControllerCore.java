@@ -230,8 +230,6 @@ public final class ControllerCore {
       if (manual.active()) {
         throw new IllegalStateException("start: the robot is moved without a program");
       }
-    }
-    if (kind == Interpreter.ROBOT) {
       if (interpreter.state() == ProgramState.END) {
         coincidence.require();
       }

@@ -103,13 +103,19 @@ final class AdvanceRun {
 
   private final SystemVariableAccess access;
   private final MotionSettings settings;
-  private RobotModel robot;
+
+  /** The robot with the limits of its model. */
+  private RobotModel unlimited;
+
   private final MotionResolver resolver;
   private final Triggers triggers;
   private final PathStops stops;
   private final Listener listener;
   private final ExternalAxesData externalAxes;
-  private RobotModel model;
+
+  /** The robot with the controller's software limits. */
+  private RobotModel limited;
+
   private ExternalAxes external = ExternalAxes.NONE;
   private Interpolator interpolator;
 
@@ -143,10 +149,10 @@ final class AdvanceRun {
     this.stops = stops;
     this.access = access;
     settings = new MotionSettings(access);
-    this.robot = robot;
+    unlimited = robot;
     this.triggers = triggers;
     this.listener = listener;
-    model = robot;
+    limited = robot;
     Joints start = access.joints("$AXIS_ACT", robot.home());
     externalAxes = new ExternalAxesData(access);
     resolver = new MotionResolver(access, robot, start);
@@ -163,7 +169,7 @@ final class AdvanceRun {
   }
 
   RobotModel model() {
-    return model;
+    return limited;
   }
 
   /** Returns the number of motions whose plan is kept. */
@@ -173,25 +179,25 @@ final class AdvanceRun {
 
   /** Reads the software limits, which clients and data lists can change. */
   void readLimits() {
-    Axis low = robot.home();
-    Axis high = robot.home();
+    Axis low = unlimited.home();
+    Axis high = unlimited.home();
     for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
-      low = low.with(i, access.number("$SOFTN_END[" + (i + 1) + "]", robot.minimum(i)));
-      high = high.with(i, access.number("$SOFTP_END[" + (i + 1) + "]", robot.maximum(i)));
+      low = low.with(i, access.number("$SOFTN_END[" + (i + 1) + "]", unlimited.minimum(i)));
+      high = high.with(i, access.number("$SOFTP_END[" + (i + 1) + "]", unlimited.maximum(i)));
     }
     ExternalAxes axes = externalAxes.read();
-    if (isOf(model, low, high) && axes.equals(external)) {
+    if (isOf(limited, low, high) && axes.equals(external)) {
       return;
     }
     external = axes;
     try {
-      model = robot.withLimits(low, high);
+      limited = unlimited.withLimits(low, high);
     } catch (IllegalArgumentException e) {
       // a minimum above its maximum, perhaps because a client is about to change both
       log.debug("the software limits stay as they were: {}", e.getMessage());
     }
-    resolver.robot(model);
-    interpolator.robot(model, external);
+    resolver.robot(limited);
+    interpolator.robot(limited, external);
   }
 
   private static boolean isOf(RobotModel model, Axis low, Axis high) {
@@ -205,8 +211,8 @@ final class AdvanceRun {
 
   /** Replaces the robot by another one, which stands at the same axes. */
   void robot(RobotModel another) {
-    robot = another;
-    model = another;
+    unlimited = another;
+    limited = another;
     resolver.robot(another);
     readLimits();
     place(interpolator.joints());
@@ -353,7 +359,7 @@ final class AdvanceRun {
 
   /** Puts the robot at a position immediately. */
   void place(Joints axes) {
-    interpolator = new Interpolator(model, external, axes);
+    interpolator = new Interpolator(limited, external, axes);
     discardAll();
     listener.current(axes, axes, resolver.base(), resolver.tool());
   }

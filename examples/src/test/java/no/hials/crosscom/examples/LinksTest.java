@@ -50,8 +50,8 @@ class LinksTest {
     assertThat(broken(page))
         .containsExactly(
             "line 3: other.md is not there",
-            "line 3: #what-it-is is no heading",
-            "line 3: page.md#page is no heading");
+            "line 3: #what-it-is is not a heading",
+            "line 3: page.md#page is not a heading");
   }
 
   private static List<String> broken(Path page) throws IOException {
@@ -81,6 +81,6 @@ class LinksTest {
     if (sign < 0 || MarkdownPages.anchors(target).contains(link.substring(sign + 1))) {
       return Optional.empty();
     }
-    return Optional.of(link + " is no heading");
+    return Optional.of(link + " is not a heading");
   }
 }

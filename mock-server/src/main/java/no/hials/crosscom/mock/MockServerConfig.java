@@ -503,7 +503,7 @@ public final class MockServerConfig {
     }
 
     /**
-     * Sets the bytes that the kept requests may take, about; the oldest are discarded first, and
+     * Sets the approximate size of the kept requests in bytes; the oldest are discarded first, and
      * the last request is kept in any case. The default is 16 MiB.
      */
     public Builder recordedBytes(long value) {
@@ -514,7 +514,7 @@ public final class MockServerConfig {
 
     // when it answers
 
-    /** Sets the time that the controller takes for a request. The default is no time. */
+    /** Sets the time that the controller takes for a request. The default is 0. */
     public Builder latency(Latency value) {
       options.latency = Objects.requireNonNull(value, "latency");
       return this;
@@ -583,10 +583,10 @@ public final class MockServerConfig {
 
     /**
      * Sets the archive of a controller to load when the server starts: a zip or a folder in any
-     * layout, see {@link Archive}. {@link MockServer#archiveReport} has the result for each file.
-     * What is not understood is a warning, and the rest counts. The archive's files are those that
-     * C3 Bridge serves, as a copy in memory: a client never changes the archive. Not together with
-     * {@link #files}.
+     * layout, see {@link Archive}. {@link MockServer#archiveReport} has the result for each file. A
+     * line that is not understood is a warning, and the rest is loaded. The archive's files are
+     * those that C3 Bridge serves, as a copy in memory: a client never changes the archive. Not
+     * together with {@link #files}.
      */
     public Builder archive(Path value) {
       return archive(() -> Archive.open(value), LoadingMode.LENIENT);

@@ -78,7 +78,7 @@ public final class RequestDispatcher {
   /** A message of a type that the server does not know. */
   private record Unknown(String hex, int id) implements Decoded {}
 
-  /** Bytes that are no message. */
+  /** Bytes that are not a message. */
   private record NoMessage(String hex) implements Decoded {}
 
   /**

@@ -84,7 +84,7 @@ public record ResponsePlan(
       return answer.map(change).orElse(NOTHING);
     }
 
-    /** Sends the proper answer, if there is one, to bytes that are no request. */
+    /** Sends the proper answer, if there is one, to bytes that are not a request. */
     ResponsePlan instead(Function<Request, Response> scripted) {
       return request == null
           ? changed(ResponsePlan::of)

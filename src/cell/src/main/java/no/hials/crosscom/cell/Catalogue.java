@@ -171,7 +171,7 @@ public final class Catalogue {
       return false;
     }
 
-    /** It is no variable. */
+    /** A channel is not a variable. */
     @Override
     public Boolean visit(Declaration.Channel channel) {
       return false;

@@ -24,7 +24,7 @@ public final class CsvText {
 
   private CsvText() {}
 
-  /** Escapes control characters, and guards a text that is no number against being a formula. */
+  /** Escapes control characters, and guards a text that is not a number against being a formula. */
   public static String guarded(String text) {
     String cell = PrintableText.of(text);
     return NUMBER.matcher(cell).matches() ? cell : UNSAFE.matcher(cell).replaceAll("$1'");

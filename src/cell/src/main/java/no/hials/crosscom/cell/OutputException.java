@@ -42,7 +42,7 @@ public final class OutputException extends RuntimeException {
   }
 
   /**
-   * Returns this failure of an output that reports a change of the controller. It is no broken
+   * Returns this failure of an output that reports a change of the controller. It is not a broken
    * pipe: the user must know of the change.
    *
    * @param change the change as it would have been printed

@@ -213,7 +213,7 @@ class DistributionIT {
     isTheVersion(run(builder));
     assumeThat(archive.toFile().setWritable(true)).isTrue();
     byte[] whole = Files.readAllBytes(archive);
-    Files.write(archive, List.of("this is no archive"));
+    Files.write(archive, List.of("this is not an archive"));
     isTheVersion(run(builder));
     Files.write(archive, Arrays.copyOf(whole, whole.length / 2));
     isTheVersion(run(builder));

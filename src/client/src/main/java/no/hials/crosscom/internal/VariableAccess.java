@@ -39,7 +39,7 @@ public abstract class VariableAccess {
   /** Creates a variable whose type in messages is a Java enum. */
   public abstract KRLEnum newEnum(String name, Class<?> type);
 
-  /** Returns the cause to report for a text that is no value of a type: of a public class. */
+  /** Returns the cause to report for a text that is not a value of a type: of a public class. */
   public abstract IllegalArgumentException cause(IllegalArgumentException failure);
 
   /**

@@ -30,7 +30,7 @@ record Rotation(double w, double x, double y, double z) {
     return new Rotation(Math.cos(half), axis.x() * scale, axis.y() * scale, axis.z() * scale);
   }
 
-  /** Returns the axis in the shorter direction, with the length 1; 0 if it is no rotation. */
+  /** Returns the axis in the shorter direction, with the length 1; 0 if it is not a rotation. */
   Vector axis() {
     double sine = sineOfHalf();
     return sine == 0 ? new Vector(0, 0, 0) : new Vector(x, y, z).times(Math.copySign(1 / sine, w));

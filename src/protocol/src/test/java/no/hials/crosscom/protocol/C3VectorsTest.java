@@ -55,7 +55,7 @@ final class C3VectorsTest {
     UNKNOWN,
     /** Bytes of a connection, which may be several frames and a part of one. */
     STREAM,
-    /** A datagram, which is no frame. */
+    /** A datagram, which is not a frame. */
     DATAGRAM
   }
 

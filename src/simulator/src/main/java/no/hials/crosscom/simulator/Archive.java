@@ -21,8 +21,8 @@ import no.hials.crosscom.simulator.internal.files.ArchivedFile;
 import no.hials.crosscom.simulator.internal.files.ControllerPath;
 
 /**
- * The files of a controller as its archive has them: data lists, programs, and what else is there.
- * {@link Controller#load(Archive, LoadingMode)} loads them.
+ * The files of a controller as its archive has them: data lists, programs and other files. {@link
+ * Controller#load(Archive, LoadingMode)} loads them.
  *
  * <p>It is a zip or a folder in any layout (docs/reference/simulated-controller.md#archives):
  * {@code KRC/R1/...}, {@code R1/...}, {@code Program/...}, or files without folders, in any case.
@@ -122,9 +122,9 @@ public final class Archive {
   }
 
   /**
-   * Returns what {@code am.ini} tells: the robot's name, its serial number, the version of KSS.
-   * Which of its settings these are is assumed: the first with a value whose name contains name,
-   * serial or version.
+   * Returns the description in {@code am.ini}: the robot's name, its serial number, the version of
+   * KSS. Which of its settings these are is assumed: the first with a value whose name contains
+   * name, serial or version.
    *
    * @return such as {@code name Cell 4, serial 123456, version 8.3}; empty without that file
    */

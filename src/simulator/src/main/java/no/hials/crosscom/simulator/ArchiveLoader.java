@@ -22,7 +22,7 @@ import no.hials.crosscom.simulator.internal.files.ArchivedFile;
 /**
  * Loads the programs and data lists of an archive in this order
  * (docs/reference/simulated-controller.md#archives): the lists of the controller, those of STEU
- * first, so that those of R1 count; the lists of modules; the programs.
+ * first, so that those of R1 take effect; the lists of modules; the programs.
  */
 final class ArchiveLoader {
   /** The largest file that is parsed before it is needed. */

@@ -160,8 +160,8 @@ public final class Controller implements AutoCloseable {
    *
    * @param file a {@code .dat}, {@code .src} or {@code .sub} file
    * @param mode {@code LENIENT} keeps what is understood
-   * @return the results of the file and of its data list; a lenient load refuses only what is no
-   *     KRL or too large
+   * @return the results of the file and of its data list; a lenient load refuses only a file that
+   *     is not KRL or is too large
    * @throws IOException if the file cannot be read
    */
   public LoadReport load(Path file, LoadingMode mode) throws IOException {
@@ -195,7 +195,7 @@ public final class Controller implements AutoCloseable {
    * @param fileName the file's name, for messages
    * @param text its contents
    * @param mode {@code LENIENT} keeps what is understood
-   * @return the result; a lenient load refuses only what is no KRL or too large
+   * @return the result; a lenient load refuses only a file that is not KRL or is too large
    */
   public LoadReport load(String fileName, String text, LoadingMode mode) {
     return loader.load(fileName, text, mode).report();
@@ -205,7 +205,7 @@ public final class Controller implements AutoCloseable {
    * Loads the data lists and programs of an archive, and starts its submit program {@code sps.sub}.
    * The data of the robot, and where it stands first, are those of its {@code $machine.dat} and
    * {@code $config.dat}, as with {@link #load(String, String)}. No file prevents others from being
-   * loaded, and nothing of a refused file counts.
+   * loaded, and nothing of a refused file is loaded.
    *
    * <p>Connect {@link Archive#tree} after it: its programs are then loaded already.
    *

@@ -156,7 +156,7 @@ final class ModuleLoader {
                 "a file of KRL has at most " + limit + " bytes, has " + bytes));
   }
 
-  /** Finds the data list of a source file; another case counts only if no other file matches. */
+  /** Finds the data list of a source file; another case is used only if no other file matches. */
   private static @Nullable Path dataListOf(Path file) throws IOException {
     String name = String.valueOf(file.getFileName());
     int dot = name.lastIndexOf('.');

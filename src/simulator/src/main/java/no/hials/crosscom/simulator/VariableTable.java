@@ -134,7 +134,8 @@ public final class VariableTable {
    *
    * @param file the file
    * @param mode {@code LENIENT} keeps what is understood
-   * @return the warnings, or why it was refused; a lenient load refuses only what is no data list
+   * @return the warnings, or why it was refused; a lenient load refuses only a file that is not a
+   *     data list
    * @throws IOException if it cannot be read
    */
   public LoadReport load(Path file, LoadingMode mode) throws IOException {
@@ -147,7 +148,8 @@ public final class VariableTable {
    * @param name the name in messages
    * @param text the text
    * @param mode {@code LENIENT} keeps what is understood
-   * @return the warnings, or why it was refused; a lenient load refuses only what is no data list
+   * @return the warnings, or why it was refused; a lenient load refuses only a file that is not a
+   *     data list
    */
   public LoadReport load(String name, String text, LoadingMode mode) {
     return load(name, KrlParser.parse(name, text), mode);

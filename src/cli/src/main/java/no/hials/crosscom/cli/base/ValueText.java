@@ -25,8 +25,8 @@ public final class ValueText {
    *
    * @param quote the quotation mark around the value, for an example; empty if it needs none
    * @throws IllegalArgumentException if the text is not a KRL value, has several values for a name
-   *     that is no array, or no field; with the message of the parser and a hint to the usual
-   *     mistakes
+   *     that is not an array, or not a field; with the message of the parser and a hint to the
+   *     usual mistakes
    */
   public static KrlValue parse(String name, String text, String quote) {
     try {

@@ -56,7 +56,7 @@ final class KrlCheck extends ConsoleCommand {
       names = "--strict",
       description =
           "Refuse a file with an error, as mock --strict does. Default: the rest of the file"
-              + " counts, and is checked.")
+              + " is loaded and checked.")
   private boolean strict;
 
   @Override

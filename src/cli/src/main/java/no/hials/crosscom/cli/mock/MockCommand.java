@@ -155,7 +155,7 @@ public final class MockCommand extends ConsoleCommand {
   @Option(
       names = "--strict",
       description =
-          "End with an error if a file has one. Default: the rest of the file counts, and a program"
+          "End with an error if a file has one. Default: the rest of the file is loaded, and a program"
               + " stops where it reaches what is not understood.")
   private boolean strict;
 

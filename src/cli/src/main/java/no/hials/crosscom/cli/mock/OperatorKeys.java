@@ -44,7 +44,7 @@ final class OperatorKeys {
         }
       }
     } catch (IOException e) {
-      line.setLength(0); // no keys without a terminal; the messages can be read all the same
+      line.setLength(0); // no keys without a terminal; the messages are printed anyway
     }
   }
 

@@ -18,7 +18,7 @@ import org.slf4j.LoggerFactory;
  * ms, a thread starts for each of them, but the number of threads at most doubles every 20 ms. A
  * thread ends after 1 s without tasks, or at once if a few others are idle.
  *
- * <p>The timer looks after the tasks that wait, since no further task may come.
+ * <p>The timer starts these threads, because the pool may not get another task.
  */
 public final class GrowingPool implements Executor {
   private static final Logger LOG = LoggerFactory.getLogger(GrowingPool.class);
@@ -105,7 +105,7 @@ public final class GrowingPool implements Executor {
     }
   }
 
-  /** Queues a task, which never runs in this thread. */
+  /** Queues a task. The calling thread never runs it. */
   @Override
   public void execute(Runnable task) {
     threads.execute(new Task(task, System.nanoTime()));

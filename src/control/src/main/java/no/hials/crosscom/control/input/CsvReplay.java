@@ -96,7 +96,7 @@ public final class CsvReplay implements InputDevice {
     return new CsvReplay(List.copyOf(rows), clock);
   }
 
-  /** Removes the apostrophe that programs write before a cell, so that it is no formula. */
+  /** Removes the apostrophe that programs write before a cell, so that it is not a formula. */
   private static String withoutGuard(String cell) {
     return cell.startsWith("'") ? cell.substring(1) : cell;
   }

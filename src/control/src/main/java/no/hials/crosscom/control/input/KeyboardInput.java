@@ -34,7 +34,7 @@ import org.jspecify.annotations.Nullable;
  * repeatedly while it is held; it never reports the release. So a key counts as held for {@link
  * #HOLD} after each report. As a consequence, the robot moves on for that time after the key is
  * released. It stops between the first and the second report, since keyboards wait 200 to 600 ms
- * before they repeat. Of several keys only the last counts, since only that key repeats. A repeat
+ * before they repeat. Of several keys only the last is used, since only that key repeats. A repeat
  * slower than {@code HOLD} causes a motion with stops.
  *
  * <p>Keys are read at once and are not echoed. Ctrl-Z and Ctrl-S do nothing, since a suspended

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The texts of docs/reference/krl-values.md, and what is no KRL value. */
+/** The texts of docs/reference/krl-values.md, and texts that are not KRL values. */
 final class KrlValueTest {
 
   private static KrlStruct struct(String type, KrlStruct.Field... fields) {

@@ -29,8 +29,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The motions of the robot's program: those planned and under way, those that interrupts have put
- * aside, and steps that wait until the robot stands.
+ * The motions of the robot's program: those planned and under way, those that interrupts have
+ * suspended, and steps that wait until the robot stands.
  */
 final class AdvanceRun {
   private static final Logger log = LoggerFactory.getLogger(AdvanceRun.class);
@@ -93,7 +93,7 @@ final class AdvanceRun {
     }
   }
 
-  /** A plan that an interrupt has put aside, and its statements. */
+  /** A plan that an interrupt has suspended, and its statements. */
   private record Aside(SuspendedPlan plan, Map<Long, MotionOrder> orders) {}
 
   /** The numbers of KSS. */
@@ -128,7 +128,7 @@ final class AdvanceRun {
   /** The motions that have not ended; also discarded ones, while the robot brakes. */
   private final Map<Long, Planned> plans = new HashMap<>();
 
-  /** The plans that interrupts have put aside, the latest first. */
+  /** The plans that interrupts have suspended, the latest first. */
   private final Deque<Aside> aside = new ArrayDeque<>();
 
   /** The motion that was added last, while the robot has not stopped for another reason. */
@@ -285,7 +285,7 @@ final class AdvanceRun {
     return waiting.isEmpty() && interpolator.finished();
   }
 
-  /** Returns whether all motions have ended and none is put aside. */
+  /** Returns whether all motions have ended and none is suspended. */
   boolean idle() {
     return finished() && aside.isEmpty();
   }
@@ -316,7 +316,7 @@ final class AdvanceRun {
         aside.poll();
       }
     }
-    // motions that an earlier interrupt is about to put aside stay, and the robot brakes anyway
+    // motions that an earlier interrupt is about to suspend stay, and the robot brakes anyway
     if (!waiting.contains(PUT_ASIDE)) {
       waiting.add(FORGET);
       orders.clear();
@@ -453,7 +453,7 @@ final class AdvanceRun {
 
   /**
    * Discards the motion. The motions after it are planned again when the program continues, and a
-   * plan that an interrupt has put aside stays.
+   * plan that an interrupt has suspended stays.
    */
   private void faulted(MotionCommand motion, MotionProblem problem) {
     MotionOrder order = orders.get(motion.id());

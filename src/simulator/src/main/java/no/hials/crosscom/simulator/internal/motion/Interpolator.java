@@ -438,7 +438,7 @@ public final class Interpolator {
    */
   public void resume(SuspendedPlan suspended, AxisRates rates) {
     if (!finished()) {
-      throw new IllegalStateException("a plan can be taken up when no other is under way");
+      throw new IllegalStateException("cannot resume a plan while another one runs");
     }
     planned.addAll(suspended.planned());
     plannedEnd = suspended.plannedEnd();

@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A plan that an interrupt has put aside.
+ * A plan that an interrupt has suspended.
  *
  * @param axes the position where the robot left its path ({@code $AXIS_RET})
  * @param before the plan to which the robot was returning when it was interrupted again

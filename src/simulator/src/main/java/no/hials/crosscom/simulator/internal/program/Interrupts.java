@@ -92,7 +92,7 @@ final class Interrupts {
     switch (command) {
       case ON -> {
         if (!interrupt.on) {
-          // assumed: a condition that is already true is no edge
+          // assumed: a condition that is already true is not an edge
           interrupt.last = isTrue(interrupt, machine);
           interrupt.on = true;
         }

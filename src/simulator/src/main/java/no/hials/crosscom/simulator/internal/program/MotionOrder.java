@@ -57,7 +57,7 @@ public record MotionOrder(
     THROUGH
   }
 
-  /** Creates the order of a motion that is no spline motion. */
+  /** Creates the order of a motion that is not a spline motion. */
   public MotionOrder(
       MotionKind kind,
       @Nullable KrlStruct auxiliary,

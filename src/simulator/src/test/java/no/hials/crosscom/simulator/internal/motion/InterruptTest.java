@@ -159,7 +159,7 @@ class InterruptTest {
 
     assertThatThrownBy(() -> ride.system.resume(suspended, BACK))
         .isInstanceOf(IllegalStateException.class)
-        .hasMessage("a plan can be taken up when no other is under way");
+        .hasMessage("cannot resume a plan while another one runs");
   }
 
   private static SuspendedPlan interruptAfter(int cycles, Ride ride) {

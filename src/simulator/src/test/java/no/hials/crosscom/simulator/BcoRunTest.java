@@ -270,6 +270,68 @@ class BcoRunTest {
   }
 
   @Test
+  void pstepStopsAfterEachLineButNotInRoutines() throws Exception {
+    controller.simulateBco(false);
+    cell.set("$PRO_MODE1", "#PSTEP");
+    cell.load(
+        """
+        DEF TEST()
+        MYINT=1
+        SUB()
+        PTP_REL {A1 5}
+        MYINT=3
+        END
+        DEF SUB()
+        PTP_REL {A1 5}
+        MYINT=2
+        PTP_REL {A1 5}
+        END
+        """);
+    controller.robot().select("TEST");
+
+    for (int line : new int[] {3, 4, 5, 6}) {
+      start();
+      untilStopped();
+      assertThat(controller.robot().line()).isEqualTo(line);
+      assertThat(cell.get("MYINT")).isEqualTo(line == 3 ? "1" : line == 6 ? "3" : "2");
+      assertThat(controller.axes().a1())
+          .isEqualTo(line == 3 ? 0 : line == 4 ? 10 : 15, within(1e-6));
+    }
+  }
+
+  @Test
+  void cstepStopsAfterMotionsThatAreNotApproximated() throws Exception {
+    controller.simulateBco(false);
+    cell.set("$PRO_MODE1", "#CSTEP");
+    cell.set("MYINT", "0");
+    cell.start(
+        "$ADVANCE=3\n$APO.CPTP=50\nPTP {A1 10} C_PTP\nMYINT=1\nPTP {A1 20}\nMYINT=2\n"
+            + "PTP {A1 30}\nMYINT=3");
+    cell.until(() -> controller.axes().a1() > 1);
+    cell.until(controller::standing);
+    assertThat(controller.axes().a1()).isEqualTo(20, within(1e-6));
+    untilStopped();
+    assertThat(cell.get("MYINT")).isEqualTo("1");
+
+    start();
+    untilStopped();
+    assertThat(controller.axes().a1()).isEqualTo(30, within(1e-6));
+    assertThat(cell.get("MYINT")).isEqualTo("2");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"$PRO_MODE1,#BSTEP", "$PRO_MODE0,#ISTEP"})
+  void otherModesAreAcceptedAndRunTheProgram(String variable, String mode) throws Exception {
+    controller.simulateBco(false);
+    cell.set(variable, mode);
+    cell.start("PTP {A1 10}\nPTP {A1 20}");
+    untilStopped();
+
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
+    assertThat(cell.get(variable)).isEqualTo(mode);
+  }
+
+  @Test
   void goRunsOn() throws Exception {
     controller.simulateBco(false);
     cell.set("$PRO_MODE1", "#MSTEP");

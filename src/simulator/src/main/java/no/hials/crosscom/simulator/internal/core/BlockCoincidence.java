@@ -6,6 +6,7 @@ import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.simulator.Message;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
+import no.hials.crosscom.simulator.internal.program.KrlInterpreter.LineStep;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
 
 /**
@@ -25,8 +26,14 @@ final class BlockCoincidence {
   /** The value of {@code $PRO_MODE1}; the others run as {@code #GO} does. */
   private enum StepMode {
     GO,
+    /** Stops after each motion. */
     MSTEP,
-    ISTEP
+    /** Stops after each line. */
+    ISTEP,
+    /** Stops after each line, but not in the routines that it calls (assumed). */
+    PSTEP,
+    /** Stops after each motion that is not approximated (assumed). */
+    CSTEP
   }
 
   private final KrlInterpreter robot;
@@ -46,6 +53,9 @@ final class BlockCoincidence {
 
   /** Whether a motion has been planned since Start. */
   private boolean moved;
+
+  /** Whether the motion that was planned last is not approximated. */
+  private boolean exact;
 
   BlockCoincidence(
       KrlInterpreter robot, AdvanceRun motions, OperatorPanel panel, StepModeVariable variable) {
@@ -87,6 +97,7 @@ final class BlockCoincidence {
   /** Returns the motion to plan: that of a BCO run ends exactly at its target. */
   MotionOrder planned(MotionOrder order) {
     moved = true;
+    exact = order.approximations().isEmpty();
     if (!due || panel.mode() == OperatingMode.EXT) {
       due = false;
       return order;
@@ -119,18 +130,29 @@ final class BlockCoincidence {
 
   /** Returns whether no motion is planned before the last one has ended. */
   boolean oneByOne() {
-    return running() || mode() != StepMode.GO;
+    return running()
+        || switch (mode()) {
+          case GO -> false;
+          case CSTEP -> exact;
+          case MSTEP, ISTEP, PSTEP -> true;
+        };
   }
 
-  /** Returns whether the program stops after each line. */
-  boolean lineByLine() {
-    return mode() == StepMode.ISTEP;
+  /** Returns at which lines the program stops. */
+  LineStep lineStep() {
+    return switch (mode()) {
+      case ISTEP -> LineStep.INTO;
+      case PSTEP -> LineStep.OVER;
+      case GO, MSTEP, CSTEP -> LineStep.NONE;
+    };
   }
 
   private StepMode mode() {
     return switch (variable.value()) {
       case "MSTEP" -> StepMode.MSTEP;
       case "ISTEP" -> StepMode.ISTEP;
+      case "PSTEP" -> StepMode.PSTEP;
+      case "CSTEP" -> StepMode.CSTEP;
       default -> StepMode.GO;
     };
   }
@@ -148,7 +170,7 @@ final class BlockCoincidence {
     if (robot.state() == ProgramState.ACTIVE && motions.idle()) {
       if (running) {
         reached();
-      } else if (moved && mode() == StepMode.MSTEP) {
+      } else if (moved && (mode() == StepMode.MSTEP || mode() == StepMode.CSTEP)) {
         boolean unused = robot.stop();
       }
     }

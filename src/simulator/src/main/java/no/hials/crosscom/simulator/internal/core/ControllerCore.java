@@ -460,7 +460,7 @@ public final class ControllerCore {
       submit.run(SUBMIT_INSTRUCTIONS);
       motions.settle(robot.state() == ProgramState.ACTIVE || manual.active());
       coincidence.prepare();
-      robot.run(ROBOT_INSTRUCTIONS, coincidence.lineByLine());
+      robot.run(ROBOT_INSTRUCTIONS, coincidence.lineStep());
       if (motions.cycle(time, speed.override(), released(), speed.limit())) {
         robot.runTriggers(ROBOT_INSTRUCTIONS);
       }

@@ -18,6 +18,16 @@ import org.jspecify.annotations.Nullable;
  */
 public final class KrlInterpreter {
 
+  /** Where a run of a program stops. */
+  public enum LineStep {
+    /** Nowhere. */
+    NONE,
+    /** At the next line, also of a routine that is called. */
+    INTO,
+    /** At the next line of the same routine, or of its caller. */
+    OVER
+  }
+
   /**
    * A routine that is being executed.
    *
@@ -127,16 +137,16 @@ public final class KrlInterpreter {
    * @return the number of executed instructions
    */
   public int run(int maxInstructions) {
-    return run(maxInstructions, false);
+    return run(maxInstructions, LineStep.NONE);
   }
 
   /**
    * Executes the program as {@link #run(int)} does, but stops it at its next line.
    *
-   * @param oneLine whether to stop there
+   * @param step where to stop
    */
-  public int run(int maxInstructions, boolean oneLine) {
-    return run(() -> machine.run(maxInstructions, oneLine));
+  public int run(int maxInstructions, LineStep step) {
+    return run(() -> machine.run(maxInstructions, step));
   }
 
   /**

@@ -13,6 +13,7 @@ import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Operators;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
+import no.hials.crosscom.simulator.internal.program.KrlInterpreter.LineStep;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -106,21 +107,21 @@ final class KrlVirtualMachine {
   /**
    * Executes instructions until one waits, the program halts or ends, or the limit is reached.
    *
-   * @param oneLine whether to halt at the next line after {@link #beginLine}
+   * @param step where to halt after {@link #beginLine}
    */
-  void run(int maxInstructions, boolean oneLine) throws KrlExecutionException {
+  void run(int maxInstructions, LineStep step) throws KrlExecutionException {
     beginCycle();
     cyclic.execute(this);
     interrupts.watch(this);
     interrupt();
-    execute(maxInstructions, false, oneLine);
+    execute(maxInstructions, false, step);
   }
 
   /** Executes the triggers that have fired, as far as they do not wait. */
   void runTriggers(int maxInstructions) throws KrlExecutionException {
     beginCycle();
     interrupt();
-    execute(maxInstructions, true, false);
+    execute(maxInstructions, true, LineStep.NONE);
   }
 
   private void beginCycle() {
@@ -130,7 +131,7 @@ final class KrlVirtualMachine {
     executed = 0;
   }
 
-  private void execute(int maxInstructions, boolean interruptions, boolean oneLine)
+  private void execute(int maxInstructions, boolean interruptions, LineStep step)
       throws KrlExecutionException {
     while (executed < maxInstructions && !waiting && !halted) {
       CallFrame frame = top;
@@ -147,7 +148,9 @@ final class KrlVirtualMachine {
           throw fault;
         }
       }
-      if (oneLine && isNextLine(frame, instruction)) {
+      if (step != LineStep.NONE
+          && isNextLine(frame, instruction)
+          && !(step == LineStep.OVER && isCalledInLine())) {
         halted = true;
       }
     }
@@ -198,6 +201,15 @@ final class KrlVirtualMachine {
         && (frame != lineFrame
             || frame.next() == lineInstruction
             || frame.position().line() != frame.position(lineInstruction).line());
+  }
+
+  /** Returns whether the line has called the present routine, directly or not. */
+  private boolean isCalledInLine() {
+    CallFrame frame = top == null ? null : top.caller();
+    while (frame != null && frame != lineFrame) {
+      frame = frame.caller();
+    }
+    return frame != null;
   }
 
   void selectLine(int line) {

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.CrossComTimeoutException;
 import no.hials.crosscom.Server;
 import no.hials.crosscom.c3.BridgeInfo;
 import no.hials.crosscom.cell.JsonLine;
@@ -48,7 +49,14 @@ public final class InfoCommand extends BridgeCommand {
   public ExitCode run() throws IOException {
     try (RobotConnection controller = open()) {
       CrossComClient client = controller.client();
-      Server server = client.getServer();
+      Server server;
+      try {
+        server = client.getServer();
+      } catch (CrossComTimeoutException e) {
+        console().failure(e, isVerbose());
+        console().hint("check that KUKAVARPROXY or C3 Bridge listens on this port");
+        return ExitCode.of(e);
+      }
       List<Item> items = new ArrayList<>();
       addServer(items, client, server);
       items.add(new Item("model", variable(client, "$MODEL_NAME[]")));

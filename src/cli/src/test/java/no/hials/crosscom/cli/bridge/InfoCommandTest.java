@@ -3,7 +3,9 @@ package no.hials.crosscom.cli.bridge;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.util.Optional;
 import no.hials.crosscom.cli.base.Cli;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.FaultRule;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
@@ -66,6 +68,17 @@ class InfoCommandTest {
               "{\"server\":\"KUKAVARPROXY\",\"version\":null,\"build\":null,\"host\":null,"
                   + "\"clock\":null,\"model\":\"#KR6R900 C4SR FLR 230\",\"serial\":\"736512\","
                   + "\"mode\":\"#T1\",\"features\":[0,1,2,3]}");
+    }
+  }
+
+  @Test
+  void saysWhatToCheckIfNothingAnswers() throws IOException {
+    try (MockServer server = MockServer.start()) {
+      server.faults(request -> Optional.of(Fault.drop()));
+      Cli.runOn(server, "info", "--timeout", "100ms")
+          .failsInLines(4)
+          .last()
+          .isEqualTo("check that KUKAVARPROXY or C3 Bridge listens on this port");
     }
   }
 

@@ -41,7 +41,7 @@ import org.jspecify.annotations.Nullable;
  * each motion, {@code #ISTEP} after each line.
  *
  * <p>An error that stops a program is a {@link Message}, which has to be confirmed before the next
- * start; {@code $STOPMESS} is TRUE until then. Numbers below 9001 are KSS's own. A target out of
+ * start; {@code $STOPMESS} is TRUE until then. Numbers below 9000 are KSS's own. A target out of
  * reach stops the program at its motion statement; a path that cannot be followed to its end, after
  * it. Programs show messages of their own, and dialogues for {@link #answer}.
  *

@@ -5,10 +5,10 @@ public final class KrlExecutionException extends Exception {
   private static final long serialVersionUID = 1L;
 
   // KSS's own numbers where they are known (docs/reference/simulated-controller.md#messages);
-  // those from 9001 are this simulation's own
+  // those from 9005 are this simulation's own
 
   /** A variable, or a part of it, was read before it had a value. */
-  public static final int NOT_INITIALISED = 9001;
+  public static final int NOT_INITIALISED = 1422;
 
   /** An index is outside the range of its array. */
   public static final int BAD_INDEX = 1444;
@@ -36,6 +36,11 @@ public final class KrlExecutionException extends Exception {
 
   /** A statement is not allowed in this place or at this time. */
   public static final int NOT_ALLOWED = 9010;
+
+  /**
+   * An interrupt is not declared; assumed from programs that compare {@code $ERR.NUMBER} with it.
+   */
+  public static final int NO_INTERRUPT = 1430;
 
   /** A channel cannot be opened or used. */
   public static final int CHANNEL = 1007;

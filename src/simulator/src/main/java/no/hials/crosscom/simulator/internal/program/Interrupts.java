@@ -73,7 +73,7 @@ final class Interrupts {
     Interrupt interrupt = declared.get(priority);
     if (interrupt == null) {
       throw new KrlExecutionException(
-          KrlExecutionException.NOT_ALLOWED,
+          KrlExecutionException.NO_INTERRUPT,
           "no interrupt with priority " + priority + " is declared here");
     }
     command(command, interrupt, machine);

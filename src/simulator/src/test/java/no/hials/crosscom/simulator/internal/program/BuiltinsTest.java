@@ -39,7 +39,7 @@ class BuiltinsTest {
         "R = SIN(TRUE) | 1446 line 2: needs a number, was given TRUE",
         "F = INV_POS(XHOME) | 1446 line 2: needs FRAME, POS or E6POS, was given {E6AXIS:",
         "EP = FORWARD(1,I) | 1446 line 2: needs a position, was given 1",
-        "B = STRCOMP(TEXT[],OTHER[]) | 9001 line 2: TEXT[]: needs a CHAR array with a value",
+        "B = STRCOMP(TEXT[],OTHER[]) | 1422 line 2: TEXT[]: needs a CHAR array with a value",
         "I = STRLEN(ROWS[3,]) | 1444 line 2: ROWS[3,]: an index is 1 to 2, was given [3,]",
         "B = STRCLEAR(I) | 1446 line 2: I: needs a CHAR array",
         "I = STRFIND(TRUE,TEXT[],TEXT[]) | 1446 line 2: needs INT, was given TRUE",

@@ -136,9 +136,9 @@ class ExpressionTest {
         "I = 65536*65536 | 9006 line 2: an INT has 32 bits, the result would be 4294967296",
         "R = 1.0E30*1.0E30 | 9006 line 2: a REAL is at most 3.4E+38, the result would be",
         "I = 3.0E9 | 1422 line 2: I: an INT has 32 bits, was given 3.00000E+09",
-        "I = EMPTY | 9001 line 2: EMPTY: has no value yet",
-        "F = NOWHERE | 9001 line 2: NOWHERE: has no value yet",
-        "R = NOWHERE.X | 9001 line 2: NOWHERE.X: has no value yet",
+        "I = EMPTY | 1422 line 2: EMPTY: has no value yet",
+        "F = NOWHERE | 1422 line 2: NOWHERE: has no value yet",
+        "R = NOWHERE.X | 1422 line 2: NOWHERE.X: has no value yet",
         "I = ARR[6] | 1444 line 2: ARR[6]: an index is 1 to 5, was given [6]",
         "ARR[0] = 1 | 1444 line 2: ARR[0]: an index is 1 to 5, was given [0]",
         "ARR[TRUE] = 1 | 1446 line 2: needs INT, was given TRUE",
@@ -164,7 +164,7 @@ class ExpressionTest {
         "F = {X 1,X 2} | 1446 line 2: field X is there twice",
         "F = F : 1 | 1446 line 2: needs FRAME, POS or E6POS, was given 1",
         "F = XHOME : F | 1446 line 2: needs FRAME, POS or E6POS, was given {E6AXIS:",
-        "F = F : {X 1} | 9001 line 2: component Y of {X 1} has no value yet",
+        "F = F : {X 1} | 1422 line 2: component Y of {X 1} has no value yet",
       })
   void stopsWithAMessageWhereAValueIsNotPossible(String statement, String message) {
     assertThat(new Rig().faultIn(statement)).startsWith(message);

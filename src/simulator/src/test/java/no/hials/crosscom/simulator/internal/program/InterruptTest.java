@@ -342,7 +342,7 @@ class InterruptTest {
       value = {
         "RESUME | 9010 line 2: RESUME is allowed in the routine of an interrupt only",
         "BRAKE | 9010 line 2: BRAKE is allowed in the routine of an interrupt only",
-        "INTERRUPT ON 7 | 9010 line 2: no interrupt with priority 7 is declared here",
+        "INTERRUPT ON 7 | 1430 line 2: no interrupt with priority 7 is declared here",
         "INTERRUPT DECL 0 WHEN $IN[1] DO I=1 | 1422 line 2: the priority of an interrupt is 1 to"
             + " 39",
         "INTERRUPT DECL 40 WHEN $IN[1] DO I=1 | 1422 line 2: the priority of an interrupt is 1 to",
@@ -402,7 +402,7 @@ class InterruptTest {
   @Test
   void stopsWithThePlaceOfAConditionThatIsTurnedOn() {
     assertThat(new Rig().faultIn("INTERRUPT DECL 9 WHEN EMPTY==1 DO I=1\nI=1\nINTERRUPT ON 9"))
-        .isEqualTo("9001 line 2: EMPTY: has no value yet");
+        .isEqualTo("1422 line 2: EMPTY: has no value yet");
   }
 
   @Test

@@ -72,7 +72,7 @@ class MotionTest {
       delimiter = '|',
       value = {
         "PTP 5 | 1446 line 2: needs a position, was given 5",
-        "PTP NOWHERE | 9001 line 2: NOWHERE: has no value yet",
+        "PTP NOWHERE | 1422 line 2: NOWHERE: has no value yet",
         "CIRC TRUE,F | 1446 line 2: needs a position, was given TRUE",
       })
   void refusesATargetThatIsNone(String statement, String message) {

@@ -151,7 +151,7 @@ class RoutineTest {
   void namesTheVariableOfTheCallerWhenAReferenceFails() {
     assertThat(
             new Rig().faultOf("DEF TEST()\nSUB(EMPTY)\nEND\nDEF SUB(A:OUT)\nINT A\nI = A\nEND\n"))
-        .isEqualTo("9001 line 6: A (EMPTY): has no value yet");
+        .isEqualTo("1422 line 6: A (EMPTY): has no value yet");
   }
 
   @Test
@@ -278,7 +278,7 @@ class RoutineTest {
                     I = 1
                     END
                     """))
-        .isEqualTo("9001 line 8: N: has no value yet");
+        .isEqualTo("1422 line 8: N: has no value yet");
   }
 
   @Test

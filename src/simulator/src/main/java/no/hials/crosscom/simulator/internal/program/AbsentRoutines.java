@@ -28,6 +28,30 @@ final class AbsentRoutines {
     PACKAGES.put("EKI_", "EKI");
   }
 
+  /** Others, of which only the names are known. */
+  private static final Set<String> OTHERS =
+      Set.of(
+          "EK",
+          "LK",
+          "EB",
+          "SYNC",
+          "GETSYSSTATE",
+          "ISMESSAGESET",
+          "MBX_REC",
+          "TEST_BRAKE",
+          "CAST_TO",
+          "CAST_FROM",
+          "MD_CMD",
+          "STRTOINT",
+          "STRTOREAL",
+          "FRAND",
+          "VARTYPE",
+          "TIMER_LIMIT",
+          "ROB_STOP",
+          "WSPACEGIVE",
+          "TOOL_ADJ",
+          "DELETE_BACKWARD_BUFFER");
+
   private AbsentRoutines() {}
 
   /** Returns whether a call does nothing; the name is in upper case. */
@@ -47,6 +71,9 @@ final class AbsentRoutines {
             KrlExecutionException.NOT_ALLOWED, key + ": " + entry.getValue() + " is not simulated");
       }
     }
-    return null;
+    return OTHERS.contains(key)
+        ? new KrlExecutionException(
+            KrlExecutionException.NOT_ALLOWED, key + ": this routine of KSS is not simulated")
+        : null;
   }
 }

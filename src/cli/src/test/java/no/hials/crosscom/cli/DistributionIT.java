@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardWatchEventKinds;
 import java.nio.file.WatchKey;
 import java.nio.file.WatchService;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -139,6 +140,20 @@ class DistributionIT {
 
     assertThat(result.code()).as(result.err()).isZero();
     assertThat(result.out()).isNotBlank();
+  }
+
+  @Test
+  void simulatesWithTheFirstCompilerUnlessAtAnotherSpeed() throws Exception {
+    Path java = Files.createDirectories(dir.resolve("java/bin")).resolve("java");
+    Files.writeString(java, "#!/bin/sh\necho \"$@\"\n");
+    Files.setPosixFilePermissions(java, PosixFilePermissions.fromString("rwx------"));
+    Files.writeString(dir.resolve("java/release"), "JAVA_VERSION=\"17.0.1\"\n");
+    ProcessBuilder builder = command(program, "mock", "--port", "0");
+    builder.environment().put("JAVA_HOME", dir.resolve("java").toString());
+
+    assertThat(run(builder).out()).startsWith("-XX:TieredStopAtLevel=1 -jar");
+    builder.command().addAll(List.of("--speed", "max"));
+    assertThat(run(builder).out()).startsWith("-jar");
   }
 
   @Test

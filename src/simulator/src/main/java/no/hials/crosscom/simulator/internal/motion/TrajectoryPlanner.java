@@ -5,6 +5,7 @@ import static no.hials.crosscom.kinematics.Frames.inverse;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Circular;
@@ -29,6 +30,28 @@ final class TrajectoryPlanner {
   /** A motion that is no longer than this, mm or degrees, has no distance. */
   private static final double NOWHERE = 1e-9;
 
+  private static final TypeSwitch<Planning, MotionCommand, PathSegment, MotionRefusedException>
+      MOTIONS =
+          TypeSwitch.create(
+              MotionCommand.class,
+              cases ->
+                  cases
+                      .on(
+                          MotionCommand.Spline.class,
+                          (it, motion) -> it.planner.splines.plan(motion, it.start))
+                      .on(
+                          MotionCommand.AxisSpline.class,
+                          (it, motion) -> it.planner.splines.plan(motion, it.start))
+                      .on(
+                          PointToPoint.class,
+                          (it, motion) -> it.planner.pointToPoint(motion, it.robot(), it.travel()))
+                      .on(
+                          Linear.class,
+                          (it, motion) -> it.planner.linear(motion, it.robot(), it.travel()))
+                      .on(
+                          Circular.class,
+                          (it, motion) -> it.planner.circular(motion, it.robot(), it.travel())));
+
   private final Arm arm;
   private final Axis accelerations;
   private final SplinePlanner splines;
@@ -49,23 +72,22 @@ final class TrajectoryPlanner {
   /** Plans a motion that starts at the end of the one before. */
   PathSegment plan(MotionCommand motion, Joints start, ExternalTarget external)
       throws MotionRefusedException {
-    if (motion instanceof MotionCommand.Spline spline) {
-      return splines.plan(spline, start);
+    return MOTIONS.apply(new Planning(this, start, external), motion);
+  }
+
+  /** The start of a motion that is planned, and the end of its external axes. */
+  private record Planning(TrajectoryPlanner planner, Joints start, ExternalTarget external) {
+    Axis robot() {
+      return start.robot();
     }
-    if (motion instanceof MotionCommand.AxisSpline spline) {
-      return splines.plan(spline, start);
+
+    Travel travel() throws MotionRefusedException {
+      Optional<AxisLimit> beyond = planner.arm.external().beyondLimit(external.axes());
+      if (beyond.isPresent()) {
+        throw new MotionRefusedException(beyond.get());
+      }
+      return Travel.of(planner.arm.external(), start.external(), external);
     }
-    Optional<AxisLimit> beyond = arm.external().beyondLimit(external.axes());
-    if (beyond.isPresent()) {
-      throw new MotionRefusedException(beyond.get());
-    }
-    Travel travel = Travel.of(arm.external(), start.external(), external);
-    if (motion instanceof PointToPoint ptp) {
-      return pointToPoint(ptp, start.robot(), travel);
-    }
-    return motion instanceof Linear linear
-        ? linear(linear, start.robot(), travel)
-        : circular((Circular) motion, start.robot(), travel);
   }
 
   /** Plans the return to where the robot left a path. */

@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
  * @param position the position of the statement
  * @param triggers the triggers of this motion
  * @param stops where it stops under a condition
- * @param form whether it is a spline motion
+ * @param form whether it is a plain or a spline motion, or an SPL segment
  * @param settings the values of system variables that hold for this motion only; empty for the
  *     present ones
  * @param block the segments if it is a spline block, else null

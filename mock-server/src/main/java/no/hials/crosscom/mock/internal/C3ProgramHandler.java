@@ -46,7 +46,7 @@ import org.slf4j.LoggerFactory;
 public final class C3ProgramHandler {
   private static final Logger log = LoggerFactory.getLogger(C3ProgramHandler.class);
 
-  private static final int ROBOT_AXES = 6;
+  private static final int AXES = 12;
   private static final TypeSwitch<C3ProgramHandler, ProgramRequest, Response, RuntimeException>
       REQUESTS =
           TypeSwitch.create(
@@ -247,8 +247,8 @@ public final class C3ProgramHandler {
    * Assumed: as on the pendant, the start key must be held in T1 and T2, and the robot can be
    * jogged only in these, with {@code $OV_JOG}. The numbers 1 to 6 stand for A1 to A6, or for X, Y,
    * Z, A, B and C in the coordinates selected on the pendant; those of the 6D mouse never for axes,
-   * but for {@code $BASE} instead. If the connection ends, a jog key stays pressed until any client
-   * releases it.
+   * but for {@code $BASE} instead. The numbers from 7 on stand for E1 and the following. If the
+   * connection ends, a jog key stays pressed until any client releases it.
    */
   private ErrorCode press(PendantKeyRequest request) throws KrlExecutionException {
     PendantKey key = request.key().known().orElse(null);
@@ -309,9 +309,9 @@ public final class C3ProgramHandler {
   }
 
   private static void requireAxis(PendantKeyRequest request) {
-    if (request.number() < 1 || request.number() > ROBOT_AXES) {
+    if (request.number() < 1 || request.number() > AXES) {
       throw new IllegalArgumentException(
-          "the axis must be 1 to " + ROBOT_AXES + ", is " + request.number());
+          "the axis must be 1 to " + AXES + ", is " + request.number());
     }
   }
 }

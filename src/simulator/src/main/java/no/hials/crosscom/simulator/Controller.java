@@ -402,7 +402,8 @@ public final class Controller implements AutoCloseable {
    * at most to the end of its reach.
    *
    * @param coordinates the direction of the keys
-   * @param number 1 to 6: A1 to A6, or X, Y, Z, A, B and C
+   * @param number 1 to 6: A1 to A6, or X, Y, Z, A, B and C; from 7 on E1 and the following, if the
+   *     directions are those of the axes
    * @param positive the direction
    * @throws KrlExecutionException if the robot cannot start to move there
    * @throws IllegalArgumentException if there is no such key

@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -91,6 +92,29 @@ final class ExternalAxesTest {
       assertThat(Math.abs(speed - before) / CYCLE).isLessThan(ACCELERATION * 1.03);
       before = speed;
     }
+  }
+
+  @Test
+  void jogsItsAxesByTheNumbersAfterA6() throws Exception {
+    cell.controller.setMode(OperatingMode.T1);
+    cell.set("$OV_JOG", "100");
+    cell.controller.jog(JogCoordinates.AXIS, 7, true);
+    cell.cycles(100);
+    double before = now().e1();
+    cell.cycles(100);
+    assertThat(now().e1() - before).isEqualTo(84, within(0.1)); // 7 % of 1000 mm/s for 1.2 s
+
+    cell.controller.releaseJog();
+    cell.untilStanding();
+    cell.controller.jog(JogCoordinates.AXIS, 8, false);
+    cell.cycles(1);
+    cell.untilStanding();
+    assertThat(now().e2()).isEqualTo(-90, within(1e-6));
+    assertThatThrownBy(() -> cell.controller.jog(JogCoordinates.AXIS, 9, true))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("jog: the number of the axis must be 1 to 8, is 9");
+    assertThatThrownBy(() -> cell.controller.jog(JogCoordinates.BASE, 7, true))
+        .hasMessage("jog: the number of the axis must be 1 to 6, is 7");
   }
 
   @Test

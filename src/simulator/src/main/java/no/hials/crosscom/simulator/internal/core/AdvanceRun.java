@@ -111,7 +111,7 @@ final class AdvanceRun {
   private final Triggers triggers;
   private final PathStops stops;
   private final Listener listener;
-  private final ExternalAxesData externalAxes;
+  private final ExternalAxesData externalData;
 
   /** The robot with the controller's software limits. */
   private RobotModel limited;
@@ -154,7 +154,7 @@ final class AdvanceRun {
     this.listener = listener;
     limited = robot;
     Joints start = access.joints("$AXIS_ACT", robot.home());
-    externalAxes = new ExternalAxesData(access);
+    externalData = new ExternalAxesData(access);
     resolver = new MotionResolver(access, robot, start);
     interpolator = new Interpolator(robot, ExternalAxes.NONE, start);
     readLimits();
@@ -177,6 +177,10 @@ final class AdvanceRun {
     return plans.size();
   }
 
+  ExternalAxes externalAxes() {
+    return external;
+  }
+
   /** Reads the software limits, which clients and data lists can change. */
   void readLimits() {
     Axis low = unlimited.home();
@@ -185,7 +189,7 @@ final class AdvanceRun {
       low = low.with(i, access.number("$SOFTN_END[" + (i + 1) + "]", unlimited.minimum(i)));
       high = high.with(i, access.number("$SOFTP_END[" + (i + 1) + "]", unlimited.maximum(i)));
     }
-    ExternalAxes axes = externalAxes.read();
+    ExternalAxes axes = externalData.read();
     if (isOf(limited, low, high) && axes.equals(external)) {
       return;
     }

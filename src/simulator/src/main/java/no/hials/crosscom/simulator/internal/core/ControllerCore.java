@@ -432,7 +432,7 @@ public final class ControllerCore {
     change(() -> manual.jog(kind, target));
   }
 
-  /** Jogs in a direction: 1 to 6 for A1 to A6, or X, Y, Z, A, B and C. */
+  /** Jogs in a direction: 1 to 6 for A1 to A6 or X, Y, Z, A, B and C, 7 to 12 for E1 to E6. */
   public void jog(JogCoordinates coordinates, int number, boolean positive)
       throws KrlExecutionException {
     change(() -> manual.jog(coordinates, number, positive));

@@ -13,6 +13,7 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.JogCoordinates;
 import no.hials.crosscom.simulator.KrlExecutionException;
+import no.hials.crosscom.simulator.internal.motion.ExternalAxes;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
 import no.hials.crosscom.simulator.internal.program.MotionOrder;
 import org.jspecify.annotations.Nullable;
@@ -87,21 +88,11 @@ final class ManualMotion {
   }
 
   void jog(JogCoordinates coordinates, int number, boolean positive) throws KrlExecutionException {
-    if (number < 1 || number > PositionValues.ROBOT_AXES) {
-      throw new IllegalArgumentException(
-          "jog: the number of the axis must be 1 to "
-              + PositionValues.ROBOT_AXES
-              + ", is "
-              + number);
-    }
     if (coordinates == JogCoordinates.AXIS) {
-      motions.readLimits();
-      RobotModel robot = motions.model();
-      double end = positive ? robot.maximum(number - 1) : robot.minimum(number - 1);
-      KrlStruct.Field angle = new KrlStruct.Field("A" + number, KrlReal.of(end));
-      jog(MotionKind.PTP, new KrlStruct("E6AXIS", List.of(angle)));
+      jogAxis(number, positive);
       return;
     }
+    requireNumber(number, PositionValues.ROBOT_AXES);
     double far = (number <= LENGTHS ? FAR : FAR_TURN) * (positive ? 1 : -1);
     Frame increment = increment(number, far);
     if (coordinates == JogCoordinates.WORLD) {
@@ -113,6 +104,33 @@ final class ManualMotion {
         MotionKind.LIN_REL,
         PositionValues.frame(increment),
         coordinates == JogCoordinates.TOOL ? "TOOL" : null);
+  }
+
+  private void jogAxis(int number, boolean positive) throws KrlExecutionException {
+    motions.readLimits();
+    List<ExternalAxes.Limits> external = motions.externalAxes().limits();
+    requireNumber(number, PositionValues.ROBOT_AXES + external.size());
+    String name;
+    double end;
+    if (number <= PositionValues.ROBOT_AXES) {
+      RobotModel model = motions.model();
+      name = "A" + number;
+      end = positive ? model.maximum(number - 1) : model.minimum(number - 1);
+    } else {
+      int index = number - PositionValues.ROBOT_AXES;
+      ExternalAxes.Limits limits = external.get(index - 1);
+      name = "E" + index;
+      end = positive ? limits.maximum() : limits.minimum();
+    }
+    KrlStruct.Field field = new KrlStruct.Field(name, KrlReal.of(end));
+    jog(MotionKind.PTP, new KrlStruct("E6AXIS", List.of(field)));
+  }
+
+  private static void requireNumber(int number, int most) {
+    if (number < 1 || number > most) {
+      throw new IllegalArgumentException(
+          "jog: the number of the axis must be 1 to " + most + ", is " + number);
+    }
   }
 
   private static Frame increment(int number, double value) {

@@ -313,6 +313,48 @@ class KssRoutinesTest {
         LoadingMode.LENIENT);
   }
 
+  @Test
+  void knowsTheOptionsOfKrc2AndTheResultsOfRsi() {
+    load(
+        """
+        DECL RSIERR ERR
+        IF ARC20==TRUE THEN
+          A20(ARC_INI)
+        ENDIF
+        IF (A10_OPTION==#ACTIVE) OR H70_OPTION THEN
+          HALT
+        ENDIF
+        ERR=ST_ON()
+        IF (I1<>RSIOK) OR (ERR<>#RSIOK) THEN
+          HALT
+        ENDIF
+        """);
+    assertThat(controller.check("TEST")).isEmpty();
+    start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(controller.messages())
+        .extracting(Message::text)
+        .containsExactly("TEST.SRC:9:5: ST_ON: RSI is not simulated");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "BOOL ARC20=TRUE | ARC20 | TRUE",
+        "INT RSIOK=7 | RSIOK | 7",
+        "DECL A_BOOL_T A10_OPTION=#ACTIVE | A10_OPTION | #ACTIVE"
+      })
+  void takesTheOptionsOfTheArchive(String line, String variable, String value) {
+    LoadReport report =
+        controller.load(
+            "$CONFIG.DAT", "DEFDAT $CONFIG\n" + line + "\nENDDAT\n", LoadingMode.LENIENT);
+
+    assertThat(report.problems()).isEmpty();
+    assertThat(get(variable)).isEqualTo(value);
+  }
+
   // messages
 
   @Test

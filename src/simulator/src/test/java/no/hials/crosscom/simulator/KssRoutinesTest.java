@@ -338,6 +338,48 @@ class KssRoutinesTest {
         .containsExactly("TEST.SRC:9:5: ST_ON: RSI is not simulated");
   }
 
+  @Test
+  void knowsTheMessageOfKrc2() {
+    assertThat(
+            controller
+                .load(
+                    "M.DAT",
+                    "DEFDAT M PUBLIC\nDECL GLOBAL MSG_T EMPTY_MSG={VALID FALSE,RELEASE FALSE,TYP"
+                        + " #NOTIFY,MODUL[] \"A\",KEY[] \"B\",PARAM_TYP #VALUE,PARAM[] \"C\""
+                        + ",DLG_FORMAT[] \"D\",ANSWER 0}\nENDDAT\n",
+                    LoadingMode.STRICT)
+                .problems())
+        .isEmpty();
+
+    run("$MSG_T=EMPTY_MSG\n$MSG_T.TYP=#QUIT\n$MSG_T.VALID=TRUE\nB1=$MSG_T.VALID");
+
+    assertThat(get("B1")).isEqualTo("TRUE");
+    assertThat(controller.check("TEST")).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "B1=$MASTERINGTEST_REQ_INT, B1, FALSE",
+    "B1=$MASTERINGTEST_ACTIVE, B1, FALSE",
+    "I1=$MASTERINGTEST_GROUP, I1, 0",
+    "B1=$MASTERINGTEST_SWITCH_OK, B1, FALSE",
+    "B1=$VW_PSPS_STOP, B1, FALSE",
+    "B1=$IMPROVED_COLLMON, B1, FALSE",
+    "I1=$TORQ_DIFF[12], I1, 0",
+    "I1=$TORQ_DIFF2[1], I1, 0",
+    "I1=$TORQMON[1], I1, 0",
+    "I1=$COLLMON_IDX, I1, 0",
+    "I1=$NUM_OUT, I1, 4096",
+    "F1=$NULLPOS, F1.X, 0.0",
+    "I1=$RAT_MOT_AX[7].N, I1, 0"
+  })
+  void readsSystemVariablesThatProgramsOfUsersRead(String line, String variable, String value) {
+    run(line);
+
+    assertThat(get(variable)).isEqualTo(value);
+    assertThat(controller.check("TEST")).isEmpty();
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

@@ -355,6 +355,29 @@ final class C3ControlTest {
     }
 
     @Test
+    void releasesAJogKeyWhenItsConnectionEnds() throws IOException {
+      assertThat(press(PendantKey.JOG, 1, true)).isEqualTo(ErrorCode.SUCCESS);
+      try (RawClient other = new RawClient(server)) {
+        other.exchange(
+            new PendantKeyRequest(1, Code.of(PendantKey.JOG), 99, 0, true, false)); // is refused
+      }
+      untilConnected(1);
+      controller.step(SHORT);
+      assertThat(controller.standing()).isFalse();
+
+      client.close();
+      untilConnected(0);
+      untilStanding();
+      assertThat(controller.axes().a1()).isStrictlyBetween(0.1, 30.0);
+    }
+
+    private void untilConnected(int count) {
+      while (server.clientCount() != count) {
+        Thread.onSpinWait();
+      }
+    }
+
+    @Test
     void movesAnAxisToItsLimitAtMost() throws IOException {
       assertThat(press(PendantKey.JOG, 3, false)).isEqualTo(ErrorCode.SUCCESS);
       untilStanding();

@@ -25,7 +25,7 @@ public final class C3Handler implements RequestHandler {
                   .on(VariableRequest.class, (it, request) -> it.variables.handle(request))
                   .on(
                       ProgramRequest.class,
-                      (it, request) -> new Handled(it.control.handle(request), null))
+                      (it, request) -> new Handled(it.control.handle(request, it), null))
                   .on(FileRequest.class, C3Handler::answer)
                   .on(ServerRequest.class, C3Handler::answer));
 
@@ -102,6 +102,7 @@ public final class C3Handler implements RequestHandler {
 
   @Override
   public void close() {
+    control.ended(this);
     files.close();
   }
 }

@@ -2,6 +2,7 @@ package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Statement.MotionKind;
@@ -10,6 +11,7 @@ import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.PlainResponse;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.TypedResponse;
 import no.hials.crosscom.protocol.Version;
 import no.hials.crosscom.protocol.code.Code;
 import no.hials.crosscom.protocol.code.Interpreter;
@@ -32,6 +34,7 @@ import no.hials.crosscom.simulator.JogCoordinates;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.ProgramControl;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -64,6 +67,9 @@ public final class C3ProgramHandler {
   private final Supplier<Controller> controller;
   private final Version version;
 
+  /** The connection whose jog key is pressed. */
+  private final AtomicReference<@Nullable Object> jogging = new AtomicReference<>();
+
   /** Creates the handler for all connections. */
   public C3ProgramHandler(Supplier<Controller> controller, Version version) {
     this.controller = controller;
@@ -94,8 +100,35 @@ public final class C3ProgramHandler {
     ErrorCode run() throws KrlFileException, KrlExecutionException;
   }
 
-  Response handle(ProgramRequest request) {
-    return REQUESTS.apply(this, request);
+  /**
+   * Executes a request.
+   *
+   * @param connection the connection that it came on
+   */
+  Response handle(ProgramRequest request, Object connection) {
+    Response response = REQUESTS.apply(this, request);
+    if (request instanceof PendantKeyRequest key
+        && isJog(key)
+        && response instanceof TypedResponse answer
+        && answer.tail().success()) {
+      jogging.set(key.released() ? null : connection);
+    }
+    return response;
+  }
+
+  private static boolean isJog(PendantKeyRequest request) {
+    return request.key().is(PendantKey.JOG) || request.key().is(PendantKey.MOUSE);
+  }
+
+  /** Releases the jog key if a connection that ends has pressed it. */
+  void ended(Object connection) {
+    if (jogging.compareAndSet(connection, null)) {
+      try {
+        controller.get().releaseJog();
+      } catch (IllegalStateException e) {
+        log.debug("the server was closed while a jog key was pressed");
+      }
+    }
   }
 
   private Response answer(ProgramControlRequest request) {

@@ -23,6 +23,8 @@ import no.hials.crosscom.simulator.internal.files.ArchivedFile;
  * Loads the programs and data lists of an archive in this order
  * (docs/reference/simulated-controller.md#archives): the lists of the controller, those of STEU
  * first, so that those of R1 take effect; the lists of modules; the programs.
+ *
+ * <p>A daemon thread parses files while others are loaded, and ends when all are parsed.
  */
 final class ArchiveLoader {
   /** The largest file that is parsed before it is needed. */

@@ -37,9 +37,10 @@ public record DeadBand(double width, boolean isReal) {
       if (before instanceof KrlReal old) {
         return isBeyond(old.value(), number.value());
       }
-      return isReal && before instanceof KrlInt old
-          ? isBeyond(old.value(), number.value())
-          : !number.equals(before);
+      if (isReal && before instanceof KrlInt old) {
+        return isBeyond(old.value(), number.value());
+      }
+      return !number.equals(before);
     }
 
     @Override

@@ -151,10 +151,11 @@ final class MessageBuiltins {
 
   /** Returns a component of a KRLMSGOPT_T; the values of omitted ones are assumed. */
   private static boolean option(@Nullable Object options, String name, boolean omitted) {
-    return options instanceof KrlStruct struct
-            && struct.get(name).orElse(null) instanceof KrlBool given
-        ? given.value()
-        : omitted;
+    if (options instanceof KrlStruct struct
+        && struct.get(name).orElse(null) instanceof KrlBool given) {
+      return given.value();
+    }
+    return omitted;
   }
 
   /** Returns an element of an array argument; null if it is omitted or has no value. */

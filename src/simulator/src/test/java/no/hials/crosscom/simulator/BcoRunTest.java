@@ -366,6 +366,19 @@ class BcoRunTest {
     assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
   }
 
+  @ParameterizedTest
+  @CsvSource({"3, 3", "4, 3", "5, 3", "6, 7", "7, 7"})
+  void aLineOfASplineBlockSelectsTheBlock(int line, int selected) throws Exception {
+    cell.load(
+        Cell.module(
+            "TEST",
+            "MYINT=1\nPTP_SPLINE\nSPTP {A1 10}\nSPTP {A1 20}\nENDSPLINE\nMYINT=2\nPTP {A1 0}"));
+    controller.robot().select("TEST");
+    controller.robot().selectLine(line);
+
+    assertThat(controller.robot().line()).isEqualTo(selected);
+  }
+
   @Test
   void theSelectionOfALineOfACallerLeavesTheRoutine() throws Exception {
     cell.load("DEF TEST()\nSUB()\nMYINT=3\nEND\nDEF SUB()\nHALT\nMYINT=2\nEND\n");

@@ -79,10 +79,14 @@ final class CompiledCode {
     return slots.get(slot) instanceof Step step ? step.statement() : slot;
   }
 
-  /** Returns the slot of the first statement in or after a line; negative without one. */
+  /**
+   * Returns the slot of the first statement in or after a line, or of the block that the line is
+   * in; negative without one.
+   */
   int statementAt(int line) {
     for (int slot = 0; slot < slots.size(); slot++) {
       // the lines of successive statements ascend
+      int first = slot;
       int last = slot;
       while (last + 1 < slots.size() && slots.get(last + 1) == slots.get(slot)) {
         last++;
@@ -95,10 +99,20 @@ final class CompiledCode {
           slot = middle + 1;
         }
       }
-      if (statement(slot) == slot && position(slot).line() >= line) {
+      if (slot > first && spans(slot - 1, line)) {
+        return slot - 1;
+      }
+      if (spans(slot, line) || (statement(slot) == slot && position(slot).line() >= line)) {
         return slot;
       }
     }
     return -1;
+  }
+
+  /** Returns whether a line is one of a statement in several lines, such as a spline block. */
+  private boolean spans(int slot, int line) {
+    return slots.get(slot) instanceof Statements
+        && position(slot).line() < line
+        && steps(slot).stream().anyMatch(step -> step.position().line() >= line);
   }
 }

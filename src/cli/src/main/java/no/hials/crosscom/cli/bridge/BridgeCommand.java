@@ -20,6 +20,10 @@ public abstract class BridgeCommand extends ControllerCommand {
   /** Longer than any name on a controller; two of them fit into a message. */
   private static final int MAX_LENGTH = 10_000;
 
+  static final String START_HINT =
+      "likely cause: the operating mode or the state of the program does not allow it, or a message"
+          + " has to be confirmed ('jopenshowvar confirm')";
+
   @Option(names = "--json", order = 5, description = "Print JSON, see below.")
   private boolean json;
 

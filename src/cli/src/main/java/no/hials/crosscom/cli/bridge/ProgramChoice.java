@@ -97,4 +97,9 @@ final class ProgramChoice extends BridgeCommand {
       return refused(e, GENERAL_HINT);
     }
   }
+
+  @Override
+  String accessHint() {
+    return verb.equals("run") ? START_HINT : super.accessHint();
+  }
 }

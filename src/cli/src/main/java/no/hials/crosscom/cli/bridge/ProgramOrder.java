@@ -67,4 +67,9 @@ final class ProgramOrder extends BridgeCommand {
       return refused(e, GENERAL_HINT);
     }
   }
+
+  @Override
+  String accessHint() {
+    return verb.equals("start") ? START_HINT : super.accessHint();
+  }
 }

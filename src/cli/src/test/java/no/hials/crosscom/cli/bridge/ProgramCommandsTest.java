@@ -116,6 +116,22 @@ class ProgramCommandsTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"program run WAITS", "program start"})
+  void namesTheConfirmationIfAMessagePreventsTheStart(String command) {
+    run("program select", "WAITS", "--yes");
+    server.controller().emergencyStop(true);
+    server.controller().emergencyStop(false);
+
+    run(command, "--yes")
+        .failsInLines(1)
+        .last()
+        .asString()
+        .endsWith("a message has to be confirmed ('jopenshowvar confirm')");
+    run("confirm", "--yes").succeeds();
+    run(command, "--yes").succeeds();
+  }
+
   @Test
   void stopsAnActiveProgramOnlyByForce() {
     run("program run", "WAITS", "--yes");

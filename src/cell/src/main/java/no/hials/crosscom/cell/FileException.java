@@ -1,6 +1,7 @@
 package no.hials.crosscom.cell;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -50,7 +51,10 @@ public final class FileException extends IOException {
       case "FileAlreadyExistsException" -> "the file already exists";
       case "AccessDeniedException" -> "access is denied";
       case "MalformedInputException" -> "it is not in UTF-8";
-      default -> String.valueOf(e.getMessage());
+      default ->
+          e instanceof FileSystemException file && file.getReason() != null
+              ? file.getReason()
+              : String.valueOf(e.getMessage());
     };
   }
 }

@@ -79,7 +79,7 @@ public final class Archive {
    *
    * @param place a zip, a folder, or a single file
    * @return the archive
-   * @throws IOException if it cannot be read
+   * @throws IOException if it cannot be read, or has no program and no data list
    */
   public static Archive open(Path place) throws IOException {
     return open(List.of(place));
@@ -90,7 +90,7 @@ public final class Archive {
    *
    * @param places zips, folders and single files
    * @return the archive
-   * @throws IOException if one cannot be read
+   * @throws IOException if one cannot be read, or none has a program or a data list
    */
   public static Archive open(List<Path> places) throws IOException {
     return new Archive(ArchiveReader.read(places));

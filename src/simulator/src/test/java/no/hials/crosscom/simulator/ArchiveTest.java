@@ -127,6 +127,14 @@ final class ArchiveTest {
     return zip;
   }
 
+  private static int firstCentralHeader(ByteBuffer zip) {
+    int header = 0;
+    while (zip.getInt(header) != 0x02014B50) {
+      header++;
+    }
+    return header;
+  }
+
   private static Map<String, byte[]> renamed(Map<String, byte[]> files, String from, String to) {
     Map<String, byte[]> renamed = new LinkedHashMap<>();
     files.forEach((name, content) -> renamed.put(name.replaceFirst(from, to), content));
@@ -377,11 +385,7 @@ final class ArchiveTest {
     files.putAll(cell());
     Path zip = asZip(files, StandardCharsets.UTF_8);
     ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(zip)).order(ByteOrder.LITTLE_ENDIAN);
-    int header = 0;
-    while (bytes.getInt(header) != 0x02014B50) { // the first header of the central directory
-      header++;
-    }
-    bytes.putInt(header + 20, 5); // the compressed size
+    bytes.putInt(firstCentralHeader(bytes) + 20, 5); // the compressed size
     Files.write(zip, bytes.array());
 
     LoadReport report = load(zip);
@@ -423,7 +427,43 @@ final class ArchiveTest {
         .isInstanceOf(IOException.class)
         .hasMessageContaining("there is no such file");
     Path damaged = Files.write(folder.resolve("damaged.zip"), new byte[] {'P', 'K', 3, 4, 0, 0});
-    assertThatThrownBy(() -> Archive.open(damaged)).isInstanceOf(IOException.class);
+    assertThatThrownBy(() -> Archive.open(damaged))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("damaged.zip: the zip is damaged or incomplete: ");
+  }
+
+  @Test
+  void anEncryptedZipIsAnError() throws Exception {
+    Path zip = asZip(cell(), StandardCharsets.UTF_8);
+    ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(zip)).order(ByteOrder.LITTLE_ENDIAN);
+    int header = firstCentralHeader(bytes);
+    bytes.putShort(header + 8, (short) (bytes.getShort(header + 8) | 1)); // the flags
+    Files.write(zip, bytes.array());
+
+    assertThatThrownBy(() -> Archive.open(zip))
+        .isInstanceOf(IOException.class)
+        .hasMessageEndingWith("cell.zip: the zip is encrypted");
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void anArchiveWithoutProgramsAndDataListsIsAnError(boolean zip) throws Exception {
+    for (Map<String, byte[]> files :
+        List.<Map<String, byte[]>>of(Map.of(), Map.of("KRC/R1/readme.txt", text("notes")))) {
+      Path place = zip ? asZip(files, StandardCharsets.UTF_8) : asFolder(files);
+      assertThatThrownBy(() -> Archive.open(place))
+          .isInstanceOf(IOException.class)
+          .hasMessage(place + ": there is no .src, .sub or .dat file in it");
+    }
+  }
+
+  @Test
+  void aFileThatIsNeitherAZipNorOfKrlIsAnError() throws Exception {
+    Path file = Files.write(folder.resolve("cell.zip"), new byte[] {1, 2, 3, 4, 5});
+
+    assertThatThrownBy(() -> Archive.open(file))
+        .isInstanceOf(IOException.class)
+        .hasMessage(file + ": it is neither a zip nor a .src, .sub or .dat file");
   }
 
   @Test

@@ -1,6 +1,7 @@
 package no.hials.crosscom.cli.base;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -40,6 +41,8 @@ public final class LoadedFiles {
   public static Archive open(List<Path> places) throws FileException {
     try {
       return Archive.open(places);
+    } catch (FileSystemException e) {
+      throw FileException.cannot("read", Path.of(e.getFile()), e);
     } catch (IOException e) {
       throw FileException.cannot("read", places.get(0), e);
     }

@@ -71,9 +71,6 @@ final class KrlCheck extends ConsoleCommand {
             "krl-check")) {
       report = controller.load(archive, new LoadedFiles(strict).mode());
     }
-    if (report.files().isEmpty()) {
-      throw new FileException("there is no .src, .sub or .dat file in " + places.get(0));
-    }
     for (FileReport file : report.files()) {
       if (json) {
         console().print(LoadedFiles.json(file));

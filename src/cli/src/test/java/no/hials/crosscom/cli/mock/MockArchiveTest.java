@@ -134,6 +134,19 @@ class MockArchiveTest {
         .contains("no.zip", "file not found");
   }
 
+  @Test
+  void namesTheArchiveThatIsNone() throws Exception {
+    String notes = Files.writeString(dir.resolve("notes.txt"), "notes").toString();
+    String reason = "cannot read " + notes + ": it is neither a zip nor a .src, .sub or .dat file";
+
+    Cli.run("mock", "--port", "0", "--archive", notes).failsInALine(2).contains(reason);
+    Cli.run("krl", "check", zip, notes).failsInALine(2).contains(reason);
+    files.clear();
+    Cli.run("mock", "--port", "0", "--archive", zip())
+        .failsInALine(2)
+        .contains("cannot read " + zip + ": there is no .src, .sub or .dat file in it");
+  }
+
   // krl
 
   @Test

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -55,13 +56,17 @@ public final class ArchiveReader {
    *
    * @param places zips, folders and single files
    * @return the files of each place, those that were refused too
-   * @throws IOException if it cannot be read, or has too many files
+   * @throws IOException if it cannot be read, has too many files, or has no program and no data
+   *     list
    */
   public static List<List<ArchivedFile>> read(List<Path> places) throws IOException {
     ArchiveReader reader = new ArchiveReader();
     List<List<ArchivedFile>> files = new ArrayList<>();
     for (Path place : places) {
       files.add(reader.read(place));
+    }
+    if (files.stream().flatMap(List::stream).noneMatch(ArchivedFile::isModule)) {
+      throw problem(places.get(0), "there is no .src, .sub or .dat file in it");
     }
     return files;
   }
@@ -74,11 +79,18 @@ public final class ArchiveReader {
       return readAll(sources(place));
     }
     if (!isZip(place)) {
+      if (!ArchivedFile.isModule(name(place))) {
+        throw problem(place, "it is neither a zip nor a .src, .sub or .dat file");
+      }
       return readAll(List.of(new Source(name(place), () -> Files.newInputStream(place))));
     }
     try (ZipFile zip = open(place)) {
       return readAll(sources(zip));
     }
+  }
+
+  private static FileSystemException problem(Path place, String reason) {
+    return new FileSystemException(place.toString(), null, reason);
   }
 
   private static String name(Path file) {
@@ -90,7 +102,9 @@ public final class ArchiveReader {
   /** Tells a zip from its first bytes: its name can end in anything. */
   private static boolean isZip(Path file) throws IOException {
     try (InputStream in = Files.newInputStream(file)) {
-      return Arrays.equals(in.readNBytes(4), new byte[] {'P', 'K', 3, 4});
+      byte[] start = in.readNBytes(4);
+      return Arrays.equals(start, new byte[] {'P', 'K', 3, 4})
+          || Arrays.equals(start, new byte[] {'P', 'K', 5, 6}); // without entries
     }
   }
 
@@ -98,9 +112,25 @@ public final class ArchiveReader {
     try {
       return new ZipFile(file.toFile(), StandardCharsets.UTF_8);
     } catch (ZipException e) {
-      boolean known = Charset.isSupported(ZIP_NAMES);
+      return openWithOldNames(file);
+    }
+  }
+
+  private static ZipFile openWithOldNames(Path file) throws IOException {
+    boolean known = Charset.isSupported(ZIP_NAMES);
+    try {
       return new ZipFile(
           file.toFile(), known ? Charset.forName(ZIP_NAMES) : StandardCharsets.ISO_8859_1);
+    } catch (ZipException e) {
+      String message = String.valueOf(e.getMessage());
+      FileSystemException problem =
+          problem(
+              file,
+              message.contains("encrypted")
+                  ? "the zip is encrypted"
+                  : "the zip is damaged or incomplete: " + message);
+      problem.initCause(e);
+      throw problem;
     }
   }
 

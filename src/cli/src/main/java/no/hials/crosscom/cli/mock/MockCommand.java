@@ -377,11 +377,13 @@ public final class MockCommand extends ConsoleCommand {
   }
 
   private void printLoaded(LoadedFiles loaded, @Nullable Archive opened) {
+    if (opened != null) {
+      console()
+          .hint("archive " + archive + opened.description().map(text -> ": " + text).orElse(""));
+    }
     if (json) {
       loaded.reports().forEach(file -> console().print(LoadedFiles.json(file)));
     } else if (opened != null) {
-      console()
-          .hint("archive " + archive + opened.description().map(text -> ": " + text).orElse(""));
       loaded.lines().forEach(console()::hint);
     } else {
       loaded.warnings().forEach(console()::hint);

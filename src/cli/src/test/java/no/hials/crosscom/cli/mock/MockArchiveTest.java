@@ -113,6 +113,7 @@ class MockArchiveTest {
       assertThat(mock.nextLine())
           .isEqualTo(
               "{\"file\":\"KRC/R1/System/$config.dat\",\"outcome\":\"loaded\",\"problems\":[]}");
+      assertThat(mock.nextErrorLine()).startsWith("archive ").endsWith("cell.zip: name Cell 4");
     }
   }
 

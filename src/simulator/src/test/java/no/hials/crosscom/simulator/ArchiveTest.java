@@ -324,6 +324,66 @@ final class ArchiveTest {
     assertThat(variables.get("PARTS")).isEqualTo("123");
   }
 
+  @ParameterizedTest
+  @CsvSource({"A10_INI,LENIENT", "ZZ_INI,LENIENT", "A10_INI,STRICT", "ZZ_INI,STRICT"})
+  void aListImportsFromAListWithoutProgram(String from, LoadingMode mode) throws Exception {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    files.put("main.src", text("DEF MAIN( )\nDEPTH=START_COND[2]\nSTEP( )\nEND\n"));
+    files.put("step.src", text("DEF STEP( )\nSTART_COND[2]=6\nDEPTH=DEPTH+START_COND[2]\nEND\n"));
+    String imported = "IMPORT INT START_COND[] IS /R1/" + from + "..START_COND\nENDDAT\n";
+    files.put("main.dat", text("DEFDAT MAIN\n" + imported));
+    files.put("step.dat", text("DEFDAT STEP\n" + imported));
+    files.put(
+        from + ".dat",
+        text("DEFDAT " + from + " PUBLIC\nDECL INT START_COND[4]\nSTART_COND[2]=30\nENDDAT\n"));
+    files.put("out.dat", text("DEFDAT OUT PUBLIC\nGLOBAL INT DEPTH=0\nENDDAT\n"));
+
+    LoadReport report = controller.load(Archive.open(asFolder(files)), mode);
+
+    assertThat(report.problems()).isEmpty();
+    assertThat(controller.programs()).doesNotContain(from);
+    runMain();
+    assertThat(variables.get("DEPTH")).isEqualTo("36");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "DEFDAT A10_INI, IMPORT needs a public data list",
+    "DEFDAT OTHER PUBLIC, no module A10_INI with a variable START_COND"
+  })
+  void anImportThatFindsNothingIsOneProblem(String head, String problem) throws Exception {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    files.put("out.dat", text("DEFDAT OUT PUBLIC\nGLOBAL INT DEPTH=0\nENDDAT\n"));
+    files.put(
+        "main.src",
+        text("DEF MAIN( )\nDEPTH=1\nMORE( )\nDEPTH=START_COND[2]\nEND\nDEF MORE( )\nEND\n"));
+    files.put(
+        "main.dat",
+        text("DEFDAT MAIN\nIMPORT INT START_COND[] IS /R1/A10_INI..START_COND\nENDDAT\n"));
+    files.put("ini.dat", text(head + "\nDECL INT START_COND[4]\nENDDAT\n"));
+    Archive archive = Archive.open(asFolder(files));
+
+    assertThat(controller.load(archive, LoadingMode.LENIENT).problems())
+        .singleElement()
+        .asString()
+        .startsWith("main.dat:2:1: " + problem);
+    controller.robot().select("MAIN");
+    controller.start();
+    assertThat(
+            controller.stepUntil(
+                () -> controller.robot().state() == ProgramState.STOP, Duration.ofMinutes(1)))
+        .isTrue();
+    assertThat(variables.get("DEPTH")).isEqualTo("1");
+    assertThat(variables.get("$ERR.NUMBER")).isEqualTo("9010");
+
+    controller.close();
+    start();
+    controller.load(archive, LoadingMode.STRICT);
+    assertThatThrownBy(() -> controller.robot().select("MAIN"))
+        .isInstanceOf(KrlFileException.class)
+        .hasMessageStartingWith("main.dat:2:1: " + problem);
+  }
+
   @Test
   void aListMayUseTheTypesOfALaterOne() throws Exception {
     Map<String, byte[]> files = cell();

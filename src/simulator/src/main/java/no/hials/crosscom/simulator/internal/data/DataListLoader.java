@@ -34,8 +34,8 @@ import org.jspecify.annotations.Nullable;
  * any order, CHANNEL, and values of system variables that are not declared, which then have an
  * unknown type. A variable whose initial value is wrong is declared without it.
  *
- * <p>{@code EXT} and {@code EXTFCT} declare nothing here. {@code IMPORT} neither: the imported
- * variable must already be global, under the same name.
+ * <p>{@code EXT}, {@code EXTFCT} and {@code IMPORT} declare nothing here. Programs find the
+ * imported variable when they are linked, because its list can be loaded later.
  *
  * <p>The class is long, because it has a method for each kind of declaration.
  */
@@ -537,18 +537,6 @@ public final class DataListLoader {
   }
 
   private void checkExternal(Declaration.External external) throws KrlErrorException {
-    if (external.source().isEmpty()) {
-      return;
-    }
-    String original = external.source().substring(external.source().lastIndexOf('.') + 1);
-    if (!Scope.key(original).equals(Scope.key(external.name()))
-        || globals.lookup(Scope.key(original)) == null) {
-      throw new KrlErrorException(
-          external.position(),
-          "IMPORT finds only GLOBAL names, unchanged, expected "
-              + external.name()
-              + " in the globals, found "
-              + external.source());
-    }
+    Import.of(external);
   }
 }

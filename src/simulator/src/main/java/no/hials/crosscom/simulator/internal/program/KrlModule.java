@@ -8,11 +8,16 @@ import no.hials.crosscom.simulator.internal.data.Scope;
  * A module of the library.
  *
  * @param source its routines
- * @param scope the variables of its data list
+ * @param data its data list
  * @param mode whether it can be selected with errors; the program stops where it reaches one
  */
-record KrlModule(SourceFile source, Scope scope, LoadingMode mode) {
+record KrlModule(SourceFile source, ModuleData data, LoadingMode mode) {
   String name() {
     return source.name();
+  }
+
+  /** Returns the variables of its data list. */
+  Scope scope() {
+    return data.scope();
   }
 }

@@ -32,6 +32,11 @@ final class LinkErrors {
     if (!complete) {
       all.add(new KrlError(position, message));
     }
+    stop(message);
+  }
+
+  /** Notes that the statement cannot be executed, for an error that was added before. */
+  void stop(String message) {
     if (ofStatement == null) {
       ofStatement = message;
     }

@@ -29,6 +29,7 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
  */
 final class Linker {
   private final Map<String, KrlModule> modules;
+  private final Map<String, ModuleData> data;
   private final Scope globals;
   private final Set<String> unknown;
   private final Predicate<String> stopsAdvanceRun;
@@ -61,25 +62,29 @@ final class Linker {
 
   /**
    * @param modules by their names in upper case
+   * @param data the data lists of these and of modules without routines, likewise
    * @param globals the variables of the controller
    * @param unknown gets the system variables that only lenient modules mention, in upper case
    * @param stopsAdvanceRun whether access to a variable of the controller stops the advance run
    */
   Linker(
       Map<String, KrlModule> modules,
+      Map<String, ModuleData> data,
       Scope globals,
       Set<String> unknown,
       Predicate<String> stopsAdvanceRun) {
-    this(modules, globals, unknown, stopsAdvanceRun, Map.of());
+    this(modules, data, globals, unknown, stopsAdvanceRun, Map.of());
   }
 
   private Linker(
       Map<String, KrlModule> modules,
+      Map<String, ModuleData> data,
       Scope globals,
       Set<String> unknown,
       Predicate<String> stopsAdvanceRun,
       Map<String, Map<String, KrlError>> replaced) {
     this.modules = modules;
+    this.data = data;
     this.replaced = replaced;
     this.globals = globals;
     this.unknown = unknown;
@@ -101,25 +106,26 @@ final class Linker {
         });
     Map<String, Map<String, KrlError>> replaceable = replaceable();
     return replaced.isEmpty() && !replaceable.isEmpty()
-        ? new Linker(modules, globals, unknown, stopsAdvanceRun, replaceable).link()
+        ? new Linker(modules, data, globals, unknown, stopsAdvanceRun, replaceable).link()
         : linked;
   }
 
   /** Compiles the built-in modules, which see no other. */
   private void linkBuiltIn() {
     for (SourceFile source : BuiltInModules.SOURCES) {
-      KrlModule module = new KrlModule(source, new Scope(globals), LoadingMode.LENIENT);
+      KrlModule module = builtIn(source);
       for (Routine routine : source.routines()) {
         builtIn.put(Scope.key(routine.name()), head(module, routine));
       }
     }
     for (SourceFile source : BuiltInModules.SOURCES) {
-      KrlModule module = new KrlModule(source, new Scope(globals), LoadingMode.LENIENT);
+      KrlModule module = builtIn(source);
       for (Routine routine : source.routines()) {
         CompiledRoutine head = builtIn.get(Scope.key(routine.name()));
         if (head != null) {
           compile(
               module,
+              new Imports(Map.of(), globals),
               routine,
               head,
               List.of(builtIn),
@@ -128,6 +134,11 @@ final class Linker {
         }
       }
     }
+  }
+
+  private KrlModule builtIn(SourceFile source) {
+    ModuleData none = ModuleData.of(null, new Scope(globals));
+    return new KrlModule(source, none, LoadingMode.LENIENT);
   }
 
   /** Returns the routines of modules of KSS that cannot be executed and are built in, too. */
@@ -228,6 +239,8 @@ final class Linker {
   }
 
   private Linked compile(String key, KrlModule module, LinkErrors errors) {
+    Imports imports = new Imports(data, globals);
+    imports.add(module.data(), errors);
     Set<String> called = new TreeSet<>();
     Map<String, CompiledRoutine> own = ownRoutines.getOrDefault(key, Map.of());
     Map<String, CompiledRoutine> callable = new HashMap<>(own);
@@ -236,7 +249,8 @@ final class Linker {
       CompiledRoutine head = own.get(Scope.key(routine.name()));
       if (head != null) {
         RoutineContext context =
-            compile(module, routine, head, List.of(callable, globalRoutines), errors, called);
+            compile(
+                module, imports, routine, head, List.of(callable, globalRoutines), errors, called);
         if (isOfKss(module)) {
           calls.put(head, context.calledRoutines());
           if (context.stop() != null) {
@@ -254,12 +268,13 @@ final class Linker {
 
   private RoutineContext compile(
       KrlModule module,
+      Imports imports,
       Routine routine,
       CompiledRoutine head,
       List<Map<String, CompiledRoutine>> routines,
       LinkErrors errors,
       Set<String> called) {
-    SymbolTable symbols = new SymbolTable(module, globals, modules, unknown, errors);
+    SymbolTable symbols = new SymbolTable(module, globals, imports, unknown, errors);
     symbols.declare(routine);
     routineBytes += symbols.scope().bytes();
     globals.routineBytes(routineBytes);

@@ -3,6 +3,7 @@ package no.hials.crosscom.simulator.internal.program;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -30,6 +31,12 @@ public final class ProgramLibrary {
   /** By name in upper case. */
   private final Map<String, KrlModule> modules = new TreeMap<>();
 
+  /** The data of these modules, and the data lists without routines; by name in upper case. */
+  private final Map<String, ModuleData> data = new HashMap<>();
+
+  /** The bytes of all their variables, which are counted when a list is loaded. */
+  private long bytes;
+
   /** The system variables that only programs mention, in upper case. */
   private final Set<String> unknown = new HashSet<>();
 
@@ -54,57 +61,78 @@ public final class ProgramLibrary {
    * keeps the old one.
    *
    * @param source its routines; parsed without errors if the mode is strict
-   * @param data its data list, or null
+   * @param list its data list, or null
    * @param mode whether errors of the data list refuse the module, and those of the routines its
    *     selection
    * @return the errors of the data list; with an error, nothing changes. {@link #check} returns the
    *     errors of the routines
    */
-  public List<KrlError> put(SourceFile source, @Nullable DataList data, LoadingMode mode) {
+  public List<KrlError> put(SourceFile source, @Nullable DataList list, LoadingMode mode) {
+    return put(Scope.key(source.name()), source, list, mode);
+  }
+
+  private List<KrlError> put(
+      String key, @Nullable SourceFile source, @Nullable DataList list, LoadingMode mode) {
     List<KrlError> errors = new ArrayList<>();
     Scope scope = new Scope(globals);
-    countBytes(Scope.key(source.name()));
-    boolean done = data == null || globals.attempt(() -> load(data, scope, mode, errors));
+    long replaced = bytesOf(key);
+    count(-replaced); // its room is free for the new one
+    boolean done = false;
+    try {
+      done = list == null || globals.attempt(() -> load(list, scope, mode, errors));
+    } finally {
+      count(done ? scope.bytes() : replaced);
+    }
     if (done) {
-      modules.put(Scope.key(source.name()), new KrlModule(source, scope, mode));
+      ModuleData loaded = ModuleData.of(list, scope);
+      data.put(key, loaded);
+      if (source != null) {
+        modules.put(key, new KrlModule(source, loaded, mode));
+      }
       linked = null;
     }
-    countBytes("");
     return List.copyOf(errors);
   }
 
-  /** Counts the variables of the modules but one, which is replaced. */
-  private void countBytes(String replaced) {
-    long sum = 0;
-    for (Map.Entry<String, KrlModule> module : modules.entrySet()) {
-      sum += module.getKey().equals(replaced) ? 0 : module.getValue().scope().bytes();
-    }
-    globals.moduleBytes(sum);
+  /** Counts the bytes of variables that are added to or removed from those of the modules. */
+  private void count(long more) {
+    bytes += more;
+    globals.moduleBytes(bytes);
     globals.routineBytes(0);
   }
 
-  private boolean load(DataList data, Scope scope, LoadingMode mode, List<KrlError> errors) {
-    DataListLoader.load(data, scope, globals, mode, errors::add);
+  private long bytesOf(String key) {
+    ModuleData known = data.get(key);
+    return known == null ? 0 : known.scope().bytes();
+  }
+
+  private boolean load(DataList list, Scope scope, LoadingMode mode, List<KrlError> errors) {
+    DataListLoader.load(list, scope, globals, mode, errors::add);
     return mode == LoadingMode.LENIENT || errors.isEmpty();
   }
 
   /**
-   * Creates the variables of a module again.
+   * Creates the variables of a module again, or those of a data list without routines, which other
+   * modules can import.
    *
    * @return the errors of the data list; with an error, nothing changes
    */
-  public List<KrlError> put(DataList data, LoadingMode mode) {
-    KrlModule module = modules.get(Scope.key(data.name()));
-    return module == null ? List.of() : put(module.source(), data, mode);
+  public List<KrlError> put(DataList list, LoadingMode mode) {
+    String key = Scope.key(list.name());
+    KrlModule module = modules.get(key);
+    return put(key, module == null ? null : module.source(), list, mode);
   }
 
+  /** Removes a module and its data list; returns false if there is neither. */
   public boolean remove(String name) {
+    String key = Scope.key(name);
     linked = null;
-    boolean removed = modules.remove(Scope.key(name)) != null;
-    countBytes("");
-    return removed;
+    modules.remove(key);
+    count(-bytesOf(key));
+    return data.remove(key) != null;
   }
 
+  /** Returns the modules with routines, which can be selected. */
   public SortedSet<String> names() {
     SortedSet<String> names = new TreeSet<>();
     modules.values().forEach(module -> names.add(module.name()));
@@ -115,7 +143,7 @@ public final class ProgramLibrary {
    * Returns the variables of a module, with the globals around them; empty if it does not exist.
    */
   public Optional<Scope> scope(String name) {
-    return Optional.ofNullable(modules.get(Scope.key(name))).map(KrlModule::scope);
+    return Optional.ofNullable(data.get(Scope.key(name))).map(ModuleData::scope);
   }
 
   /**
@@ -134,7 +162,7 @@ public final class ProgramLibrary {
   private Map<String, Linker.Linked> linked() {
     Map<String, Linker.Linked> known = linked;
     if (known == null) {
-      known = new Linker(modules, globals, unknown, stopsAdvanceRun).link();
+      known = new Linker(modules, data, globals, unknown, stopsAdvanceRun).link();
       linked = known;
     }
     return known;

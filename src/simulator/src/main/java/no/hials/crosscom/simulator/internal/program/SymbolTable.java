@@ -18,6 +18,7 @@ import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.simulator.RefusedException;
 import no.hials.crosscom.simulator.internal.data.Declarations;
+import no.hials.crosscom.simulator.internal.data.Import;
 import no.hials.crosscom.simulator.internal.data.KrlErrorException;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.Storage;
@@ -69,7 +70,7 @@ final class SymbolTable {
 
   private final KrlModule module;
   private final Scope globals;
-  private final Map<String, KrlModule> modules;
+  private final Imports imports;
   private final Set<String> unknown;
   private final LinkErrors errors;
 
@@ -83,18 +84,14 @@ final class SymbolTable {
   private final List<Storage> locals = new ArrayList<>();
 
   /**
-   * @param modules by their names in upper case
+   * @param imports those of the data list of the module
    * @param unknown the system variables that only programs mention, in upper case
    */
   SymbolTable(
-      KrlModule module,
-      Scope globals,
-      Map<String, KrlModule> modules,
-      Set<String> unknown,
-      LinkErrors errors) {
+      KrlModule module, Scope globals, Imports imports, Set<String> unknown, LinkErrors errors) {
     this.module = module;
     this.globals = globals;
-    this.modules = modules;
+    this.imports = imports;
     this.unknown = unknown;
     this.errors = errors;
     this.own = new Scope(module.scope());
@@ -245,20 +242,11 @@ final class SymbolTable {
   }
 
   /** Declares a variable of another module: {@code IMPORT ... IS /R1/MODULE..NAME}. */
-  private void importVariable(Declaration.External external) {
-    int dots = external.source().lastIndexOf("..");
-    if (dots < 0) {
-      return;
+  private void importVariable(Declaration.External external) throws KrlErrorException {
+    Optional<Import> wanted = Import.of(external);
+    if (wanted.isPresent()) {
+      locations.put(wanted.get().name(), imports.resolve(wanted.get()));
     }
-    String path = external.source().substring(0, dots);
-    String from = path.substring(path.lastIndexOf('/') + 1);
-    String key = Scope.key(external.source().substring(dots + 2));
-    KrlModule other = modules.get(Scope.key(from));
-    if (other == null || !other.scope().contains(key) || !key.equals(Scope.key(external.name()))) {
-      errors.add(external.position(), "no module " + from + " with a variable " + external.name());
-      return;
-    }
-    locations.put(key, new StorageLocation.Shared(other.scope()));
   }
 
   /** Returns a variable for the value of a function; null if its type is wrong. */
@@ -302,12 +290,15 @@ final class SymbolTable {
     if (location != null) {
       return location;
     }
-    for (Scope scope : List.of(own, module.scope(), globals)) {
+    for (Scope scope : List.of(own, module.scope())) {
       if (scope.contains(key)) {
         return new StorageLocation.Shared(scope);
       }
     }
-    return null;
+    StorageLocation imported = imports.find(key);
+    return imported == null && globals.contains(key)
+        ? new StorageLocation.Shared(globals)
+        : imported;
   }
 
   /**
@@ -321,7 +312,12 @@ final class SymbolTable {
     }
     StorageLocation location = find(key);
     if (location == null) {
-      errors.add(variable.position(), "no variable " + variable.name() + " is declared");
+      String missing = imports.missing(key);
+      if (missing == null) {
+        errors.add(variable.position(), "no variable " + variable.name() + " is declared");
+      } else {
+        errors.stop(missing);
+      }
       return null;
     }
     Scope scope = location instanceof StorageLocation.Shared shared ? shared.scope() : own;

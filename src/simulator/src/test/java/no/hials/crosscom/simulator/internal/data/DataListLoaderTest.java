@@ -166,7 +166,7 @@ class DataListLoaderTest {
     }
 
     @Test
-    void importFindsWhatIsGlobalUnderItsOwnName() {
+    void importKeepsTheNameAndIsResolvedByPrograms() {
       assertThat(
               load(
                   "M",
@@ -175,10 +175,10 @@ class DataListLoaderTest {
                   "IMPORT INT SHARED IS /R1/OTHER..SHARED"))
           .isEmpty();
       assertThat(load("M", "IMPORT INT MINE IS /R1/OTHER..SHARED"))
-          .singleElement()
-          .asString()
-          .contains("IMPORT finds only GLOBAL names, unchanged", "expected MINE");
-      assertThat(load("M", "IMPORT INT HIDDEN IS /R1/OTHER..HIDDEN")).hasSize(1);
+          .containsExactly(
+              "x:2:1: IMPORT keeps the name of the variable in this simulation, expected SHARED,"
+                  + " found MINE");
+      assertThat(load("M", "IMPORT INT HIDDEN IS /R1/OTHER..HIDDEN")).isEmpty();
     }
   }
 

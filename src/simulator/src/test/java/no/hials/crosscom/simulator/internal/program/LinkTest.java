@@ -176,6 +176,31 @@ class LinkTest {
   }
 
   @Test
+  void replacesAndRemovesDataListsWithoutRoutines() {
+    Rig rig = new Rig();
+    DataList data = (DataList) Rig.parse("s.dat", "DEFDAT S PUBLIC\nINT N=1\nENDDAT\n");
+    rig.load("DEF M()\nI = N\nEND\n", "DEFDAT M\nIMPORT INT N IS /R1/S..N\nENDDAT\n");
+    assertThat(rig.library.check("M")).hasSize(1);
+
+    assertThat(rig.library.put(data, LoadingMode.STRICT)).isEmpty();
+    assertThat(rig.library.put(data, LoadingMode.STRICT)).isEmpty();
+    assertThat(rig.library.names()).containsExactly("M");
+    assertThat(rig.library.check("M")).isEmpty();
+
+    assertThat(rig.library.remove("S")).isTrue();
+    assertThat(rig.library.remove("S")).isFalse();
+    assertThat(rig.library.check("M")).hasSize(1);
+  }
+
+  @Test
+  void importsAGlobalVariableOfAnotherModule() {
+    Rig rig =
+        new Rig().load("DEF STORE()\nEND\n", "DEFDAT STORE PUBLIC\nGLOBAL INT STOCK=12\nENDDAT\n");
+
+    assertThat(rig.errorsIn("IMPORT INT STOCK IS /R1/STORE..STOCK\nI = STOCK")).isEmpty();
+  }
+
+  @Test
   void replacesAndRemovesModules() throws KrlFileException {
     Rig rig = new Rig().load("DEF M()\nI = 1\nEND\n").load("DEF m()\nI = 2\nEND\n").select("M");
     assertThat(rig.library.names()).containsExactly("m");

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cli.base.ConsoleCommand;
@@ -38,8 +39,8 @@ import picocli.CommandLine.Parameters;
     footer = {
       "",
       "The output is CSV. Each motion is a row: the time of its start in seconds, its target in"
-          + " $BASE, in mm and degrees, and the axes there. With --period a row is a position"
-          + " instead.",
+          + " $BASE, in mm and degrees, and the axes there, with the external axes that exist."
+          + " With --period a row is a position instead.",
       "",
       "Exit code 1 if the program does not reach its end; stderr has the messages.",
       "",
@@ -50,7 +51,7 @@ import picocli.CommandLine.Parameters;
 final class KrlRun extends ConsoleCommand {
   private static final Duration CYCLE = Duration.ofMillis(12);
   private static final List<String> POSITION = List.of("X", "Y", "Z", "A", "B", "C");
-  private static final List<String> AXES = List.of("A1", "A2", "A3", "A4", "A5", "A6");
+  private static final int ROBOT_AXES = 6;
 
   @Parameters(paramLabel = "FILE.src", description = "The program, or one of --archive.")
   private Path file = Path.of("");
@@ -97,6 +98,8 @@ final class KrlRun extends ConsoleCommand {
   @Option(names = "--strict", description = "End with an error if a file has one.")
   private boolean strict;
 
+  private List<String> axes = List.of();
+
   @Override
   public ExitCode run() throws IOException {
     if (period != null && period.toMillis() % CYCLE.toMillis() != 0) {
@@ -116,6 +119,7 @@ final class KrlRun extends ConsoleCommand {
         throw new FileException(
             file + " cannot be selected:", String.valueOf(e.getMessage()).lines().toList(), e);
       }
+      axes = axes(controller);
       console().print(String.join(",", titles()));
       boolean ended = runToEnd(controller);
       controller.messages().forEach(message -> console().hint(message.toString()));
@@ -164,6 +168,15 @@ final class KrlRun extends ConsoleCommand {
     return false;
   }
 
+  /** Returns the fields of the robot's axes and of the external axes that exist. */
+  private static List<String> axes(Controller controller) {
+    int external = Math.min(Integer.parseInt(controller.variables().get("$EX_AX_NUM")), 6);
+    return Stream.concat(
+            IntStream.rangeClosed(1, ROBOT_AXES).mapToObj(axis -> "A" + axis),
+            IntStream.rangeClosed(1, external).mapToObj(axis -> "E" + axis))
+        .toList();
+  }
+
   private List<String> titles() {
     return Stream.concat(Stream.of("time"), names()).toList();
   }
@@ -172,11 +185,11 @@ final class KrlRun extends ConsoleCommand {
     String kind = period == null ? "FOR" : "ACT";
     return Stream.concat(
         POSITION.stream().map(field -> "$POS_" + kind + "." + field),
-        AXES.stream().map(field -> "$AXIS_" + kind + "." + field));
+        axes.stream().map(field -> "$AXIS_" + kind + "." + field));
   }
 
-  private static Stream<String> values(MotionTarget motion) {
-    return Stream.concat(values(motion.position(), POSITION), values(motion.axes(), AXES));
+  private Stream<String> values(MotionTarget motion) {
+    return Stream.concat(values(motion.position(), POSITION), values(motion.axes(), axes));
   }
 
   private static Stream<String> values(KrlStruct struct, List<String> fields) {

@@ -332,6 +332,33 @@ class MockArchiveTest {
   }
 
   @Test
+  void runPrintsTheExternalAxesThatExist() throws Exception {
+    files.put(
+        "KRC/R1/Mada/$machine.dat",
+        """
+        DEFDAT $MACHINE PUBLIC
+        INT $EX_AX_NUM=1
+        $AXIS_TYPE[7]=3
+        $SOFTN_END[7]=-90.0
+        $SOFTP_END[7]=90.0
+        $VEL_AXIS_MA[7]=3000.0
+        $RAT_MOT_AX[7]={N 180,D 1}
+        ENDDAT
+        """);
+    files.put("KRC/R1/Program/turn.src", "DEF TURN( )\nPTP {E1 30.0}\nEND\n");
+
+    Cli.Result result = Cli.run("krl", "run", "turn.src", "--archive", zip());
+
+    assertThat(result.code()).as(result.err()).isZero();
+    assertThat(result.lines().get(0)).endsWith(",$AXIS_FOR.A6,$AXIS_FOR.E1");
+    assertThat(result.lines().get(1)).endsWith(",30.0000");
+    assertThat(Cli.run("krl", "run", "turn.src", "--archive", zip, "--period", "12ms").lines())
+        .first()
+        .asString()
+        .endsWith(",$AXIS_ACT.A6,$AXIS_ACT.E1");
+  }
+
+  @Test
   void runPrintsThePositionAtAPeriod() {
     Cli.Result result = Cli.run("krl", "run", "pick.src", "--archive", zip, "--period", "24ms");
 

@@ -28,8 +28,8 @@ import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.motion.Interpolator;
 import no.hials.crosscom.simulator.internal.motion.Joints;
 import no.hials.crosscom.simulator.internal.program.KrlInterpreter;
+import no.hials.crosscom.simulator.internal.program.MotionOrder;
 import no.hials.crosscom.simulator.internal.program.ProgramLibrary;
-import no.hials.crosscom.simulator.internal.program.StopOrder;
 import no.hials.crosscom.simulator.internal.program.TriggerOrder;
 import org.jspecify.annotations.Nullable;
 
@@ -521,7 +521,7 @@ public final class ControllerCore {
     robot.fire(order);
   }
 
-  private boolean isTrue(StopOrder stop) throws KrlExecutionException {
+  private boolean isTrue(MotionOrder.Stop stop) throws KrlExecutionException {
     return robot.isTrue(stop);
   }
 

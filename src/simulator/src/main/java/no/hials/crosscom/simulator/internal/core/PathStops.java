@@ -7,7 +7,7 @@ import java.util.Set;
 import no.hials.crosscom.simulator.KrlExecutionException;
 import no.hials.crosscom.simulator.internal.motion.Interpolator;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand;
-import no.hials.crosscom.simulator.internal.program.StopOrder;
+import no.hials.crosscom.simulator.internal.program.MotionOrder;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,10 +17,10 @@ import org.jspecify.annotations.Nullable;
 final class PathStops {
   /** Evaluates the condition of a stop. */
   interface Condition {
-    boolean isTrue(StopOrder stop) throws KrlExecutionException;
+    boolean isTrue(MotionOrder.Stop stop) throws KrlExecutionException;
   }
 
-  private record Waiting(long motion, StopOrder order) {}
+  private record Waiting(long motion, MotionOrder.Stop order) {}
 
   private final Condition condition;
   private final List<Waiting> waiting = new ArrayList<>();
@@ -32,7 +32,7 @@ final class PathStops {
     this.condition = condition;
   }
 
-  void add(MotionCommand motion, List<StopOrder> orders) {
+  void add(MotionCommand motion, List<MotionOrder.Stop> orders) {
     orders.forEach(order -> waiting.add(new Waiting(motion.id(), order)));
   }
 

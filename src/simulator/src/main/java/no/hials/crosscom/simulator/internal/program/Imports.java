@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 
 /** The variables that the data list of a module imports; found again for each linking. */
 final class Imports {
-  private final Map<String, ModuleData> data;
+  private final Map<String, KrlModule.Data> data;
   private final Scope globals;
   private final Map<String, StorageLocation> locations = new HashMap<>();
 
@@ -20,13 +20,13 @@ final class Imports {
    * @param data the data of all modules, by their names in upper case
    * @param globals the variables of the controller
    */
-  Imports(Map<String, ModuleData> data, Scope globals) {
+  Imports(Map<String, KrlModule.Data> data, Scope globals) {
     this.data = data;
     this.globals = globals;
   }
 
   /** Adds the imports of a data list. */
-  void add(ModuleData module, LinkErrors errors) {
+  void add(KrlModule.Data module, LinkErrors errors) {
     for (Import wanted : module.imports()) {
       try {
         locations.put(wanted.name(), resolve(wanted));
@@ -53,7 +53,7 @@ final class Imports {
    * @throws KrlErrorException if it does not exist, or the data list is not public
    */
   StorageLocation resolve(Import wanted) throws KrlErrorException {
-    ModuleData other = data.get(Scope.key(wanted.module()));
+    KrlModule.Data other = data.get(Scope.key(wanted.module()));
     boolean isDeclared = other != null && other.scope().contains(wanted.name());
     if (isDeclared && other.isPublic()) {
       return new StorageLocation.Shared(other.scope());

@@ -213,7 +213,7 @@ public final class KrlInterpreter {
    *
    * @param stop a stop of a motion of this interpreter
    */
-  public boolean isTrue(StopOrder stop) throws KrlExecutionException {
+  public boolean isTrue(MotionOrder.Stop stop) throws KrlExecutionException {
     return !machine.ended() && machine.condition(stop.condition(), stop.owner());
   }
 

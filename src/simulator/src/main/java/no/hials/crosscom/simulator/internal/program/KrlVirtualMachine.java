@@ -605,7 +605,7 @@ final class KrlVirtualMachine {
     next.add(trigger);
   }
 
-  void stop(StopOrder stop) throws KrlExecutionException {
+  void stop(MotionOrder.Stop stop) throws KrlExecutionException {
     requireRobot("STOP WHEN");
     next.add(stop);
   }

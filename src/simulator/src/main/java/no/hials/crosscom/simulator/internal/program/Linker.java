@@ -29,7 +29,7 @@ import no.hials.crosscom.simulator.internal.data.VariablePath;
  */
 final class Linker {
   private final Map<String, KrlModule> modules;
-  private final Map<String, ModuleData> data;
+  private final Map<String, KrlModule.Data> data;
   private final Scope globals;
   private final Set<String> unknown;
   private final Predicate<String> stopsAdvanceRun;
@@ -69,7 +69,7 @@ final class Linker {
    */
   Linker(
       Map<String, KrlModule> modules,
-      Map<String, ModuleData> data,
+      Map<String, KrlModule.Data> data,
       Scope globals,
       Set<String> unknown,
       Predicate<String> stopsAdvanceRun) {
@@ -78,7 +78,7 @@ final class Linker {
 
   private Linker(
       Map<String, KrlModule> modules,
-      Map<String, ModuleData> data,
+      Map<String, KrlModule.Data> data,
       Scope globals,
       Set<String> unknown,
       Predicate<String> stopsAdvanceRun,
@@ -137,7 +137,7 @@ final class Linker {
   }
 
   private KrlModule builtIn(SourceFile source) {
-    ModuleData none = ModuleData.of(null, new Scope(globals));
+    KrlModule.Data none = KrlModule.Data.of(null, new Scope(globals));
     return new KrlModule(source, none, LoadingMode.LENIENT);
   }
 

@@ -111,7 +111,7 @@ final class MotionCompiler {
         machine -> {
           double mm = machine.popNumber();
           PathPoint at = new PathPoint(point(machine, stop.onStart(), inBlock), mm);
-          machine.stop(new StopOrder(at, condition, machine.frame()));
+          machine.stop(new MotionOrder.Stop(at, condition, machine.frame()));
         });
   }
 
@@ -181,7 +181,7 @@ final class MotionCompiler {
       throws KrlExecutionException {
     SplineBuilder spline = machine.next().spline();
     List<TriggerOrder> triggers = machine.next().takeTriggers();
-    List<StopOrder> stops = machine.next().takeStops();
+    List<MotionOrder.Stop> stops = machine.next().takeStops();
     if (spline.segments().isEmpty()) {
       throw new KrlExecutionException(
           KrlExecutionException.NOT_ALLOWED, "a spline block needs a segment");
@@ -243,7 +243,7 @@ final class MotionCompiler {
       KrlVirtualMachine machine,
       Statement.SplineMotion motion,
       List<TriggerOrder> triggers,
-      List<StopOrder> stops)
+      List<MotionOrder.Stop> stops)
       throws KrlExecutionException {
     Points points = Points.pop(machine, motion.auxiliary(), motion.circularAngle());
     boolean through =

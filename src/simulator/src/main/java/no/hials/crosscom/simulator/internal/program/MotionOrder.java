@@ -9,6 +9,7 @@ import no.hials.crosscom.lang.Statement.Approximation;
 import no.hials.crosscom.lang.Statement.MotionKind;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.simulator.internal.motion.PathPoint;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -43,10 +44,19 @@ public record MotionOrder(
     String module,
     Position position,
     List<TriggerOrder> triggers,
-    List<StopOrder> stops,
+    List<Stop> stops,
     Form form,
     Map<String, KrlValue> settings,
     @Nullable BlockOrder block) {
+  /**
+   * A {@code STOP WHEN PATH} with its values.
+   *
+   * @param at where the robot stops
+   * @param condition the condition, to evaluate by {@link KrlInterpreter#isTrue}
+   * @param owner the frame whose variables it uses
+   */
+  public record Stop(PathPoint at, CompiledCode condition, CallFrame owner) {}
+
   /** The forms of a motion. */
   public enum Form {
     /** PTP, LIN, CIRC. */

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 /** The triggers, stops and settings that statements have set for the next motion. */
 final class NextMotion {
   private final List<TriggerOrder> triggers = new ArrayList<>();
-  private final List<StopOrder> stops = new ArrayList<>();
+  private final List<MotionOrder.Stop> stops = new ArrayList<>();
 
   /** The spline motion or block that is being evaluated, else null. */
   private @Nullable SplineBuilder spline;
@@ -37,7 +37,7 @@ final class NextMotion {
     triggers.add(trigger);
   }
 
-  void add(StopOrder stop) {
+  void add(MotionOrder.Stop stop) {
     stops.add(stop);
   }
 
@@ -48,7 +48,7 @@ final class NextMotion {
   }
 
   /** Removes and returns the stops. */
-  List<StopOrder> takeStops() {
+  List<MotionOrder.Stop> takeStops() {
     stopsBefore = 0;
     return taken(stops);
   }

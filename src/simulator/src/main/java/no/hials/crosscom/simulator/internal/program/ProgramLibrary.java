@@ -32,7 +32,7 @@ public final class ProgramLibrary {
   private final Map<String, KrlModule> modules = new TreeMap<>();
 
   /** The data of these modules, and the data lists without routines; by name in upper case. */
-  private final Map<String, ModuleData> data = new HashMap<>();
+  private final Map<String, KrlModule.Data> data = new HashMap<>();
 
   /** The bytes of all their variables, which are counted when a list is loaded. */
   private long bytes;
@@ -84,7 +84,7 @@ public final class ProgramLibrary {
       count(done ? scope.bytes() : replaced);
     }
     if (done) {
-      ModuleData loaded = ModuleData.of(list, scope);
+      KrlModule.Data loaded = KrlModule.Data.of(list, scope);
       data.put(key, loaded);
       if (source != null) {
         modules.put(key, new KrlModule(source, loaded, mode));
@@ -102,7 +102,7 @@ public final class ProgramLibrary {
   }
 
   private long bytesOf(String key) {
-    ModuleData known = data.get(key);
+    KrlModule.Data known = data.get(key);
     return known == null ? 0 : known.scope().bytes();
   }
 
@@ -143,7 +143,7 @@ public final class ProgramLibrary {
    * Returns the variables of a module, with the globals around them; empty if it does not exist.
    */
   public Optional<Scope> scope(String name) {
-    return Optional.ofNullable(data.get(Scope.key(name))).map(ModuleData::scope);
+    return Optional.ofNullable(data.get(Scope.key(name))).map(KrlModule.Data::scope);
   }
 
   /**

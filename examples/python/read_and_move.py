@@ -48,7 +48,7 @@ def start_program(controller):
     controller.load(path.of(str(PROJECT / "krl/config.dat")))
     program = controller.load(path.of(str(PROJECT / "krl/follow_axis.src")))
     controller.robot().select(program)
-    controller.robot().start()
+    controller.runProgram()
 
 
 def run(host, port):

@@ -55,9 +55,11 @@ public final class LoadOwnProgram {
       controller.load("weigh.src", PROGRAM);
       controller.robot().select("WEIGH");
       client.writeInt("PARTS", 4);
-      controller.robot().start();
-      controller.stepUntil(
-          () -> controller.robot().state() == ProgramState.END, Duration.ofMinutes(1));
+      controller.runProgram();
+      boolean ended =
+          controller.stepUntil(
+              () -> controller.robot().state() == ProgramState.END, Duration.ofMinutes(1));
+      System.out.println("ended: " + ended);
       System.out.println("TOTAL = " + client.readText("TOTAL"));
       System.out.println("A1 = " + client.readText("$AXIS_ACT.A1"));
       System.out.println("simulated time: " + controller.time().toMillis() + " ms");

@@ -128,7 +128,11 @@ class ExamplesTest {
   @Test
   void loadOwnProgramPrintsTheMistakeAndThenTheResult() {
     assertThat(run(() -> LoadOwnProgram.main(new String[0])).lines())
-        .startsWith("weigh.src:6:3: ASYPTP is not supported", "TOTAL = 15.0000", "A1 = 10.0000");
+        .startsWith(
+            "weigh.src:6:3: ASYPTP is not supported",
+            "ended: true",
+            "TOTAL = 15.0000",
+            "A1 = 10.0000");
   }
 
   @Test

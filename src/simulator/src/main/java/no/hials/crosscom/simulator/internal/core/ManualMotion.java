@@ -57,8 +57,8 @@ final class ManualMotion {
   }
 
   /**
-   * Returns the part of the planned speed of a jog, 0 to 1: a lower {@code $OV_JOG} counts
-   * immediately, a higher one from the next press (assumed).
+   * Returns the part of the planned speed of a jog, 0 to 1: a lower {@code $OV_JOG} takes effect at
+   * once, a higher one from the next press (assumed).
    */
   double override(double jogOverride) {
     return Math.min(1, jogOverride / planned);
@@ -143,11 +143,14 @@ final class ManualMotion {
       throws KrlExecutionException {
     state = next;
     planned = motions.resolver().speeds().jogShare();
+    boolean done = false;
     try {
       plan(kind, target, coordinates);
-    } catch (KrlExecutionException e) {
-      state = State.NONE;
-      throw e;
+      done = true;
+    } finally {
+      if (!done) {
+        state = State.NONE;
+      }
     }
   }
 

@@ -10,7 +10,7 @@ import no.hials.crosscom.simulator.internal.motion.PathRates;
  * and in a BCO run, or those of jogging (docs/reference/simulated-controller.md#reduced-speeds).
  */
 final class MotionSpeeds {
-  /** What a motion is planned for. */
+  /** The reason why a motion is planned. */
   enum Purpose {
     PROGRAM,
     REDUCED,
@@ -27,7 +27,7 @@ final class MotionSpeeds {
   private static final double DEFAULT_ACCELERATION = 2.3;
   private static final double DEFAULT_TURN_ACCELERATION = 100;
 
-  // with a rate of 0 a motion would never end; what replaces it is assumed
+  // assumed; with 0 a motion would never end, and axes have at least 0.1 %
 
   private static final double LEAST_PERCENT = 0.1;
 

@@ -70,7 +70,7 @@ public final class Scope {
   /** The outputs that system signals are wired to; null if unknown. */
   private @Nullable BitSet systemOutputs;
 
-  /** What the present attempt has replaced; null without an attempt. */
+  /** The values that the present attempt has replaced; null outside of an attempt. */
   private @Nullable Undo undo;
 
   /** The bytes of the variables and types of this scope. */

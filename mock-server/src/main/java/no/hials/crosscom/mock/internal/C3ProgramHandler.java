@@ -2,7 +2,6 @@ package no.hials.crosscom.mock.internal;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.Statement.MotionKind;
@@ -67,8 +66,10 @@ public final class C3ProgramHandler {
   private final Supplier<Controller> controller;
   private final Version version;
 
-  /** The connection whose jog key is pressed. */
-  private final AtomicReference<@Nullable Object> jogging = new AtomicReference<>();
+  private final Object jogLock = new Object();
+
+  /** The connection whose jog key is pressed; under {@link #jogLock}. */
+  private @Nullable Object jogging;
 
   /** Creates the handler for all connections. */
   public C3ProgramHandler(Supplier<Controller> controller, Version version) {
@@ -106,14 +107,19 @@ public final class C3ProgramHandler {
    * @param connection the connection that it came on
    */
   Response handle(ProgramRequest request, Object connection) {
-    Response response = REQUESTS.apply(this, request);
-    if (request instanceof PendantKeyRequest key
-        && isJog(key)
-        && response instanceof TypedResponse answer
-        && answer.tail().success()) {
-      jogging.set(key.released() ? null : connection);
+    return request instanceof PendantKeyRequest key && isJog(key)
+        ? jog(key, connection)
+        : REQUESTS.apply(this, request);
+  }
+
+  private Response jog(PendantKeyRequest key, Object connection) {
+    synchronized (jogLock) {
+      Response response = REQUESTS.apply(this, key);
+      if (response instanceof TypedResponse answer && answer.tail().success()) {
+        jogging = key.released() ? null : connection;
+      }
+      return response;
     }
-    return response;
   }
 
   private static boolean isJog(PendantKeyRequest request) {
@@ -122,11 +128,14 @@ public final class C3ProgramHandler {
 
   /** Releases the jog key if a connection that ends has pressed it. */
   void ended(Object connection) {
-    if (jogging.compareAndSet(connection, null)) {
-      try {
-        controller.get().releaseJog();
-      } catch (IllegalStateException e) {
-        log.debug("the server was closed while a jog key was pressed");
+    synchronized (jogLock) {
+      if (jogging == connection) {
+        jogging = null;
+        try {
+          controller.get().releaseJog();
+        } catch (IllegalStateException e) {
+          log.debug("the server was closed while a jog key was pressed");
+        }
       }
     }
   }
@@ -280,8 +289,8 @@ public final class C3ProgramHandler {
    * Assumed: as on the pendant, the start key must be held in T1 and T2, and the robot can be
    * jogged only in these, with {@code $OV_JOG}. The numbers 1 to 6 stand for A1 to A6, or for X, Y,
    * Z, A, B and C in the coordinates selected on the pendant; those of the 6D mouse never for axes,
-   * but for {@code $BASE} instead. The numbers from 7 on stand for E1 and the following. If the
-   * connection ends, a jog key stays pressed until any client releases it.
+   * but for {@code $BASE} instead. The numbers from 7 on stand for E1 and the following. When the
+   * connection that pressed a jog key ends, the key is released.
    */
   private ErrorCode press(PendantKeyRequest request) throws KrlExecutionException {
     PendantKey key = request.key().known().orElse(null);

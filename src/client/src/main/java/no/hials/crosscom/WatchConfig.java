@@ -32,7 +32,7 @@ public final class WatchConfig {
     Set<String> seen = new HashSet<>();
     for (String name : names) {
       boolean isNew = seen.add(VariableName.check(name).toUpperCase(Locale.ROOT));
-      check(isNew, "each variable can be watched once, twice is " + name);
+      check(isNew, "a variable can be watched only once: " + name + " is repeated");
     }
     this.names = List.copyOf(names);
     this.handles = List.copyOf(handles);

@@ -225,7 +225,7 @@ class WatchTest extends RobotTest {
     Handle<Integer> own = client.intHandle("MYINT");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> WatchConfig.ofHandles(List.of(own, client.realHandle("MYINT")), c -> {}))
-        .withMessage("each variable can be watched once, twice is MYINT");
+        .withMessage("a variable can be watched only once: MYINT is repeated");
     try (CrossComClient other = client(LONG)) {
       WatchConfig config = WatchConfig.ofHandles(List.of(own), cfg -> {});
       assertThatIllegalArgumentException()
@@ -767,6 +767,6 @@ class WatchTest extends RobotTest {
         .withMessage("name");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> WatchConfig.create(List.of("MYINT", "Myint"), cfg -> {}))
-        .withMessage("each variable can be watched once, twice is Myint");
+        .withMessage("a variable can be watched only once: Myint is repeated");
   }
 }

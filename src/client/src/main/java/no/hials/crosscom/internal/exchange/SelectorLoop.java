@@ -36,8 +36,7 @@ public final class SelectorLoop implements Executor {
   /** The users of channels that are ready, until they have been called. */
   private List<Selectable> ready = new ArrayList<>();
 
-  /** Set under the lock of {@link #start}, and read by {@link #close} without it. */
-  private volatile @Nullable Selector selector;
+  private @Nullable Selector selector;
 
   private @Nullable Thread thread;
   private volatile boolean closed;

@@ -68,20 +68,31 @@ public final class JsonLine {
    * @param text the text of the value
    */
   public static String of(String robot, String name, KrlValue value, String text) {
-    boolean whole = Leaf.isWholeArray(name);
-    KrlValue shown = whole && KrlArray.isElement(value) ? new KrlArray(List.of(value)) : value;
     return line(
         robot,
         name,
         json -> {
-          json.writeStringField("type", type(shown, whole));
-          if (shown instanceof KrlStruct struct) {
-            json.writeStringField("struc", struct.typeName());
-          }
-          json.writeFieldName("value");
-          write(json, shown);
+          writeTyped(json, name, value);
           json.writeStringField("text", text);
         });
+  }
+
+  /**
+   * Writes the fields {@code type} and {@code value} of a variable, for a structure also {@code
+   * struc}, in the form of {@link #of(String, String)}.
+   *
+   * @param json the generator, within an object
+   */
+  public static void writeTyped(JsonGenerator json, String name, KrlValue value)
+      throws IOException {
+    boolean whole = Leaf.isWholeArray(name);
+    KrlValue shown = whole && KrlArray.isElement(value) ? new KrlArray(List.of(value)) : value;
+    json.writeStringField("type", type(shown, whole));
+    if (shown instanceof KrlStruct struct) {
+      json.writeStringField("struc", struct.typeName());
+    }
+    json.writeFieldName("value");
+    write(json, shown);
   }
 
   /** Writes the fields of an object. */

@@ -41,25 +41,37 @@ public record RobotConnection(
    */
   public static RobotConnection open(Robot robot, Consumer<ClientConfig.Builder> settings)
       throws CrossComException {
+    return new RobotConnection(robot, new CrossComClient(config(robot, settings)), null);
+  }
+
+  /**
+   * Connects to a robot that has a host, in the background: the robot may be off until later. See
+   * {@link CrossComClient#lazy}.
+   *
+   * @param settings sets the options that the user does not choose
+   */
+  public static RobotConnection openLazily(Robot robot, Consumer<ClientConfig.Builder> settings)
+      throws CrossComException {
+    return new RobotConnection(robot, CrossComClient.lazy(config(robot, settings)), null);
+  }
+
+  private static ClientConfig config(Robot robot, Consumer<ClientConfig.Builder> settings) {
     Duration limit = robot.timeout();
-    CrossComClient client =
-        new CrossComClient(
-            ClientConfig.create(
-                Objects.requireNonNull(robot.host(), "a simulated robot needs its server first"),
-                cfg -> {
-                  cfg.port(robot.port());
-                  if (limit != null) {
-                    cfg.connectTimeout(limit).requestTimeout(limit);
-                  }
-                  if (robot.server() != null) {
-                    cfg.server(robot.server());
-                  }
-                  if (robot.charset() != null) {
-                    cfg.charset(robot.charset());
-                  }
-                  settings.accept(cfg);
-                }));
-    return new RobotConnection(robot, client, null);
+    return ClientConfig.create(
+        Objects.requireNonNull(robot.host(), "a simulated robot needs its server first"),
+        cfg -> {
+          cfg.port(robot.port());
+          if (limit != null) {
+            cfg.connectTimeout(limit).requestTimeout(limit);
+          }
+          if (robot.server() != null) {
+            cfg.server(robot.server());
+          }
+          if (robot.charset() != null) {
+            cfg.charset(robot.charset());
+          }
+          settings.accept(cfg);
+        });
   }
 
   @Override
